@@ -1,0 +1,11 @@
+# Native build: one GoogleTest program from all of tests/cpp.
+find_package(GTest REQUIRED)
+include(GoogleTest)
+enable_testing()
+
+file(GLOB test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/cpp/*.cpp)
+add_executable(warpjet_tests ${test_sources})
+target_include_directories(warpjet_tests PRIVATE tests/cpp)
+target_link_libraries(warpjet_tests PRIVATE warpjet_core GTest::gtest_main)
+# PRE_TEST: the list of tests is asked for by ctest, so a crash at start-up is a failing test, not a failing build.
+gtest_discover_tests(warpjet_tests DISCOVERY_MODE PRE_TEST)

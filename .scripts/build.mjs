@@ -1,0 +1,100 @@
+// npm run build: C++ -> wasm -> js-bindings/generated -> dist. A step whose inputs are unchanged is left out.
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { cmakeBuild } from './lib/cmake.mjs'
+import { path, step, walk } from './lib/files.mjs'
+import { run } from './lib/run.mjs'
+import { reportSizes } from './lib/sizes.mjs'
+import { Stop, isMain, main } from './lib/terminal.mjs'
+import { setup } from './setup.mjs'
+
+const scripts = ['.scripts/build.mjs', '.scripts/lib', 'package-lock.json']
+const generated = 'js-bindings/generated'
+
+const sources = (pattern) =>
+  walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
+
+const bundles = ['warpjet', 'p5', 'autodiff', 'p5.warpjet.min'].map((name) => `dist/${name}.js`)
+const entries = ['index', 'p5', 'autodiff', 'p5.global'].map((name) => `js-bindings/${name}.ts`)
+
+export async function build() {
+  await step('WebAssembly core', {
+    inputs: [
+      ...scripts,
+      'CMakeLists.txt',
+      'CMakePresets.json',
+      '.cmake/wasm.cmake',
+      'src',
+      ...sources(/\.[ch]pp$/),
+    ],
+    outputs: ['.build/wasm/core.mjs', '.build/wasm/core.wasm'],
+    work: () => cmakeBuild('wasm'),
+  })
+
+  await step('Core as JavaScript', {
+    inputs: [...scripts, 'package.json', '.build/wasm/core.mjs', '.build/wasm/core.wasm'],
+    outputs: ['core', 'core-wasm', 'version'].map((name) => `${generated}/${name}.js`),
+    work: generateModules,
+  })
+
+  const missing = entries.filter((file) => !sources(/\.ts$/).includes(file))
+  if (missing.length) throw new Stop(`The library has no entry ${missing.join(', ')}`)
+
+  const inputs = [...scripts, 'tsconfig.json', ...sources(/\.ts$/), generated]
+  await step('Bundles', {
+    inputs: [...inputs, '.scripts/vite.library.mjs', 'package.json'],
+    outputs: bundles,
+    work: bundle,
+  })
+
+  await step('Types', {
+    inputs: [...inputs, '.scripts/tsconfig.types.json'],
+    outputs: ['index', 'p5', 'autodiff'].map((name) => `dist/types/${name}.d.ts`),
+    work: declareTypes,
+  })
+
+  reportSizes(walk('dist', /\.js$/), { 'dist/p5.warpjet.min.js': 104 * 1024 })
+}
+
+/** The compiler's output as modules that any bundler takes: the wasm is handed in, so its address never matters. */
+function generateModules() {
+  const write = (name, text) => writeFileSync(path(generated, name), text)
+  mkdirSync(path(generated), { recursive: true })
+
+  const glue = readFileSync(path('.build/wasm/core.mjs'), 'utf8')
+  write('core.js', glue.replaceAll('import.meta.url', '"file:///"'))
+  write(
+    'core.d.ts',
+    'export default function core<Module>(options: { wasmBinary: Uint8Array }): Module\n',
+  )
+
+  const wasm = readFileSync(path('.build/wasm/core.wasm'))
+  write('core-wasm.js', `export default '${wasm.toString('base64')}'\n`)
+  write('core-wasm.d.ts', 'declare const base64: string\nexport default base64\n')
+
+  const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
+  write('version.js', `export const version = '${version}'\n`)
+  write('version.d.ts', 'export declare const version: string\n')
+}
+
+async function bundle() {
+  const vite = await import('vite')
+  const { modules, script } = await import('./vite.library.mjs')
+  for (const file of walk('dist', /\.js$/)) rmSync(path(file))
+  await vite.build(modules)
+  await vite.build(script)
+}
+
+async function declareTypes() {
+  rmSync(path('dist/types'), { recursive: true, force: true })
+  await run(process.execPath, [
+    'node_modules/typescript/bin/tsc',
+    '--project',
+    '.scripts/tsconfig.types.json',
+  ])
+}
+
+if (isMain(import.meta))
+  await main(async () => {
+    await setup()
+    await build()
+  })

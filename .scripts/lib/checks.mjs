@@ -1,0 +1,61 @@
+// The steps of `npm test`, each ends well or throws.
+import { path, walk } from './files.mjs'
+import { availableParallelism } from 'node:os'
+import { cmakeBuild } from './cmake.mjs'
+import { run } from './run.mjs'
+import { Stop } from './terminal.mjs'
+
+const node = (...args) => run(process.execPath, args)
+const binary = (name) => path('node_modules', name)
+
+export const cppFiles = () =>
+  ['src', 'js-bindings', 'tests'].flatMap((folder) => walk(folder, /\.[ch]pp$/))
+
+const prettier = (mode) =>
+  node(binary('prettier/bin/prettier.cjs'), mode, '--log-level', 'warn', '.')
+
+export async function format() {
+  await run('clang-format', ['-i', ...cppFiles()])
+  await prettier('--write')
+}
+
+async function checkFormat() {
+  await run('clang-format', ['--dry-run', '-Werror', ...cppFiles()])
+  await prettier('--check')
+}
+
+async function cpp(preset) {
+  await cmakeBuild(preset)
+  await run('ctest', [
+    '--preset',
+    preset,
+    '--parallel',
+    `${availableParallelism()}`,
+    '--no-tests=error',
+  ])
+}
+
+async function nodeTests(folder, ...options) {
+  const files = walk(folder, /\.test\.js$/)
+  if (!files.length) throw new Stop(`There are no tests in ${folder}.`)
+  await node('--test', '--test-reporter=spec', ...options, ...files)
+}
+
+/** `group` is what `npm test -- <group>` selects. */
+export const checks = [
+  { group: 'format', title: 'Formatting', work: checkFormat },
+  {
+    group: 'types',
+    title: 'Types',
+    work: () => node(binary('typescript/bin/tsc'), '--project', 'tsconfig.json'),
+  },
+  { group: 'cpp', title: 'C++ tests', work: () => cpp('native') },
+  { group: 'cpp', title: 'C++ tests under ASan and UBSan', work: () => cpp('sanitize') },
+  { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },
+  // One after the other: each starts a browser that takes every core.
+  {
+    group: 'browser',
+    title: 'Browser tests',
+    work: () => nodeTests('tests/browser', '--test-concurrency=1'),
+  },
+]

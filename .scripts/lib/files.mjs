@@ -1,0 +1,56 @@
+// Which files there are, and which steps can be left out because none of theirs has changed.
+import { createHash } from 'node:crypto'
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { good, heading, root, say, seconds } from './terminal.mjs'
+
+export const path = (...parts) => join(fileURLToPath(root), ...parts)
+
+/** All files below `folder` (relative to the repository) whose name matches, sorted, with '/' on every system. */
+export function walk(folder, matches = /./) {
+  if (!existsSync(path(folder))) return []
+  return readdirSync(path(folder), { withFileTypes: true })
+    .flatMap((entry) => {
+      const name = `${folder}/${entry.name}`
+      if (entry.isDirectory()) return walk(name, matches)
+      return matches.test(entry.name) ? [name] : []
+    })
+    .sort()
+}
+
+/** A file stands for itself, a folder for all files in it. */
+const expand = (inputs) =>
+  inputs.flatMap((input) =>
+    existsSync(path(input)) && statSync(path(input)).isDirectory() ? walk(input) : [input],
+  )
+
+function fingerprint(inputs) {
+  const hash = createHash('sha256')
+  for (const file of expand(inputs)) {
+    hash.update(`${file}\0`)
+    if (existsSync(path(file))) hash.update(readFileSync(path(file)))
+  }
+  return hash.digest('hex')
+}
+
+/**
+ * Does `work` unless it has been done for just these inputs and its outputs are still there.
+ * The stamp is written last, so a step that failed is done again.
+ */
+export async function step(title, { inputs, outputs, work }) {
+  const stamp = path('.build/stamps', title.replace(/\W+/g, '-'))
+  const now = fingerprint(inputs)
+  const known = existsSync(stamp) && readFileSync(stamp, 'utf8')
+  if (known === now && outputs.every((file) => existsSync(path(file)))) {
+    good(`${title}: up to date`)
+    return
+  }
+  heading(title)
+  const start = performance.now()
+  await work()
+  mkdirSync(path('.build/stamps'), { recursive: true })
+  writeFileSync(stamp, now)
+  good(`${title}: ${seconds(start)}`)
+  say()
+}

@@ -1,0 +1,97 @@
+// What the project needs, how it is recognised, and which Debian packages bring it.
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { findBrowser, isUbuntu } from './browser.mjs'
+import { path } from './files.mjs'
+import { capture } from './run.mjs'
+import { atLeast, cmakePackageVersion, headerVersion, remembered, versionOf } from './versions.mjs'
+import { onPath } from './which.mjs'
+
+/** A program of at least some version. `find` answers { found } or { wrong } or nothing. */
+const program = (names, least) => async () => {
+  const file = onPath(...names)
+  const version = file && (await versionOf(file))
+  if (!version) return {}
+  if (least && !atLeast(version, least)) return { wrong: `${version} is older than ${least}` }
+  return { found: `${version} (${file})` }
+}
+
+const header = (names, pattern) => () => ({ found: headerVersion(names, pattern) })
+
+// Uses what the core uses most of C++20, so that a compiler which takes this takes the core.
+const probe = `#include <bit>
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <tuple>
+struct Key { std::uint32_t a, b; auto operator<=>(const Key&) const = default; };
+template <std::floating_point T> constexpr T twice(T x) { return x + x; }
+constexpr auto rows = std::tuple{[]<class T>(T x) { return twice(x); }};
+static_assert(std::get<0>(rows)(1.0) == 2.0 && Key{1, 2} < Key{1, 3});
+int main() { const int n[] = {0}; return std::span(n)[0] + int(std::bit_cast<std::uint32_t>(0.0f)); }
+`
+
+async function compiler() {
+  const file = onPath(...[process.env.CXX, 'c++', 'g++', 'clang++'].filter(Boolean))
+  if (!file) return {}
+  const version = await versionOf(file)
+  const works = await remembered(file, probe, async () => {
+    const source = path('.build/probe.cpp')
+    mkdirSync(path('.build'), { recursive: true })
+    writeFileSync(source, probe)
+    const args = ['-std=c++20', source, '-o', path('.build/probe')]
+    return (await capture(file, args)) === null ? null : 'yes'
+  })
+  return works
+    ? { found: `${version} (${file})` }
+    : { wrong: `${file} ${version} does not compile C++20` }
+}
+
+export const requirements = [
+  {
+    name: 'Emscripten',
+    find: program(['emcc'], '3.1.6'),
+    apt: ['emscripten'],
+    advice: 'put a newer one on PATH with emsdk (https://emscripten.org/docs/getting_started)',
+  },
+  { name: 'CMake', find: program(['cmake'], '3.21'), apt: ['cmake'] },
+  { name: 'Ninja or make', find: program(['ninja', 'make']), apt: ['ninja-build'] },
+  {
+    name: 'C++20 compiler',
+    find: compiler,
+    apt: ['g++'],
+    advice: 'install g++ 11 or newer and name it in CXX',
+  },
+  {
+    name: 'GoogleTest',
+    find: () => ({ found: cmakePackageVersion('GTest') }),
+    apt: ['libgtest-dev'],
+  },
+  { name: 'clang-format', find: program(['clang-format']), apt: ['clang-format'] },
+  {
+    name: 'GLM',
+    find: header(['glm/detail/setup.hpp'], /"GLM: version ([\d.]+)"/),
+    apt: ['libglm-dev'],
+  },
+  { name: 'tinygltf', find: header(['tiny_gltf.h'], /v(\d[\d.]+\d)/), apt: ['libtinygltf-dev'] },
+  {
+    name: 'nlohmann-json',
+    find: header(['nlohmann/json.hpp'], /version (\d[\d.]+\d)/),
+    apt: ['nlohmann-json3-dev'],
+  },
+  {
+    name: 'stb',
+    find: header(['stb/stb_image.h', 'stb_image.h'], /v(\d[\d.]+\d)/),
+    apt: ['libstb-dev'],
+  },
+  {
+    name: 'Chromium',
+    find: async () => {
+      const file = await findBrowser()
+      return file ? { found: `${await versionOf(file)} (${file})`, file } : {}
+    },
+    // Ubuntu's package is a stub for snap, whose browser cannot read /tmp: playwright-core fetches one instead.
+    apt: isUbuntu() ? [] : ['chromium'],
+    fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', 'chromium'] : null,
+  },
+]

@@ -1,0 +1,32 @@
+// Child processes: `run` shows what the program prints, `capture` returns it.
+import { spawn } from 'node:child_process'
+import { Stop, root } from './terminal.mjs'
+
+/** Streams the program's output; throws a Stop unless it ends with 0. */
+export async function run(command, args, options = {}) {
+  const code = await exitCode(command, args, options)
+  if (code !== 0) throw new Stop(`${command} ${args.join(' ')} failed (${code})`)
+}
+
+export function exitCode(command, args, { env = {}, cwd = root } = {}) {
+  const child = spawn(command, args, { cwd, env: { ...process.env, ...env }, stdio: 'inherit' })
+  return new Promise((resolve) => {
+    child.on('error', (error) => resolve(error.code))
+    child.on('close', (code, signal) => resolve(code ?? signal))
+  })
+}
+
+/** What the program prints on stdout, or null if it cannot be started or fails. */
+export function capture(command, args, { env = {} } = {}) {
+  const child = spawn(command, args, {
+    cwd: root,
+    env: { ...process.env, ...env },
+    stdio: ['ignore', 'pipe', 'ignore'],
+  })
+  let text = ''
+  child.stdout.setEncoding('utf8').on('data', (part) => (text += part))
+  return new Promise((resolve) => {
+    child.on('error', () => resolve(null))
+    child.on('close', (code) => resolve(code === 0 ? text : null))
+  })
+}

@@ -1,0 +1,33 @@
+// What the commands say: one line a fact, one heading a step.
+import { realpathSync } from 'node:fs'
+import { pathToFileURL } from 'node:url'
+
+const codes = { bold: 1, red: 31, green: 32 }
+const coloured = process.stdout.isTTY && !process.env.NO_COLOR
+const paint = (style, text) => (coloured ? `\x1b[${codes[style]}m${text}\x1b[0m` : text)
+
+export const root = new URL('../../', import.meta.url)
+
+export const say = (text = '') => console.log(text)
+export const heading = (text) => say(`\n${paint('bold', `▸ ${text}`)}`)
+export const good = (text) => say(`${paint('green', '✓')} ${text}`)
+export const bad = (text) => say(`${paint('red', '✗')} ${text}`)
+export const seconds = (since) => `${((performance.now() - since) / 1000).toFixed(1)} s`
+
+/** An error whose message says everything: `main` prints it without a stack trace. */
+export class Stop extends Error {}
+
+/** Runs `work` as the whole program and turns a Stop into one line and exit code 1. */
+export async function main(work) {
+  try {
+    await work()
+  } catch (error) {
+    if (!(error instanceof Stop)) throw error
+    bad(error.message)
+    process.exitCode = 1
+  }
+}
+
+/** True when `meta` is that of the script named on the command line. */
+export const isMain = (meta) =>
+  process.argv[1] && meta.url === pathToFileURL(realpathSync(process.argv[1])).href

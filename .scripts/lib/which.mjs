@@ -1,0 +1,24 @@
+import { accessSync, constants, statSync } from 'node:fs'
+import { delimiter, join } from 'node:path'
+
+const endings = process.platform === 'win32' ? ['.exe', '.bat', '.cmd', ''] : ['']
+
+export function isProgram(file) {
+  try {
+    accessSync(file, constants.X_OK)
+    return statSync(file).isFile()
+  } catch {
+    return false
+  }
+}
+
+/** The full path of the first of `names` that the shell would find, or null. */
+export function onPath(...names) {
+  for (const name of names)
+    for (const folder of (process.env.PATH ?? '').split(delimiter))
+      for (const ending of endings) {
+        const file = join(folder, name + ending)
+        if (folder && isProgram(file)) return file
+      }
+  return null
+}

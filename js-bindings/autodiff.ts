@@ -1,0 +1,4 @@
+// 'warpjet/autodiff': stands in for glsl-autodiff.
+export { gen } from './compile.js'
+export type { GenSettings } from './compile.js'
+export type { Glsl as AD, Scalar as Op, Scalar as Param, Vector as VectorOp } from './types.js'

@@ -1,0 +1,176 @@
+// One compilation: the session in the wasm, and what a sketch asked for so far. All node numbers
+// pass through here, and it is closed when the callback is over, whatever happened.
+import { type Core, type Emitted, type Session, getCore, graphFull, notFinite } from './core.js'
+import { WarpError, describe } from './errors.js'
+import { Expression } from './expression.js'
+import { callerOutside } from './source-lines.js'
+
+const largestFloat32 = 3.4028234663852886e38
+
+export const targets = ['glsl300', 'glsl100'] as const
+
+/** A shading language. */
+export type Target = (typeof targets)[number]
+
+export interface Output {
+  name: string
+  value: Expression
+  sum?: { input: number; output: number }
+}
+
+export class Compilation {
+  readonly core: Core = getCore()
+  readonly outputs: Output[] = []
+  private session: Session | 0
+  private readonly constants = new Map<number, number>()
+  private readonly inputComponents = new Set<number>()
+  private readonly inputLabels: string[] = []
+  private readonly comments: Map<number, string> | undefined
+
+  constructor(target: unknown, debug = false) {
+    if (!targets.includes(target as Target))
+      throw new WarpError(
+        `The target must be one of ${targets.join(', ')}, but is ${describe(target)}.`,
+      )
+    this.session = this.core.open(target as Target)
+    this.comments = debug ? new Map() : undefined
+  }
+
+  close() {
+    if (this.session) this.core._close(this.session)
+    this.session = 0
+  }
+
+  private open(method: string): Session {
+    if (!this.session)
+      throw new WarpError(
+        `${method}: the function that made this expression is over; use expressions only inside it.`,
+      )
+    return this.session
+  }
+
+  /** A node of the operation number `operation`; `method` names it in messages. */
+  node(operation: number, a: number, b: number, c: number, method: string): number {
+    const id = this.core._apply(this.open(method), operation, a, b, c)
+    if (id < 0) this.refuse(id, method)
+    if (this.comments && !this.comments.has(id)) this.comments.set(id, callerOutside())
+    return id
+  }
+
+  private refuse(id: number, method: string): never {
+    if (id === notFinite)
+      throw new WarpError(
+        `${method}: the result of these constants is not a finite number that a shader can hold.`,
+      )
+    throw new WarpError(
+      `${method}: this warp has more than four million operations; does a loop never end?`,
+    )
+  }
+
+  constant(value: number, method: string, place: string): number {
+    const session = this.open(method)
+    if (!(Math.abs(value) <= largestFloat32))
+      throw new WarpError(
+        `${method}: ${place} is ${value}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`,
+      )
+    let id = this.constants.get(value)
+    if (id === undefined || Object.is(value, -0)) {
+      id = this.core._constant(session, value)
+      if (id === graphFull) this.refuse(id, method)
+      this.constants.set(value, id)
+    }
+    return id
+  }
+
+  /** A variable of the host, by the expression that reads it there. */
+  input(label: unknown, size: number, method: string): Expression {
+    const session = this.open(method)
+    if (typeof label !== 'string')
+      throw new WarpError(
+        `${method}: the name of a shader variable was expected, but ${describe(label)} came.`,
+      )
+    const problem = this.core.inputProblem(session, label)
+    if (problem)
+      throw new WarpError(`${method}: "${label}" cannot be read in a shader: ${problem}.`)
+    const input = this.core.input(session, label, size)
+    this.inputLabels[input] = label
+    const ids = Array.from({ length: size }, (_, i) => this.core._component(session, input, i))
+    for (const id of ids) {
+      if (id < 0) this.refuse(id, method)
+      this.inputComponents.add(id)
+    }
+    return new Expression(this, ids)
+  }
+
+  /** The partial derivative of each component by a scalar input, or one component of a vector. */
+  derivative(value: Expression, input: Expression, method: string): Expression {
+    const session = this.open(method)
+    if (input.ids.length !== 1)
+      throw new WarpError(
+        `${method}: a derivative is taken by a single number; choose a component of the vector, such as position.x().`,
+      )
+    this.requireInput(input, method)
+    const ids = value.ids.map((id) => this.core._derivative(session, id, input.ids[0]!))
+    for (const id of ids) if (id < 0) this.refuse(id, method)
+    return new Expression(this, ids)
+  }
+
+  private requireInput(expression: Expression, method: string) {
+    if (!expression.ids.every((id) => this.inputComponents.has(id)))
+      throw new WarpError(
+        `${method}: a derivative is taken by an input such as millis or position.x(), not by something computed.`,
+      )
+  }
+
+  warpedPosition(position: Expression, offset: Expression): Expression {
+    const ids = this.core.warpedPosition(this.open('warp'), position.ids, offset.ids)
+    return new Expression(this, ids)
+  }
+
+  warpedNormal(position: Expression, normal: Expression, offset: Expression, method: string) {
+    const session = this.open(method)
+    this.requireInput(position, method)
+    const ids = this.core.warpedNormal(session, position.ids, normal.ids, offset.ids)
+    return new Expression(this, ids)
+  }
+
+  /** Asks for a result under a name. */
+  output(name: unknown, value: Expression, method: string, sum?: Output['sum']) {
+    const session = this.open(method)
+    if (typeof name !== 'string')
+      throw new WarpError(
+        `${method}: the name of a result must be a text, but is ${describe(name)}.`,
+      )
+    const problem = this.core.outputProblem(session, name)
+    if (problem) throw new WarpError(`${method}: "${name}" cannot name a result: ${problem}.`)
+    if (this.outputs.some((output) => output.name === name))
+      throw new WarpError(`${method}: there are two results named "${name}"; rename one.`)
+    this.outputs.push({ name, value, sum })
+  }
+
+  /** A result that is also the sum of an input and the earlier output number `output`. */
+  outputAsSum(name: unknown, value: Expression, label: string, output: number, method: string) {
+    this.output(name, value, method, { input: this.inputLabels.indexOf(label), output })
+  }
+
+  emit(maxDepth = 8): Emitted & { code: string; labels: string[] } {
+    const outputs = this.outputs.map(({ name, value, sum }) => ({ name, ids: value.ids, sum }))
+    const comments = this.comments ? [...this.comments] : []
+    const emitted = this.core.emit(this.open('emit'), outputs, maxDepth, comments)
+    if (emitted.code === undefined) this.refuse(graphFull, 'emit')
+    const labels = emitted.inputs.map((input) => this.inputLabels[input]!)
+    this.refuseShadowing(labels)
+    return { ...emitted, code: emitted.code, labels }
+  }
+
+  /** A result named like a variable that the text reads would hide it. */
+  private refuseShadowing(labels: string[]) {
+    for (const { name } of this.outputs) {
+      const hidden = labels.find((label) => new RegExp(`(^|[^.\\w])${name}\\b`).test(label))
+      if (hidden !== undefined)
+        throw new WarpError(
+          `The result "${name}" has the name of a variable that it is computed from ("${hidden}"); rename the result.`,
+        )
+    }
+  }
+}

@@ -1,0 +1,197 @@
+// From a callback to shader text: builds the graph, asks for results, and closes the compilation.
+import { Builder } from './builder.js'
+import { Compilation, type Target } from './compilation.js'
+import { WarpError, describe } from './errors.js'
+import { Expression, sizeName, toExpression } from './expression.js'
+import { checkCallback, checkOptions } from './options.js'
+import type { Expression as AnyExpression, Glsl, OffsetFunction, WarpInputs } from './types.js'
+
+/** How much work a result is. */
+export interface Stats {
+  /** Graph nodes that the results need, constants and inputs included. */
+  nodes: number
+  /** Those of them that compute something. */
+  operations: number
+  temporaries: number
+}
+
+export interface Compiled {
+  /** Statements for the inside of a function; they declare and assign the results. */
+  code: string
+  /** Functions that `code` calls, for above it; may be empty. */
+  declarations: string
+  /** The inputs that the statements really read. */
+  uniforms: string[]
+  stats: Stats
+}
+
+export interface CompileOptions {
+  /** The shading language; `'glsl300'` unless given. */
+  target?: Target
+}
+
+const vertexInputs = { position: 3, normal: 3, uv: 2, color: 4 }
+const drawInputs = { millis: 1, mouse: 2, size: 2, pixelDensity: 1 }
+const inputSizes = { ...vertexInputs, ...drawInputs }
+
+export type InputName = keyof typeof inputSizes
+
+export interface WarpOptions extends CompileOptions {
+  /** The host shader's expression for each input; its name unless given. */
+  names?: Partial<Record<InputName, string>>
+  /** The names of the results. */
+  outputs?: { position?: string; normal?: string; offset?: string }
+  /** `false` leaves the normal out. */
+  normals?: boolean
+}
+
+export interface CompiledWarp extends Compiled {
+  /** The inputs that are read and are the same for a whole draw call: millis, mouse, size,
+   * pixelDensity, and the sketch's own parameters. */
+  uniforms: string[]
+  /** The inputs that are read and differ by vertex: position, normal, uv, color. */
+  attributes: string[]
+}
+
+/**
+ * Compiles an offset function into statements that move a vertex and turn its normal. They declare
+ * `vec3 offset, warpedPosition, warpedNormal`; the normal has length 1, or 0 where the warp
+ * collapses the surface. Throws a `WarpError`.
+ */
+export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): CompiledWarp {
+  const method = 'compileWarp'
+  checkCallback(method, offset)
+  checkOptions(method, options, ['target', 'names', 'outputs', 'normals'])
+  checkOptions(`${method} names`, options.names, Object.keys(inputSizes))
+  checkOptions(`${method} outputs`, options.outputs, ['position', 'normal', 'offset'])
+
+  return withCompilation(options.target, false, (compilation) => {
+    const labels: Record<string, string> = {}
+    const inputs: Record<string, Expression> = {}
+    for (const [name, size] of Object.entries(inputSizes)) {
+      labels[name] = options.names?.[name as InputName] ?? name
+      inputs[name] = compilation.input(labels[name], size, `${method} names.${name}`)
+    }
+    const { position, normal } = inputs as { position: Expression; normal: Expression }
+    const value = checkOffset(compilation, offset(warpInputs(compilation, inputs)))
+
+    const names = { offset: 'offset', position: 'warpedPosition', normal: 'warpedNormal' }
+    Object.assign(names, options.outputs)
+    const place = `${method} outputs`
+    const first = compilation.outputs.length
+    compilation.output(names.offset, value, place)
+    compilation.outputAsSum(
+      names.position,
+      compilation.warpedPosition(position, value),
+      labels['position']!,
+      first,
+      place,
+    )
+    if (options.normals ?? true)
+      compilation.output(
+        names.normal,
+        compilation.warpedNormal(position, normal, value, method),
+        place,
+      )
+
+    const { labels: used, ...compiled } = emitted(compilation)
+    const isRead = (name: string) => used.includes(labels[name]!)
+    const isOwn = (label: string) => !Object.values(labels).includes(label)
+    return {
+      ...compiled,
+      uniforms: [...Object.keys(drawInputs).filter(isRead), ...used.filter(isOwn)],
+      attributes: Object.keys(vertexInputs).filter(isRead),
+    }
+  })
+}
+
+/**
+ * Compiles any named expressions. The callback gets the builder and returns them as an object;
+ * `glsl.derivative(expression, input)` is an expression too. Throws a `WarpError`.
+ */
+export function compile(
+  callback: (glsl: Glsl) => Record<string, AnyExpression | number>,
+  options: CompileOptions = {},
+): Compiled {
+  checkCallback('compile', callback)
+  checkOptions('compile', options, ['target'])
+  return withCompilation(options.target, false, (compilation) => {
+    const results: unknown = callback(new Builder(compilation) as unknown as Glsl)
+    if (typeof results !== 'object' || results === null || results instanceof Expression)
+      throw new WarpError(
+        `compile: the function must return an object of named expressions, but returned ${describe(results)}.`,
+      )
+    for (const [name, value] of Object.entries(results))
+      compilation.output(
+        name,
+        toExpression(compilation, 'compile', value, `the result "${name}"`),
+        'compile',
+      )
+    const { labels, ...compiled } = emitted(compilation)
+    return { ...compiled, uniforms: labels }
+  })
+}
+
+export interface GenSettings extends CompileOptions {
+  /** The number of nested operations at which an expression becomes a variable; 8 unless given. */
+  maxDepthPerVariable?: number
+  /** Adds the line of the sketch that each statement comes from. */
+  debug?: boolean
+}
+
+/**
+ * glsl-autodiff's `gen`: the callback asks for results with `.output(name)` and
+ * `.outputDeriv(name, input)`, and the statements come back. Throws a `WarpError`.
+ */
+export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): string {
+  checkCallback('gen', callback)
+  checkOptions('gen', settings, ['target', 'maxDepthPerVariable', 'debug'])
+  const { maxDepthPerVariable = 8, debug = false, target } = settings
+  if (!(typeof maxDepthPerVariable === 'number' && maxDepthPerVariable >= 1))
+    throw new WarpError(
+      `gen: maxDepthPerVariable must be a number of at least 1, but is ${describe(maxDepthPerVariable)}.`,
+    )
+  return withCompilation(target, debug, (compilation) => {
+    callback(new Builder(compilation) as unknown as Glsl)
+    return emitted(compilation, maxDepthPerVariable).code
+  })
+}
+
+function withCompilation<Result>(
+  target: Target = 'glsl300',
+  debug: boolean,
+  work: (compilation: Compilation) => Result,
+): Result {
+  const compilation = new Compilation(target, debug)
+  try {
+    return work(compilation)
+  } finally {
+    compilation.close()
+  }
+}
+
+function warpInputs(compilation: Compilation, inputs: Record<string, Expression>): WarpInputs {
+  const part = (name: string, i: number) => new Expression(compilation, [inputs[name]!.ids[i]!])
+  return {
+    glsl: new Builder(compilation),
+    ...inputs,
+    mouseX: part('mouse', 0),
+    mouseY: part('mouse', 1),
+    width: part('size', 0),
+    height: part('size', 1),
+  } as unknown as WarpInputs
+}
+
+function checkOffset(compilation: Compilation, offset: unknown): Expression {
+  const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
+  if (!(offset instanceof Expression))
+    throw new WarpError(`compileWarp: ${expected}, but returned ${describe(offset)}.`)
+  if (offset.ids.length !== 3)
+    throw new WarpError(`compileWarp: ${expected}, but returned ${sizeName(offset.ids.length)}.`)
+  return toExpression(compilation, 'compileWarp', offset, 'the offset')
+}
+
+function emitted(compilation: Compilation, maxDepth?: number) {
+  const { code, labels, nodes, operations, temporaries } = compilation.emit(maxDepth)
+  return { code, declarations: '', labels, stats: { nodes, operations, temporaries } }
+}

@@ -1,0 +1,14 @@
+/** What a sketch did wrong, in one sentence: the method, the argument, what was expected, what came. */
+export class WarpError extends Error {
+  override name = 'WarpError'
+}
+
+/** How a value that came in is shown in a message. */
+export function describe(value: unknown): string {
+  if (value === null || value === undefined) return String(value)
+  if (typeof value === 'string') return `the text "${value.slice(0, 40)}"`
+  if (typeof value === 'number') return `the number ${value}`
+  if (typeof value === 'function') return 'a function'
+  if (Array.isArray(value)) return `an array of ${value.length}`
+  return typeof value === 'object' ? 'an object' : `the ${typeof value} ${String(value)}`
+}

@@ -1,0 +1,18 @@
+// Checks of what a caller hands in beside the callback.
+import { WarpError, describe } from './errors.js'
+
+/** An object of options, or nothing; `known` names what it may hold. */
+export function checkOptions(method: string, options: unknown, known: readonly string[]) {
+  if (options === undefined) return
+  if (typeof options !== 'object' || options === null || Array.isArray(options))
+    throw new WarpError(`${method}: the options must be an object, but are ${describe(options)}.`)
+  for (const key of Object.keys(options)) {
+    if (!known.includes(key))
+      throw new WarpError(`${method}: there is no option "${key}"; there are ${known.join(', ')}.`)
+  }
+}
+
+export function checkCallback(method: string, callback: unknown) {
+  if (typeof callback !== 'function')
+    throw new WarpError(`${method}: a function was expected, but ${describe(callback)} came.`)
+}

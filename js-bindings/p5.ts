@@ -1,0 +1,77 @@
+/**
+ * The p5 addon. Where p5 is a global, as after its script tag, importing this file is enough. As a module p5 is no
+ * global, and then it is handed over: `p5.registerAddon(warpjet)` on 2.x, `warpjet(p5)` on 2.x and 1.11 alike.
+ * p5 is not imported here: it cannot load without a browser, and a second copy of it would start a second sketch.
+ */
+import { type Distort, createWarp as create, keepWarp } from './p5/create-warp.js'
+import { type Canvas, sketchRemoved } from './p5/host.js'
+import type { CreateWarpOptions } from './p5/options.js'
+import type { OffsetFunction } from './types.js'
+
+export type { Distort }
+export type { CreateWarpOptions, WarpSpace, WarpType } from './p5/options.js'
+export type { WarpUniforms } from './p5/uniforms.js'
+
+/**
+ * What the addon adds to a sketch and to a p5.Graphics. TypeScript lets nobody add to the default export that p5's own
+ * types are: write `p as p5 & Warping`, or use the function `createWarp` below.
+ */
+export interface Warping {
+  createWarp(offset: OffsetFunction, options?: CreateWarpOptions): Distort
+}
+
+/** `sketch.createWarp(offset, options)` without registering anything; `canvas` is a sketch or a p5.Graphics. */
+export const createWarp = (
+  canvas: object,
+  offset: OffsetFunction,
+  options?: CreateWarpOptions,
+): Distort => create(canvas as Canvas, offset, options)
+
+interface P5 {
+  prototype: Methods
+  Graphics: { prototype: Methods }
+  registerAddon?(addon: unknown): void
+}
+
+interface Methods extends Partial<Warping> {
+  normalMaterial?(...args: unknown[]): unknown
+  registerMethod?(event: 'remove', listener: (this: Canvas) => void): void
+}
+
+const registered = Symbol.for('warpjet')
+
+/** Adds `createWarp` to p5 and p5.Graphics. Doing it again changes nothing. */
+export default function warpjet(p5: object, _fn?: object, lifecycles?: { remove?: unknown }): void {
+  const host = p5 as P5
+  if (!lifecycles && host.registerAddon) return host.registerAddon(warpjet)
+  if (registered in p5) return
+  Object.defineProperty(p5, registered, { value: true })
+
+  for (const methods of [host.prototype, host.Graphics.prototype]) addMethods(methods)
+  if (lifecycles) lifecycles.remove = sketchRemoved
+  else host.prototype.registerMethod?.('remove', sketchRemoved)
+}
+
+function addMethods(methods: Methods) {
+  methods.createWarp = function (offset, options) {
+    return createWarp(this, offset, options)
+  }
+  // On 1.11 a p5.Graphics takes this method from p5 itself.
+  const { normalMaterial } = methods
+  if (!normalMaterial) return
+  methods.normalMaterial = function (this: Canvas, ...args) {
+    const result = normalMaterial.apply(this, args)
+    keepWarp(this)
+    return result
+  }
+}
+
+/** Registers with p5 if it is a global, and says whether it was. */
+export function registerGlobally(): boolean {
+  const p5: unknown = (globalThis as Record<string, unknown>).p5
+  if (typeof p5 !== 'function') return false
+  warpjet(p5)
+  return true
+}
+
+registerGlobally()

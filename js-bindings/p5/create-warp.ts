@@ -1,0 +1,83 @@
+/** `createWarp` itself: compiles the offset once for the canvas, and makes the function that a sketch calls to draw with it. */
+import { compileWarp } from '../compile.js'
+import { WarpError, describe } from '../errors.js'
+import { hookStyleOf, namesFor, weave } from './hooks.js'
+import { type Canvas, type Shader, materialOf, webglOf } from './host.js'
+import { type CreateWarpOptions, type WarpSettings, type WarpType, readOptions } from './options.js'
+import type { OffsetFunction } from '../types.js'
+import { type WarpUniforms, setInputs, setUniforms } from './uniforms.js'
+
+/** Puts the warp on what is drawn next, and turns strokes off, which p5 would draw unwarped. */
+export type Distort = (uniforms?: WarpUniforms) => void
+
+/** For a shader that is in use: puts its warp on again, after the sketch changed the material. */
+const reapply = new WeakMap<Shader, () => void>()
+
+export function createWarp(
+  canvas: Canvas,
+  offset: OffsetFunction,
+  options?: CreateWarpOptions,
+): Distort {
+  const settings = readOptions(options)
+  if (!webglOf(canvas))
+    throw new WarpError(
+      'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
+    )
+  let compiled = compileFor(canvas, offset, settings)
+
+  function apply(uniforms: WarpUniforms) {
+    const renderer = webglOf(canvas)
+    if (!renderer) throw new WarpError('The canvas that this warp was made for is gone.')
+    // setAttributes() and a second createCanvas() make a new renderer, where the old one's shaders mean nothing.
+    if (renderer !== compiled.renderer) compiled = compileFor(canvas, offset, settings)
+
+    const followed = materialOf(renderer)._useNormalMaterial ? 'normal' : 'specular'
+    const shader = compiled.shaderFor(settings.type ?? followed)
+    canvas.shader(shader)
+    canvas.noStroke()
+    setInputs(shader, compiled.inputs, canvas)
+    setUniforms(shader, uniforms, settings.defs)
+    reapply.set(shader, () => apply(uniforms))
+  }
+
+  return (uniforms = {}) => {
+    if (uniforms === null || typeof uniforms !== 'object' || Array.isArray(uniforms))
+      throw new WarpError(
+        `The function that createWarp returned takes an object of uniforms, such as { size: 0.5 }, but ${describe(uniforms)} came.`,
+      )
+    apply(uniforms)
+  }
+}
+
+/** The warp as shaders of the canvas's present renderer, one for each material, made when it is first drawn with. */
+function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettings) {
+  const material = canvas.baseMaterialShader?.()
+  const style = material && hookStyleOf(material)
+  if (!style)
+    throw new WarpError('createWarp: this p5 has no shader hooks; version 1.11 or newer is needed.')
+
+  const target = material.version() === '100 es' ? 'glsl100' : 'glsl300'
+  const warp = compileWarp(offset, { target, names: namesFor(style) })
+  const shaders: Partial<Record<WarpType, Shader>> = {}
+  return {
+    renderer: webglOf(canvas),
+    inputs: warp.uniforms,
+    shaderFor: (type: WarpType) =>
+      (shaders[type] ??= weave(
+        type === 'normal' ? canvas.baseNormalShader() : material,
+        style,
+        warp,
+        settings,
+        type,
+      )),
+  }
+}
+
+/**
+ * Called after the sketch's `normalMaterial()`, for which p5 1.11 would drop the warp and 2.x would ignore the material.
+ */
+export function keepWarp(canvas: Canvas) {
+  const renderer = webglOf(canvas)
+  const shader = renderer && materialOf(renderer).userFillShader
+  if (shader) reapply.get(shader)?.()
+}

@@ -1,0 +1,50 @@
+/** Reads what a sketch hands to `createWarp` after the offset. */
+import { WarpError, describe } from '../errors.js'
+import { checkOptions } from '../options.js'
+
+/** Which of p5's materials the warp continues. */
+export type WarpType = 'specular' | 'normal'
+
+/**
+ * The space that the offset lives in: `local` is the model's own, `world` has the model's transforms applied but not
+ * the camera, and in `camera` the eye is the origin and looks along -z.
+ */
+export type WarpSpace = 'local' | 'world' | 'camera'
+
+export interface CreateWarpOptions {
+  /** Left out: `specular`, p5's full material, or `normal` while the sketch uses `normalMaterial()`. */
+  type?: WarpType
+  /** Left out: `local`. */
+  space?: WarpSpace
+  /** GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. */
+  defs?: string
+}
+
+export interface WarpSettings {
+  readonly type: WarpType | undefined
+  readonly space: WarpSpace
+  readonly defs: string
+}
+
+const types = ['specular', 'normal']
+const spaces = ['local', 'world', 'camera']
+
+export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
+  checkOptions('createWarp', options, ['type', 'space', 'defs'])
+  const { type, space = 'local', defs = '' } = options
+  if (type !== undefined) mustBeOneOf('type', types, type)
+  mustBeOneOf('space', spaces, space)
+  if (typeof defs !== 'string')
+    throw new WarpError(
+      `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
+    )
+  return { type, space, defs }
+}
+
+function mustBeOneOf(option: string, choices: string[], value: unknown) {
+  if (choices.includes(value as string)) return
+  const list = choices.map((choice) => `"${choice}"`).join(' or ')
+  throw new WarpError(
+    `createWarp: the option "${option}" must be ${list}, but is ${describe(value)}.`,
+  )
+}

@@ -1,0 +1,80 @@
+/** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
+import { WarpError, describe } from '../errors.js'
+import { type Canvas, type Shader, sketchOf } from './host.js'
+
+/** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
+export type WarpUniforms = Record<string, unknown>
+
+interface Input {
+  uniform: string
+  type: string
+  read: (canvas: Canvas) => number | number[]
+}
+
+const inputs: Record<string, Input> = {
+  millis: {
+    uniform: 'uWarpjetMillis',
+    type: 'float',
+    read: (canvas) => sketchOf(canvas).millis(),
+  },
+  mouse: {
+    uniform: 'uWarpjetMouse',
+    type: 'vec2',
+    read: (canvas) => [sketchOf(canvas).mouseX, sketchOf(canvas).mouseY],
+  },
+  size: {
+    uniform: 'uWarpjetSize',
+    type: 'vec2',
+    read: (canvas) => [canvas.width, canvas.height],
+  },
+  pixelDensity: {
+    uniform: 'uWarpjetPixelDensity',
+    type: 'float',
+    read: (canvas) => canvas.pixelDensity(),
+  },
+}
+
+/** Input name → uniform name, for `compileWarp`. */
+export const inputUniforms = Object.fromEntries(
+  Object.entries(inputs).map(([name, { uniform }]) => [name, uniform]),
+)
+
+/** The inputs among the `uniforms` of a compiled warp, where the sketch's own parameters are too. */
+const inputsAmong = (names: string[]) =>
+  Object.keys(inputs).flatMap((name) => (names.includes(name) ? inputs[name]! : []))
+
+export const uniformDeclarations = (names: string[]) =>
+  inputsAmong(names)
+    .map(({ type, uniform }) => `uniform ${type} ${uniform};`)
+    .join('\n')
+
+export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
+  for (const { uniform, read } of inputsAmong(names)) shader.setUniform(uniform, read(canvas))
+}
+
+/** Sets the sketch's own uniforms. One that `defs` declares but the warp never reads does not reach the shader. */
+export function setUniforms(shader: Shader, uniforms: WarpUniforms, defs: string) {
+  for (const [name, value] of Object.entries(uniforms)) {
+    const uniform = shader.uniforms[name]
+    if (uniform) shader.setUniform(name, readValue(name, value, uniform.isArray))
+    else if (!defs.match(/\w+/g)?.includes(name))
+      throw new WarpError(
+        `The warp has no uniform "${name}"; createWarp's option "defs" must declare it: { defs: "uniform float ${name};" }.`,
+      )
+  }
+}
+
+function readValue(name: string, value: unknown, isList = false): unknown {
+  const wrong = value === undefined || value === null || Number.isNaN(value)
+  if (wrong || (isList && typeof value !== 'object'))
+    throw new WarpError(
+      `The warp's uniform "${name}" must be ${isList ? 'an array of numbers' : 'a number'}, but is ${describe(value)}.`,
+    )
+  return isList ? listOf(value as object) : value
+}
+
+/** p5 1.11 takes neither its own vectors nor its own colours as the value of a uniform. */
+function listOf(value: object): unknown {
+  if ('x' in value && 'y' in value && 'z' in value) return [value.x, value.y, value.z]
+  return '_array' in value ? value._array : value
+}

@@ -1,0 +1,188 @@
+#include "emit/emit.hpp"
+
+#include <algorithm>
+
+#include "emit/names.hpp"
+#include "emit/schedule.hpp"
+#include "emit/writer.hpp"
+#include "graph/reachable.hpp"
+
+namespace warpjet {
+
+namespace {
+
+class Emitter {
+ public:
+  Emitter(const Graph& graph, std::span<const Output> outputs, const EmitOptions& options)
+      : graph_(graph),
+        outputs_(outputs),
+        options_(options),
+        nodes_(reachable(graph, roots(outputs))),
+        writer_(graph) {}
+
+  Emitted run() {
+    reserveNames();
+    bindInputs();
+    bindScalarOutputs();
+    bindTemporaries();
+    writeStatements();
+    result_.nodes = nodes_.size();
+    result_.operations = static_cast<std::size_t>(
+        std::count_if(nodes_.begin(), nodes_.end(), [&](NodeId id) { return !graph_.isLeaf(id); }));
+    result_.code = assemble();
+    return std::move(result_);
+  }
+
+ private:
+  static std::vector<NodeId> roots(std::span<const Output> outputs) {
+    std::vector<NodeId> roots;
+    for (const Output& output : outputs) {
+      if (!output.sum)
+        roots.insert(roots.end(), output.components.begin(), output.components.end());
+    }
+    return roots;
+  }
+
+  void reserveNames() {
+    std::vector<bool> used(graph_.inputCount());
+    for (const NodeId id : nodes_) {
+      if (graph_.isInput(id)) used[graph_.node(id).operands[0]] = true;
+    }
+    for (const Output& output : outputs_) {
+      if (output.sum) used[output.sum->input] = true;
+      temporaries_.reserve(output.name);
+    }
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
+      if (!used[i]) continue;
+      result_.inputs.push_back(i);
+      temporaries_.reserve(graph_.input(i).label);
+    }
+  }
+
+  // An expression of the host that is more than a variable is computed once.
+  void bindInputs() {
+    for (const std::uint32_t i : result_.inputs) {
+      const Input& input = graph_.input(i);
+      if (isPlainVariable(input.label)) {
+        writer_.nameInput(i, input.label);
+        continue;
+      }
+      const std::string name = temporaries_.next();
+      statements_ +=
+          "  " + typeName(ops::Type::Float, input.size) + ' ' + name + " = " + input.label + ";\n";
+      writer_.nameInput(i, name);
+      ++result_.temporaries;
+    }
+  }
+
+  // A scalar result is its own temporary.
+  void bindScalarOutputs() {
+    for (const Output& output : outputs_) {
+      const NodeId id = output.components[0];
+      if (output.components.size() == 1 && !graph_.isLeaf(id) && !writer_.isNamed(id))
+        writer_.name(id, output.name);
+    }
+  }
+
+  void bindTemporaries() {
+    std::vector<std::uint32_t> uses(graph_.size());
+    for (const NodeId root : roots(outputs_)) ++uses[index(root)];
+    for (const NodeId id : nodes_) {
+      for (int i = 0; i < graph_.arity(id); ++i) ++uses[index(graph_.operand(id, i))];
+    }
+
+    const std::vector<NodeId> order = schedule(graph_, nodes_);
+    std::vector<int> depths(graph_.size());
+    for (const NodeId id : order) {
+      if (graph_.isLeaf(id)) continue;
+      int& depth = depths[index(id)];
+      for (int i = 0; i < graph_.arity(id); ++i)
+        depth = std::max(depth, depths[index(graph_.operand(id, i))]);
+      ++depth;
+      const bool shared = uses[index(id)] > 1 && !isCheap(id);
+      const bool isOutput = writer_.isNamed(id);
+      if (!shared && !isOutput && depth < options_.maxDepth) continue;
+      depth = 0;
+      writeTemporary(id, isOutput);
+    }
+  }
+
+  // Not worth a temporary: the negative of a variable.
+  bool isCheap(NodeId id) const {
+    return graph_.is(id, ops::find("neg")) && graph_.isLeaf(graph_.operand(id, 0));
+  }
+
+  void writeTemporary(NodeId id, bool isOutput) {
+    writeComment(id);
+    statements_ += "  ";
+    if (isOutput) {
+      statements_ += writer_.nameOf(id) + " = ";
+      writer_.writeOperation(statements_, id);
+    } else {
+      const std::string name = temporaries_.next();
+      statements_ += typeName(graph_.type(id), 1) + ' ' + name + " = ";
+      writer_.writeOperation(statements_, id);
+      writer_.name(id, name);
+      ++result_.temporaries;
+    }
+    statements_ += ";\n";
+  }
+
+  void writeComment(NodeId id) {
+    const auto& comments = options_.comments;
+    const auto at =
+        std::lower_bound(comments.begin(), comments.end(), id,
+                         [](const auto& comment, NodeId id) { return comment.first < id; });
+    if (at != comments.end() && at->first == id) statements_ += "  // " + at->second + '\n';
+  }
+
+  void writeStatements() {
+    for (const Output& output : outputs_) {
+      const NodeId first = output.components[0];
+      if (output.components.size() == 1 && writer_.isNamed(first) &&
+          writer_.nameOf(first) == output.name)
+        continue;
+      statements_ += "  " + output.name + " = ";
+      if (output.sum) {
+        statements_ +=
+            writer_.inputName(output.sum->input) + " + " + outputs_[output.sum->output].name;
+      } else {
+        writer_.writeVector(statements_, output.components);
+      }
+      statements_ += ";\n";
+    }
+  }
+
+  // Results are declared outside of a block that holds the temporaries, so that two texts can be
+  // spliced into one function, and no temporary can meet a variable of the host.
+  std::string assemble() const {
+    std::string code;
+    std::string group;
+    for (const Output& output : outputs_) {
+      const std::string type =
+          typeName(graph_.type(output.components[0]), static_cast<int>(output.components.size()));
+      if (type != group) code += (group.empty() ? "" : ";\n") + type + ' ' + output.name;
+      if (type == group) code += ", " + output.name;
+      group = type;
+    }
+    return code + ";\n{\n" + statements_ + "}\n";
+  }
+
+  const Graph& graph_;
+  std::span<const Output> outputs_;
+  const EmitOptions& options_;
+  std::vector<NodeId> nodes_;
+  Writer writer_;
+  Temporaries temporaries_;
+  std::string statements_;
+  Emitted result_;
+};
+
+}  // namespace
+
+Emitted emit(const Graph& graph, std::span<const Output> outputs, const EmitOptions& options) {
+  if (outputs.empty()) return {};
+  return Emitter(graph, outputs, options).run();
+}
+
+}  // namespace warpjet

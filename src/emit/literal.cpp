@@ -1,0 +1,74 @@
+#include "emit/literal.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace warpjet {
+
+namespace {
+
+// A decimal: digits * 10^exponent.
+struct Decimal {
+  long long digits;
+  int exponent;
+};
+
+// Nine digits tell any two float32 apart.
+constexpr int mostDigits = 9;
+
+// 10^0 to 10^63; a float32 with nine digits needs 10^53.
+constexpr auto powersOfTen = [] {
+  std::array<double, 64> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
+  return powers;
+}();
+
+double scaled(double x, int exponent) {
+  return exponent < 0 ? x / powersOfTen[-exponent] : x * powersOfTen[exponent];
+}
+
+// The shortest decimal close enough to a positive `value` to read back as it: nearer than half the
+// gap to the next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are
+// right to 1e-14 of it, so the margin leaves no doubt; inside the margin there is just one more
+// digit.
+Decimal shortest(float value) {
+  constexpr double margin = 1e-5;
+  const double exact = value;
+  const double below = (exact - double{std::nextafter(value, 0.0f)}) / 2 * (1 - margin);
+  const double next = std::nextafter(value, HUGE_VALF);
+  const double above = std::isinf(next) ? 0 : (next - exact) / 2 * (1 - margin);
+  const int magnitude = static_cast<int>(std::floor(std::log10(value)));
+
+  Decimal decimal{};
+  for (int digits = 1; digits <= mostDigits; ++digits) {
+    decimal.exponent = magnitude - digits + 1;
+    decimal.digits = std::llround(scaled(exact, -decimal.exponent));
+    const double read = scaled(static_cast<double>(decimal.digits), decimal.exponent);
+    if (read > exact - below && read < exact + above) break;
+  }
+  return decimal;
+}
+
+}  // namespace
+
+std::string literal(double value) {
+  const auto rounded = static_cast<float>(value);
+  const std::string sign = std::signbit(rounded) ? "-" : "";
+  if (rounded == 0) return sign + "0.0";
+
+  const Decimal decimal = shortest(std::abs(rounded));
+  std::string digits = std::to_string(decimal.digits);
+  const int magnitude = static_cast<int>(digits.size()) - 1 + decimal.exponent;
+  while (digits.size() > 1 && digits.back() == '0') digits.pop_back();
+
+  if (magnitude < -4 || magnitude > 6) {
+    if (digits.size() > 1) digits.insert(1, ".");
+    return sign + digits + 'e' + std::to_string(magnitude);
+  }
+  if (magnitude < 0) return sign + "0." + std::string(-magnitude - 1, '0') + digits;
+  const std::size_t point = magnitude + 1;
+  if (digits.size() <= point) digits.append(point + 1 - digits.size(), '0');
+  return sign + digits.insert(point, ".");
+}
+
+}  // namespace warpjet

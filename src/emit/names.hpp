@@ -1,0 +1,37 @@
+// Names and expressions that come from outside: are they safe to write into a shader?
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "emit/dialect.hpp"
+
+namespace warpjet {
+
+// The identifiers in a text. Members behind a dot are not among them.
+std::vector<std::string_view> identifiers(std::string_view text);
+
+// What is wrong with a host's expression such as `aPosition` or `(uModel *
+// vec4(aPosition, 1.0)).xyz`, or nothing. It must be one balanced expression without statements,
+// comments or reserved words.
+std::string inputProblem(const Dialect& dialect, std::string_view text);
+
+// What is wrong with the name of a result, or nothing.
+std::string outputProblem(const Dialect& dialect, std::string_view name);
+
+// Whether a text is an identifier, perhaps with members: `position`, `inputs.uv`.
+bool isPlainVariable(std::string_view text);
+
+// Hands out t0, t1, … and skips every name in use.
+class Temporaries {
+ public:
+  void reserve(std::string_view text);
+  std::string next();
+
+ private:
+  std::vector<std::string> used_;
+  int count_ = 0;
+};
+
+}  // namespace warpjet

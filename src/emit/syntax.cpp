@@ -1,0 +1,139 @@
+#include "emit/syntax.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace warpjet {
+
+namespace {
+
+std::size_t wordLength(std::string_view text) {
+  return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), isWordPart) -
+                                  text.begin());
+}
+
+// 12, 1.5, .5, 1e-3, 2u
+std::size_t numberLength(std::string_view text) {
+  std::size_t i = 0;
+  while (i < text.size() && (isWordPart(text[i]) || text[i] == '.')) {
+    const bool exponent = text[i] == 'e' || text[i] == 'E';
+    ++i;
+    if (exponent && i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
+  }
+  return i;
+}
+
+// Reads an expression from left to right. Operands and operators take turns, and every bracket and
+// every question mark waits for its partner.
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : rest_(text) {}
+
+  std::string problem() {
+    while (!rest_.empty()) {
+      if (rest_[0] == ' ') {
+        rest_.remove_prefix(1);
+        continue;
+      }
+      if (std::string found = readToken(); !found.empty()) return found;
+    }
+    if (!awaited_.empty()) return quoted({&awaited_.back(), 1}) + " is missing in it";
+    return operandDue_ ? operandMissing : std::string();
+  }
+
+ private:
+  static constexpr const char* operandMissing = "an operand is missing in it";
+  static constexpr const char* operatorMissing = "an operator is missing in it";
+
+  std::string readToken() {
+    const char c = rest_[0];
+    const bool isNumber = isDigit(c) || (c == '.' && operandDue_ && isDigit(peek(1)));
+    if (isNumber) return readOperand(numberLength(rest_));
+    if (isWordStart(c)) return readOperand(wordLength(rest_));
+    switch (c) {
+      case '(':
+      case '[':
+        return readOpening(c);
+      case ')':
+      case ']':
+        return readClosing(c);
+      case '.':
+        return readMember();
+      default:
+        return readOperator();
+    }
+  }
+
+  std::string readOperand(std::size_t length) {
+    if (!operandDue_) return operatorMissing;
+    operandDue_ = false;
+    rest_.remove_prefix(length);
+    return {};
+  }
+
+  std::string readOpening(char c) {
+    if (c == '[' && operandDue_) return operandMissing;
+    const bool isCall = c == '(' && !operandDue_;
+    awaited_ += c == '(' ? ')' : ']';
+    rest_.remove_prefix(1);
+    const std::size_t next = rest_.find_first_not_of(' ');
+    const bool isEmptyCall = isCall && next != rest_.npos && rest_[next] == ')';
+    operandDue_ = !isEmptyCall;
+    return {};
+  }
+
+  std::string readClosing(char c) {
+    if (operandDue_) return operandMissing;
+    if (awaited_.empty() || awaited_.back() != c)
+      return "the brackets in it do not match at " + quoted({&c, 1});
+    awaited_.pop_back();
+    rest_.remove_prefix(1);
+    return {};
+  }
+
+  std::string readMember() {
+    if (operandDue_ || !isWordStart(peek(1))) return operandMissing;
+    rest_.remove_prefix(1);
+    rest_.remove_prefix(wordLength(rest_));
+    return {};
+  }
+
+  std::string readOperator() {
+    constexpr std::array<std::string_view, 4> forbidden{"//", "/*", "++", "--"};
+    constexpr std::array<std::string_view, 9> pairs{"<=", ">=", "==", "!=", "&&",
+                                                    "||", "^^", "<<", ">>"};
+    constexpr std::string_view singles = "+-*/%<>!&|^~?:,", prefixes = "+-!~";
+    const std::string_view two = rest_.substr(0, 2), single = rest_.substr(0, 1);
+
+    if (std::find(forbidden.begin(), forbidden.end(), two) != forbidden.end())
+      return quoted(two) + " cannot stand in it";
+    const bool isPair = std::find(pairs.begin(), pairs.end(), two) != pairs.end();
+    if (!isPair && singles.find(single) == singles.npos)
+      return quoted(single) + " cannot stand in it";
+    if (operandDue_ && (isPair || prefixes.find(single) == prefixes.npos)) return operandMissing;
+    if (!operandDue_ && (single == "!" || single == "~") && !isPair) return operatorMissing;
+
+    if (single == "?") awaited_ += ':';
+    if (single == ":" || single == ",") {
+      const char partner = single == ":" ? ':' : ')';
+      if (awaited_.empty() || awaited_.back() != partner)
+        return quoted(single) + " cannot stand there";
+      if (single == ":") awaited_.pop_back();
+    }
+    operandDue_ = true;
+    rest_.remove_prefix(isPair ? 2 : 1);
+    return {};
+  }
+
+  char peek(std::size_t ahead) const { return ahead < rest_.size() ? rest_[ahead] : '\0'; }
+
+  std::string_view rest_;
+  std::string awaited_;
+  bool operandDue_ = true;
+};
+
+}  // namespace
+
+std::string syntaxProblem(std::string_view text) { return Reader(text).problem(); }
+
+}  // namespace warpjet

@@ -1,0 +1,121 @@
+// A graph node that reads like a number, so that C++ formulas build graphs: `cos(x) * 2.0`.
+// The rows of the table and the warp are written with it.
+#pragma once
+
+#include <concepts>
+
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+struct Expression {
+  Graph* graph;
+  NodeId id;
+};
+
+template <class T>
+concept Operand = std::same_as<T, Expression> || std::same_as<T, double>;
+
+template <class... T>
+concept SomeExpression = (Operand<T> && ...) && (std::same_as<T, Expression> || ...);
+
+inline NodeId toNode(Graph&, Expression x) { return x.id; }
+inline NodeId toNode(Graph& graph, double x) { return graph.constant(x); }
+
+inline Graph* graphOf(Expression x) { return x.graph; }
+inline Graph* graphOf(double) { return nullptr; }
+
+template <class... T>
+Expression build(Op op, T... operands) {
+  Graph* graph = nullptr;
+  ((graph = graph ? graph : graphOf(operands)), ...);
+  return {graph, graph->apply(op, {toNode(*graph, operands)...})};
+}
+
+inline Expression operator-(Expression x) { return build(ops::find("neg"), x); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression operator+(X x, Y y) {
+  return build(ops::find("add"), x, y);
+}
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression operator-(X x, Y y) {
+  return build(ops::find("sub"), x, y);
+}
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression operator*(X x, Y y) {
+  return build(ops::find("mult"), x, y);
+}
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression operator/(X x, Y y) {
+  return build(ops::find("div"), x, y);
+}
+
+inline Expression sin(Expression x) { return build(ops::find("sin"), x); }
+
+inline Expression cos(Expression x) { return build(ops::find("cos"), x); }
+
+inline Expression tan(Expression x) { return build(ops::find("tan"), x); }
+
+inline Expression atan(Expression x) { return build(ops::find("atan"), x); }
+
+inline Expression exp(Expression x) { return build(ops::find("exp"), x); }
+
+inline Expression log(Expression x) { return build(ops::find("log"), x); }
+
+inline Expression sqrt(Expression x) { return build(ops::find("sqrt"), x); }
+
+inline Expression inversesqrt(Expression x) { return build(ops::find("inversesqrt"), x); }
+
+inline Expression abs(Expression x) { return build(ops::find("abs"), x); }
+
+inline Expression sign(Expression x) { return build(ops::find("sign"), x); }
+
+inline Expression floor(Expression x) { return build(ops::find("floor"), x); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression pow(X x, Y y) { return build(ops::find("pow"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression atan2(X x, Y y) { return build(ops::find("atan2"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression mod(X x, Y y) { return build(ops::find("mod"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression min(X x, Y y) { return build(ops::find("min"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression max(X x, Y y) { return build(ops::find("max"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression lt(X x, Y y) { return build(ops::find("lt"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression le(X x, Y y) { return build(ops::find("le"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression gt(X x, Y y) { return build(ops::find("gt"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression ge(X x, Y y) { return build(ops::find("ge"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression eq(X x, Y y) { return build(ops::find("eq"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression ne(X x, Y y) { return build(ops::find("ne"), x, y); }
+
+inline Expression logicalAnd(Expression x, Expression y) { return build(ops::find("and"), x, y); }
+
+inline Expression logicalOr(Expression x, Expression y) { return build(ops::find("or"), x, y); }
+
+template <Operand Yes, Operand No>
+Expression ifElse(Expression condition, Yes yes, No no) {
+  return build(ops::find("ifElse"), condition, yes, no);
+}
+
+}  // namespace warpjet

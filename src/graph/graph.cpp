@@ -1,0 +1,143 @@
+#include "graph/graph.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "graph/simplify.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr std::uint32_t noMaker = std::numeric_limits<std::uint32_t>::max();
+
+std::size_t hash(const Node& node) {
+  // Multiply and xor-shift, as in Steele and Vigna's splitmix64.
+  std::uint64_t h = node.operands[0] | std::uint64_t{node.operands[1]} << 32;
+  h ^= (node.operands[2] | std::uint64_t{static_cast<std::uint8_t>(node.op)} << 32) *
+       0x9e3779b97f4a7c15u;
+  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+  h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+  return static_cast<std::size_t>(h ^ (h >> 31));
+}
+
+// std::bit_cast, which Emscripten 3.1.6 lacks.
+template <class To, class From>
+To bitCast(From from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to;
+  std::memcpy(&to, &from, sizeof to);
+  return to;
+}
+
+bool fitsFloat32(double value) {
+  return std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+}
+
+}  // namespace
+
+Graph::Graph() : table_(256), maker_(noMaker) {}
+
+NodeId Graph::intern(const Node& node) {
+  const std::size_t mask = table_.size() - 1;
+  std::size_t slot = hash(node) & mask;
+  while (table_[slot] != 0) {
+    const std::uint32_t found = table_[slot] - 1;
+    if (nodes_[found] == node) return NodeId{found};
+    slot = (slot + 1) & mask;
+  }
+  if (full()) return NodeId(nodes_.size() - 1);
+
+  const auto id = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(node);
+  origins_.push_back(maker_ == noMaker ? id : maker_);
+  table_[slot] = id + 1;
+  if (nodes_.size() * 2 > table_.size()) growTable();
+  return NodeId{id};
+}
+
+void Graph::growTable() {
+  table_.assign(table_.size() * 2, 0);
+  const std::size_t mask = table_.size() - 1;
+  for (std::uint32_t id = 0; id < nodes_.size(); ++id) {
+    std::size_t slot = hash(nodes_[id]) & mask;
+    while (table_[slot] != 0) slot = (slot + 1) & mask;
+    table_[slot] = id + 1;
+  }
+}
+
+NodeId Graph::constant(double value) {
+  const auto bits = bitCast<std::uint64_t>(value);
+  return intern(
+      {{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)}, constantOp});
+}
+
+double Graph::value(NodeId constant) const {
+  const auto& words = node(constant).operands;
+  return bitCast<double>(words[0] | std::uint64_t{words[1]} << 32);
+}
+
+bool Graph::isConstant(NodeId id, double value) const {
+  return isConstant(id) && this->value(id) == value;
+}
+
+std::uint32_t Graph::input(std::string_view label, int size) {
+  for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
+    if (inputs_[i].label == label && inputs_[i].size == size) return i;
+  }
+  inputs_.push_back({std::string(label), size});
+  return static_cast<std::uint32_t>(inputs_.size() - 1);
+}
+
+NodeId Graph::component(std::uint32_t input, int component) {
+  return intern(Node{{input, static_cast<std::uint32_t>(component)}, inputOp});
+}
+
+ops::Type Graph::type(NodeId id) const {
+  return isLeaf(id) ? ops::Type::Float : ops::info(node(id).op).signature.result;
+}
+
+int Graph::arity(NodeId id) const { return isLeaf(id) ? 0 : ops::info(node(id).op).arity; }
+
+NodeId Graph::convert(NodeId id, ops::Type wanted) {
+  if (type(id) == wanted) return id;
+  const Op conversion = wanted == ops::Type::Float ? ops::find("float") : ops::find("bool");
+  return apply(conversion, {id});
+}
+
+std::optional<double> Graph::known(NodeId id) const {
+  if (isConstant(id)) return value(id);
+  if (is(id, ops::find("bool")) && isConstant(operand(id, 0))) return value(operand(id, 0));
+  return std::nullopt;
+}
+
+std::optional<NodeId> Graph::fold(Op op, const Operands& operands) {
+  const ops::Info& info = ops::info(op);
+  std::array<double, ops::maxArity> values{};
+  for (int i = 0; i < info.arity; ++i) {
+    const auto value = known(operands[i]);
+    if (!value) return std::nullopt;
+    values[i] = *value;
+  }
+  const double result = ops::evaluate(op, values);
+  if (!fitsFloat32(result)) return std::nullopt;
+  const NodeId folded = constant(result);
+  if (info.signature.result == ops::Type::Float) return folded;
+  return intern(Node{{index(folded)}, ops::find("bool")});
+}
+
+NodeId Graph::apply(Op op, Operands operands) {
+  if (full()) return NodeId(nodes_.size() - 1);
+  const ops::Info& info = ops::info(op);
+  for (int i = 0; i < info.arity; ++i)
+    operands[i] = convert(operands[i], info.signature.operands[i]);
+  if (const auto folded = fold(op, operands)) return *folded;
+  if (const auto simpler = simplify(*this, op, operands)) return *simpler;
+
+  Node node{{}, op};
+  for (int i = 0; i < info.arity; ++i) node.operands[i] = index(operands[i]);
+  return intern(node);
+}
+
+}  // namespace warpjet

@@ -1,0 +1,115 @@
+// The expression graph: operations enter, interned and folded scalar nodes leave.
+//
+// Every node is one float or one bool; a vec3 is three ids, held by whoever wants a vector. Equal
+// nodes are one node, so a value and its derivatives share their work. Operands always have smaller
+// ids than their users, so ascending ids are a topological order and nothing here recurses. The
+// graph knows nothing of shaders: an input is a label and a component.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ops/ops.hpp"
+
+namespace warpjet {
+
+enum class NodeId : std::uint32_t {};
+
+constexpr std::uint32_t index(NodeId id) { return static_cast<std::uint32_t>(id); }
+
+// The two kinds of leaves, numbered after the rows of the table.
+inline constexpr Op constantOp{static_cast<std::uint8_t>(ops::count)};
+inline constexpr Op inputOp{static_cast<std::uint8_t>(ops::count + 1)};
+
+// Sixteen bytes. A constant keeps the bits of its double in the first two operands, an input its
+// number and its component.
+struct Node {
+  std::array<std::uint32_t, ops::maxArity> operands{};
+  Op op{};
+
+  bool operator==(const Node&) const = default;
+};
+
+// A variable of the host: a float, or a vector of up to four.
+struct Input {
+  std::string label;
+  int size = 1;
+};
+
+using Operands = std::array<NodeId, ops::maxArity>;
+
+class Graph {
+ public:
+  // More nodes than any shader can use; a loop that never ends stops here instead of taking all
+  // memory. Past it every new node is the last one, valid but meaningless.
+  static constexpr std::size_t maxNodes = std::size_t{1} << 22;
+
+  Graph();
+
+  NodeId constant(double value);
+
+  // The number of the input with this label; asking twice gives the same one.
+  std::uint32_t input(std::string_view label, int size);
+  NodeId component(std::uint32_t input, int component);
+
+  // The operation on operands, simplified. Operands of the wrong type are converted. An operation
+  // on constants is folded, unless its result is not a finite float32: such a node stays as it is.
+  NodeId apply(Op op, Operands operands);
+
+  std::size_t size() const { return nodes_.size(); }
+  bool full() const { return nodes_.size() >= maxNodes; }
+  const Node& node(NodeId id) const { return nodes_[index(id)]; }
+  const Input& input(std::uint32_t number) const { return inputs_[number]; }
+  std::size_t inputCount() const { return inputs_.size(); }
+
+  bool isConstant(NodeId id) const { return node(id).op == constantOp; }
+  bool isConstant(NodeId id, double value) const;
+  bool isInput(NodeId id) const { return node(id).op == inputOp; }
+  bool isLeaf(NodeId id) const { return isConstant(id) || isInput(id); }
+  bool is(NodeId id, Op op) const { return node(id).op == op; }
+  double value(NodeId constant) const;
+  // The value of a constant, or 1 or 0 for a condition that is always true or false.
+  std::optional<double> known(NodeId id) const;
+  ops::Type type(NodeId id) const;
+  int arity(NodeId id) const;
+  NodeId operand(NodeId id, int i) const { return NodeId{node(id).operands[i]}; }
+
+  // The node that a node was made for: itself, or while `makingFor` is set, the value that a
+  // derivative belongs to. The order of emission keeps the two together.
+  NodeId origin(NodeId id) const { return static_cast<NodeId>(origins_[index(id)]); }
+
+  class MakingFor;
+
+ private:
+  NodeId intern(const Node& node);
+  void growTable();
+  NodeId convert(NodeId id, ops::Type type);
+  std::optional<NodeId> fold(Op op, const Operands& operands);
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> origins_;
+  std::vector<std::uint32_t> table_;  // open addressing; an entry is a node's index plus one
+  std::vector<Input> inputs_;
+  std::uint32_t maker_;
+};
+
+// While it lives, new nodes of the graph belong to `value`.
+class Graph::MakingFor {
+ public:
+  MakingFor(Graph& graph, NodeId value) : graph_(graph), previous_(graph.maker_) {
+    graph.maker_ = graph.origins_[index(value)];
+  }
+  ~MakingFor() { graph_.maker_ = previous_; }
+  MakingFor(const MakingFor&) = delete;
+  MakingFor& operator=(const MakingFor&) = delete;
+
+ private:
+  Graph& graph_;
+  std::uint32_t previous_;
+};
+
+}  // namespace warpjet

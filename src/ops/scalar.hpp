@@ -1,0 +1,40 @@
+// The functions that the rows of the table are written in, for plain numbers.
+//
+// A row's lambdas are generic in the scalar: called with `double` they find the functions below,
+// called with a graph expression they find those of graph/expression.hpp by argument-dependent
+// lookup. Definitions follow the GLSL ES 3.00 specification, chapter 8.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace warpjet::ops {
+
+using std::abs, std::floor, std::pow, std::sqrt;
+using std::acos, std::asin, std::atan, std::atan2, std::cos, std::sin, std::tan;
+using std::exp, std::log;
+
+inline double inversesqrt(double x) { return 1 / std::sqrt(x); }
+inline double sign(double x) { return (x > 0) - (x < 0); }
+inline double fract(double x) { return x - std::floor(x); }
+inline double mod(double x, double y) { return x - y * std::floor(x / y); }
+inline double step(double edge, double x) { return x < edge ? 0 : 1; }
+inline double mix(double x, double y, double t) { return x * (1 - t) + y * t; }
+inline double min(double x, double y) { return y < x ? y : x; }
+inline double max(double x, double y) { return x < y ? y : x; }
+
+inline bool lt(double x, double y) { return x < y; }
+inline bool le(double x, double y) { return x <= y; }
+inline bool gt(double x, double y) { return x > y; }
+inline bool ge(double x, double y) { return x >= y; }
+inline bool eq(double x, double y) { return x == y; }
+inline bool ne(double x, double y) { return x != y; }
+
+inline bool logicalAnd(bool x, bool y) { return x && y; }
+inline bool logicalOr(bool x, bool y) { return x || y; }
+inline bool logicalNot(bool x) { return !x; }
+
+inline double ifElse(bool condition, double yes, double no) { return condition ? yes : no; }
+inline bool ifElse(bool condition, bool yes, bool no) { return condition ? yes : no; }
+
+}  // namespace warpjet::ops

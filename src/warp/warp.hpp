@@ -1,0 +1,28 @@
+// The warp: an offset function enters as a graph, the moved position and the turned normal leave as
+// nodes of the same graph. The only room that knows what a warp is.
+#pragma once
+
+#include <array>
+
+#include "diff/differentiator.hpp"
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+using Vec3 = std::array<NodeId, 3>;
+
+// position + offset.
+Vec3 warpedPosition(Graph& graph, const Vec3& position, const Vec3& offset);
+
+// The unit normal of the moved surface, or zero where the warp collapses the surface so that it has
+// none. `position` must be three components of inputs.
+//
+// With M = I + J, where J is the Jacobian of the offset by the position, tangents u and v of the
+// surface become M u and M v, and (M u) x (M v) = cof(M) (u x v): the cofactor matrix, whose
+// columns are m2 x m3, m3 x m1 and m1 x m2, turns normals. It equals equation 1 of Pagurek van
+// Mossel's "Vertex Shader Domain Warping with Automatic Differentiation" (2024) for every choice of
+// tangents. Where M collapses a direction (section 5.1 there) cof(M) n can vanish.
+Vec3 warpedNormal(Differentiator& differentiator, Graph& graph, const Vec3& position,
+                  const Vec3& normal, const Vec3& offset);
+
+}  // namespace warpjet

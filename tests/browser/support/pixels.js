@@ -1,0 +1,51 @@
+// What a WebGL canvas shows, as numbers.
+
+/** The first canvas of the page → { width, height, data }: bytes of red, green, blue, alpha, from the top left. */
+export async function readPixels(page) {
+  const { width, height, bytes } = await page.$eval('canvas', (canvas) => {
+    const gl = canvas.getContext('webgl2') ?? canvas.getContext('webgl')
+    const { width, height } = canvas
+    const data = new Uint8Array(width * height * 4)
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null)
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data)
+    const binary = Array.from(data, (byte) => String.fromCharCode(byte)).join('')
+    return { width, height, bytes: btoa(binary) }
+  })
+  const upwards = Buffer.from(bytes, 'base64')
+  const rows = Array.from({ length: height }, (_, y) =>
+    upwards.subarray((height - 1 - y) * width * 4, (height - y) * width * 4),
+  )
+  return { width, height, data: Buffer.concat(rows) }
+}
+
+/** The colour [red, green, blue] at a point of the image, in pixels: between four pixel centres, their mixture. */
+export function colorAt({ width, data }, x, y) {
+  const [left, top] = [Math.floor(x - 0.5), Math.floor(y - 0.5)]
+  const [u, v] = [x - 0.5 - left, y - 0.5 - top]
+  const at = (column, row, channel) => data[(row * width + column) * 4 + channel]
+  return [0, 1, 2].map(
+    (channel) =>
+      (1 - v) * ((1 - u) * at(left, top, channel) + u * at(left + 1, top, channel)) +
+      v * ((1 - u) * at(left, top + 1, channel) + u * at(left + 1, top + 1, channel)),
+  )
+}
+
+/** The pixels that are not black → [{ x, y, color }], with x and y from the middle of the image. */
+export function litPixels({ width, height, data }) {
+  const lit = []
+  for (let i = 0; i < width * height; i++) {
+    const color = [...data.subarray(4 * i, 4 * i + 3)]
+    const [x, y] = [(i % width) + 0.5 - width / 2, Math.floor(i / width) + 0.5 - height / 2]
+    if (color.some(Boolean)) lit.push({ x, y, color })
+  }
+  return lit
+}
+
+/** How many pixels of two images differ by more than `tolerance` in some channel. */
+export function differingPixels(a, b, tolerance) {
+  const differing = new Set()
+  a.data.forEach((value, i) => {
+    if (Math.abs(value - b.data[i]) > tolerance) differing.add(i >> 2)
+  })
+  return differing.size
+}

@@ -1,0 +1,47 @@
+// Serves pages on localhost: text that a test wrote, and files of this repository.
+import { readFile } from 'node:fs/promises'
+import { createServer } from 'node:http'
+import { extname } from 'node:path'
+import { fileURLToPath } from 'node:url'
+
+const root = new URL('../../../', import.meta.url)
+
+const types = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.json': 'application/json',
+  '.wasm': 'application/wasm',
+}
+
+/**
+ * Starts a server → { url, page(html), close() }. `page` gives the address of a page with that text; every other path
+ * is a file of the repository, `/dist/p5.js` for one.
+ */
+export async function servePages() {
+  const pages = []
+
+  const server = createServer(async (request, response) => {
+    const { pathname } = new URL(request.url, 'http://localhost')
+    try {
+      const page = pages[/^\/page\/(\d+)$/.exec(pathname)?.[1]]
+      const body = page ?? (await readFile(fileURLToPath(new URL(`.${pathname}`, root))))
+      const type = page ? 'text/html' : (types[extname(pathname)] ?? 'application/octet-stream')
+      response.writeHead(200, { 'content-type': `${type}; charset=utf-8` }).end(body)
+    } catch {
+      // Browsers ask for an icon on their own, and would print that there is none.
+      response.writeHead(pathname === '/favicon.ico' ? 204 : 404).end()
+    }
+  })
+
+  await new Promise((listening) => server.listen(0, '127.0.0.1', listening))
+  const url = `http://localhost:${server.address().port}`
+  return {
+    url,
+    page: (html) => `${url}/page/${pages.push(html) - 1}`,
+    close: () =>
+      new Promise((closed) => {
+        server.close(closed)
+        server.closeAllConnections()
+      }),
+  }
+}

@@ -1,0 +1,63 @@
+// p5 sketches as pages, drawn frame by frame.
+import assert from 'node:assert/strict'
+import { openPage } from './browser.js'
+import { readPixels } from './pixels.js'
+
+/** The p5 versions that the addon promises to work with; the full files, which have p5's friendly errors in them. */
+export const p5Versions = {
+  '2.x': '/node_modules/p5/lib/p5.js',
+  1.11: '/node_modules/p5-v1/lib/p5.js',
+}
+
+/** Opens a page with `scripts` (addresses) and then `code`, and waits until that sets `window.done` → { page, messages }. */
+export async function runSketch(browser, server, scripts, code, type = '') {
+  const html = `<!doctype html>
+<meta charset="utf-8">
+<body>
+${scripts.map((src) => `<script src="${src}"></script>`).join('\n')}
+<script ${type && `type="${type}"`}>
+for (const event of ['error', 'unhandledrejection']) addEventListener(event, () => (window.done = true))
+${code}
+</script>
+</body>`
+  const opened = await openPage(browser, server.page(html))
+  await opened.page.waitForFunction(() => window.done)
+  return opened
+}
+
+/**
+ * Runs a global mode sketch and draws each of `scenes`, p5 code by name, as a frame of its own → images by name.
+ * `setup` runs after createCanvas. Fails if the page prints anything.
+ */
+export async function drawScenes(browser, server, scripts, { size = 200, setup = '', scenes }) {
+  const functions = Object.entries(scenes).map(
+    ([name, code]) => `${JSON.stringify(name)}: () => { ${code} }`,
+  )
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    scripts,
+    `let scene = () => (window.done = true)
+const scenes = { ${functions.join(',\n')} }
+function setup() {
+  pixelDensity(1)
+  createCanvas(${size}, ${size}, WEBGL)
+  noLoop()
+  ${setup}
+}
+function draw() {
+  background(0)
+  push()
+  scene()
+  pop()
+}`,
+  )
+  const images = {}
+  for (const name of Object.keys(scenes)) {
+    await page.evaluate(`scene = scenes[${JSON.stringify(name)}]; redraw()`)
+    images[name] = await readPixels(page)
+  }
+  await page.close()
+  assert.deepEqual(messages, [])
+  return images
+}

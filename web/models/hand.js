@@ -1,0 +1,106 @@
+/**
+ * A right hand, fingers pointing up in p5 (-y), palm towards the viewer, 200 units tall. It is one
+ * smooth field: palm and wrist are round cones melted together, the fingers are bowed tubes that
+ * melt into the palm but hardly into each other. Lengths are about those of a grown-up's hand in
+ * millimetres.
+ */
+
+import { polygonize, roundCone, smoothMin } from './implicit.js'
+import { clamp, distance, fit, toScreen } from './mesh.js'
+
+// Within how many units two parts flow into each other.
+const MELT_FINGERS = 5
+const MELT_PALM = 9
+const MELT_BONES = 16
+const MELT_THUMB = 18
+const MELT_CUT = 6
+
+/**
+ * A finger as the field of a tube around the parabola from `from` to `to` that swings out by `bow`
+ * half way. Its radius goes from `base` to `tip`, with the joints at the given fractions a little
+ * thicker. The bow shears space instead of bending it: for bows this slight it looks the same, and
+ * the field stays smooth and costs two square roots.
+ */
+function finger({ from, to, bow, base, tip, joints }) {
+  const length = distance(from, to)
+  const [dx, dy, dz] = to.map((x, k) => (x - from[k]) / length)
+  return (x, y, z) => {
+    const px = x - from[0]
+    const py = y - from[1]
+    const pz = z - from[2]
+    const s = (px * dx + py * dy + pz * dz) / length
+    // The parabola runs on past the ends: stopping it there would crease the finger tip.
+    const u = clamp(s, -0.2, 1.2)
+    const swing = 4 * u * (1 - u)
+    const on = clamp(s, 0, 1)
+    const qx = px - swing * bow[0] - on * length * dx
+    const qy = py - swing * bow[1] - on * length * dy
+    const qz = pz - swing * bow[2] - on * length * dz
+    const far = Math.sqrt(qx * qx + qy * qy + qz * qz) - 1.1 * base
+    // Out here the value no longer reaches the surface, only its being large does.
+    if (far > 2 * MELT_PALM) return far
+    let radius = tip + (base - tip) * (1 - on * on) ** 2
+    for (const joint of joints) radius += 0.045 * base * Math.exp(-(((on - joint) / 0.075) ** 2))
+    return far + 1.1 * base - radius
+  }
+}
+
+const JOINTS = [0.48, 0.77]
+const KNUCKLES = [
+  [29, 2, -1],
+  [9.5, 7, -2],
+  [-10, 4, -2],
+  [-28, -6, -1],
+]
+
+const FINGERS = [
+  { to: [46, 87, 10], bow: [1.5, 0, -5], base: 10.4, tip: 7.4 },
+  { to: [13, 101, 9], bow: [0, 0, -5], base: 10.6, tip: 7.7 },
+  { to: [-22, 91, 12], bow: [-0.5, 0, -5.5], base: 10.2, tip: 7.4 },
+  { to: [-51, 58, 15], bow: [-1.5, 0, -5.5], base: 9.2, tip: 6.6 },
+].map((shape, i) => finger({ ...shape, from: KNUCKLES[i], joints: JOINTS }))
+
+const THUMB = finger({
+  from: [14, -62, 5],
+  to: [76, 22, 15],
+  bow: [3, -4, 5],
+  base: 16,
+  tip: 8.2,
+  joints: [0.75],
+})
+
+/** The union of fields, melted where they come within `k` of each other. */
+function melt(parts, k) {
+  return (x, y, z) => {
+    let d = parts[0](x, y, z)
+    for (let i = 1; i < parts.length; i++) d = smoothMin(d, parts[i](x, y, z), k)
+    return d
+  }
+}
+
+/** Metacarpals, the cushions of the palm, the web of the thumb, and a short wrist. */
+const PALM = melt(
+  [
+    ...KNUCKLES.map(([x, y, z]) => roundCone([x * 0.45, -68, -1], [x, y + 4, z], 12, 9)),
+    roundCone([-15, -62, 3], [-28, -14, 2], 11, 9),
+    roundCone([-25, -8, 2.5], [26, -2, 2.5], 7, 7),
+    roundCone([42, -30, 8], [26, -12, 1], 8, 7),
+    roundCone([9, -50, 0], [7.5, -130, -1], 13, 16.5),
+    roundCone([-9, -50, 0], [-7.5, -130, -1], 13, 16.5),
+  ],
+  MELT_BONES,
+)
+
+const TOGETHER = melt(FINGERS, MELT_FINGERS)
+
+function field(x, y, z) {
+  const palm = smoothMin(PALM(x, y, z), THUMB(x, y, z), MELT_THUMB)
+  const whole = smoothMin(palm, TOGETHER(x, y, z), MELT_PALM)
+  // The wrist ends in a flat cut with a soft edge.
+  return -smoothMin(-whole, y + 112, MELT_CUT)
+}
+
+/** About 15,500 vertices. */
+export function hand() {
+  return toScreen(fit(polygonize(field, { low: [-75, -118, -26], high: [92, 118, 50], cell: 2 })))
+}
