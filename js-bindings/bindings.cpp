@@ -4,7 +4,6 @@
 #include <emscripten.h>
 #include <emscripten/bind.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -140,7 +139,7 @@ Output toOutput(const val& from) {
   return output;
 }
 
-// `comments` holds pairs of a node and a line.
+// `comments` holds pairs of a node and a line, in the order of the nodes.
 val emitCode(std::uintptr_t session, const val& outputs, int maxDepth, const val& comments) {
   const Session& at = toSession(session);
   val result = val::object();
@@ -154,7 +153,6 @@ val emitCode(std::uintptr_t session, const val& outputs, int maxDepth, const val
   for (int i = 0; i < lines; ++i)
     options.comments.emplace_back(toNode(comments[i][0].as<int>()),
                                   comments[i][1].as<std::string>());
-  std::sort(options.comments.begin(), options.comments.end());
 
   const Emitted emitted = emit(at.graph, roots, options);
   val inputs = val::array();

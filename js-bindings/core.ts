@@ -1,5 +1,6 @@
 // Loads the compiler. The wasm is inlined and compiled synchronously, so that `createWarp` works in
 // a plain `setup()`; nothing happens before the first warp.
+import { inflateSync } from 'fflate'
 import instantiate from './generated/core.js'
 import base64 from './generated/core-wasm.js'
 
@@ -59,7 +60,7 @@ export const graphFull = -2
 let core: Core | undefined
 
 export function getCore(): Core {
-  return (core ??= instantiate<Core>({ wasmBinary: decode(base64) }))
+  return (core ??= instantiate<Core>({ wasmBinary: inflateSync(decode(base64)) }))
 }
 
 function decode(text: string): Uint8Array {

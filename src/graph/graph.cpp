@@ -98,8 +98,6 @@ ops::Type Graph::type(NodeId id) const {
   return isLeaf(id) ? ops::Type::Float : ops::info(node(id).op).signature.result;
 }
 
-int Graph::arity(NodeId id) const { return isLeaf(id) ? 0 : ops::info(node(id).op).arity; }
-
 NodeId Graph::convert(NodeId id, ops::Type wanted) {
   if (type(id) == wanted) return id;
   const Op conversion = wanted == ops::Type::Float ? ops::find("float") : ops::find("bool");

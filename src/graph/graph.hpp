@@ -25,6 +25,14 @@ constexpr std::uint32_t index(NodeId id) { return static_cast<std::uint32_t>(id)
 inline constexpr Op constantOp{static_cast<std::uint8_t>(ops::count)};
 inline constexpr Op inputOp{static_cast<std::uint8_t>(ops::count + 1)};
 
+// By operation, leaves included.
+inline constexpr auto arities = [] {
+  std::array<std::uint8_t, ops::count + 2> arities{};
+  for (std::size_t i = 0; i < ops::count; ++i)
+    arities[i] = static_cast<std::uint8_t>(ops::infos[i].arity);
+  return arities;
+}();
+
 // Sixteen bytes. A constant keeps the bits of its double in the first two operands, an input its
 // number and its component.
 struct Node {
@@ -75,7 +83,7 @@ class Graph {
   // The value of a constant, or 1 or 0 for a condition that is always true or false.
   std::optional<double> known(NodeId id) const;
   ops::Type type(NodeId id) const;
-  int arity(NodeId id) const;
+  int arity(NodeId id) const { return arities[static_cast<std::size_t>(node(id).op)]; }
   NodeId operand(NodeId id, int i) const { return NodeId{node(id).operands[i]}; }
 
   // The node that a node was made for: itself, or while `makingFor` is set, the value that a

@@ -13,18 +13,21 @@ namespace warpjet {
 // enter a node for which `known(id)` holds.
 template <class Known>
 std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots, Known known) {
-  std::vector<NodeId> found;
   std::vector<NodeId> pending(roots.begin(), roots.end());
-  std::vector<bool> seen(graph.size());
+  std::vector<bool> needed(graph.size());
+  std::uint32_t end = 0;
   while (!pending.empty()) {
     const NodeId id = pending.back();
     pending.pop_back();
-    if (seen[index(id)] || known(id)) continue;
-    seen[index(id)] = true;
-    found.push_back(id);
+    if (needed[index(id)] || known(id)) continue;
+    needed[index(id)] = true;
+    end = std::max(end, index(id) + 1);
     for (int i = 0; i < graph.arity(id); ++i) pending.push_back(graph.operand(id, i));
   }
-  std::sort(found.begin(), found.end());
+  std::vector<NodeId> found;
+  for (std::uint32_t i = 0; i < end; ++i) {
+    if (needed[i]) found.push_back(NodeId{i});
+  }
   return found;
 }
 

@@ -21,12 +21,11 @@ struct Info {
   int arity;
   Signature signature;
   Spelling glsl;
-  Domain domain;
 };
 
 inline constexpr auto infos = std::apply(
     [](const auto&... row) {
-      return std::array{Info{row.name, row.arity, row.signature, row.glsl, row.domain}...};
+      return std::array{Info{row.name, row.arity, row.signature, row.glsl}...};
     },
     table);
 
