@@ -3,6 +3,7 @@
 // embind. No exception crosses: a problem is a sentence, and the JavaScript side throws it.
 #include <emscripten.h>
 #include <emscripten/bind.h>
+#include <emscripten/emmalloc.h>
 
 #include <string>
 #include <vector>
@@ -69,6 +70,11 @@ EMSCRIPTEN_KEEPALIVE int derivative(Session* session, int root, int input) {
 }
 
 EMSCRIPTEN_KEEPALIVE void close(Session* session) { delete session; }
+
+// Bytes that are allocated now.
+EMSCRIPTEN_KEEPALIVE int memoryInUse() {
+  return static_cast<int>(emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory());
+}
 
 }  // extern "C"
 

@@ -156,7 +156,12 @@ export class Compilation {
   emit(maxDepth = 8): Emitted & { code: string; labels: string[] } {
     const outputs = this.outputs.map(({ name, value, sum }) => ({ name, ids: value.ids, sum }))
     const comments = [...(this.comments ?? [])].sort(([a], [b]) => a - b)
-    const emitted = this.core.emit(this.open('emit'), outputs, maxDepth, comments)
+    const emitted = this.core.emit(
+      this.open('emit'),
+      outputs,
+      Math.min(maxDepth, 2 ** 30),
+      comments,
+    )
     if (emitted.code === undefined) this.refuse(graphFull, 'emit')
     const labels = emitted.inputs.map((input) => this.inputLabels[input]!)
     this.refuseShadowing(labels)

@@ -50,8 +50,7 @@ export interface Core {
     maxDepth: number,
     comments: [number, string][],
   ): Emitted
-  /** The whole memory of the wasm, which can only grow. */
-  HEAPU8: Uint8Array
+  _memoryInUse(): number
 }
 
 export const notFinite = -1
@@ -61,6 +60,11 @@ let core: Core | undefined
 
 export function getCore(): Core {
   return (core ??= instantiate<Core>({ wasmBinary: inflateSync(decode(base64)) }))
+}
+
+/** How many bytes the compiler holds inside the wasm. Between two warps it is always the same. */
+export function memoryInUse(): number {
+  return getCore()._memoryInUse()
 }
 
 function decode(text: string): Uint8Array {

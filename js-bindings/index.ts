@@ -10,6 +10,7 @@ export type {
   WarpOptions,
 } from './compile.js'
 export { targets, type Target } from './compilation.js'
+export { memoryInUse } from './core.js'
 export { WarpError } from './errors.js'
 export { version } from './generated/version.js'
 export type * from './types.js'

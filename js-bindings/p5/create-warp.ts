@@ -56,11 +56,12 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
   if (!style)
     throw new WarpError('createWarp: this p5 has no shader hooks; version 1.11 or newer is needed.')
 
-  const target = material.version() === '100 es' ? 'glsl100' : 'glsl300'
+  const renderer = webglOf(canvas)
+  const target = renderer?.webglVersion === 'webgl' ? 'glsl100' : 'glsl300'
   const warp = compileWarp(offset, { target, names: namesFor(style) })
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {
-    renderer: webglOf(canvas),
+    renderer,
     inputs: warp.uniforms,
     shaderFor: (type: WarpType) =>
       (shaders[type] ??= weave(

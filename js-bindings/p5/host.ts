@@ -8,7 +8,6 @@ export interface Shader {
   readonly uniforms: Record<string, { readonly isArray?: boolean } | undefined>
   modify(hooks: Record<string, string>): Shader
   setUniform(name: string, value: unknown): unknown
-  version(): string
 }
 
 interface MaterialState {
@@ -20,6 +19,7 @@ interface MaterialState {
 export interface Renderer extends MaterialState {
   readonly isP3D?: boolean
   readonly GL?: unknown
+  readonly webglVersion?: string
   readonly states?: MaterialState
 }
 

@@ -132,7 +132,7 @@ class Emitter {
     const auto& comments = options_.comments;
     const auto at =
         std::lower_bound(comments.begin(), comments.end(), id,
-                         [](const auto& comment, NodeId id) { return comment.first < id; });
+                         [](const auto& comment, NodeId node) { return comment.first < node; });
     if (at != comments.end() && at->first == id) statements_ += "  // " + at->second + '\n';
   }
 

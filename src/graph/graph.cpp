@@ -39,14 +39,16 @@ bool fitsFloat32(double value) {
 
 Graph::Graph() : table_(256), maker_(noMaker) {}
 
-NodeId Graph::intern(const Node& node) {
+std::size_t Graph::slotOf(const Node& node) const {
   const std::size_t mask = table_.size() - 1;
   std::size_t slot = hash(node) & mask;
-  while (table_[slot] != 0) {
-    const std::uint32_t found = table_[slot] - 1;
-    if (nodes_[found] == node) return NodeId{found};
-    slot = (slot + 1) & mask;
-  }
+  while (table_[slot] != 0 && nodes_[table_[slot] - 1] != node) slot = (slot + 1) & mask;
+  return slot;
+}
+
+NodeId Graph::intern(const Node& node) {
+  const std::size_t slot = slotOf(node);
+  if (table_[slot] != 0) return NodeId{table_[slot] - 1};
   if (full()) return NodeId(nodes_.size() - 1);
 
   const auto id = static_cast<std::uint32_t>(nodes_.size());
@@ -59,12 +61,7 @@ NodeId Graph::intern(const Node& node) {
 
 void Graph::growTable() {
   table_.assign(table_.size() * 2, 0);
-  const std::size_t mask = table_.size() - 1;
-  for (std::uint32_t id = 0; id < nodes_.size(); ++id) {
-    std::size_t slot = hash(nodes_[id]) & mask;
-    while (table_[slot] != 0) slot = (slot + 1) & mask;
-    table_[slot] = id + 1;
-  }
+  for (std::uint32_t id = 0; id < nodes_.size(); ++id) table_[slotOf(nodes_[id])] = id + 1;
 }
 
 NodeId Graph::constant(double value) {
@@ -135,6 +132,11 @@ NodeId Graph::apply(Op op, Operands operands) {
 
   Node node{{}, op};
   for (int i = 0; i < info.arity; ++i) node.operands[i] = index(operands[i]);
+  // x + y and y + x are one node, in the order that came first.
+  if (op == ops::find("add") || op == ops::find("mult")) {
+    const std::size_t slot = slotOf({{node.operands[1], node.operands[0]}, op});
+    if (table_[slot] != 0) return NodeId{table_[slot] - 1};
+  }
   return intern(node);
 }
 

@@ -27,10 +27,10 @@ inline constexpr Op inputOp{static_cast<std::uint8_t>(ops::count + 1)};
 
 // By operation, leaves included.
 inline constexpr auto arities = [] {
-  std::array<std::uint8_t, ops::count + 2> arities{};
+  std::array<std::uint8_t, ops::count + 2> all{};
   for (std::size_t i = 0; i < ops::count; ++i)
-    arities[i] = static_cast<std::uint8_t>(ops::infos[i].arity);
-  return arities;
+    all[i] = static_cast<std::uint8_t>(ops::infos[i].arity);
+  return all;
 }();
 
 // Sixteen bytes. A constant keeps the bits of its double in the first two operands, an input its
@@ -93,6 +93,8 @@ class Graph {
   class MakingFor;
 
  private:
+  // The slot that holds an equal node, or the empty one where it belongs.
+  std::size_t slotOf(const Node& node) const;
   NodeId intern(const Node& node);
   void growTable();
   NodeId convert(NodeId id, ops::Type type);

@@ -22,12 +22,9 @@ bool isNormalFloat32(double x) {
   return std::abs(x) >= Limits::min() && std::abs(x) <= Limits::max();
 }
 
-// One order for x + y and y + x: a constant comes last, as artists write it.
-void sortCommutative(const Graph& graph, Operands& operands) {
-  auto& [x, y, unused] = operands;
-  const bool swapConstant = graph.isConstant(x) && !graph.isConstant(y);
-  const bool swapOrder = graph.isConstant(x) == graph.isConstant(y) && y < x;
-  if (swapConstant || swapOrder) std::swap(x, y);
+// A constant comes last in a sum or product, as artists write it.
+void putConstantLast(const Graph& graph, Operands& operands) {
+  if (graph.isConstant(operands[0])) std::swap(operands[0], operands[1]);
 }
 
 // c ? a : 0, plus c ? 0 : b, is c ? a : b.
@@ -45,7 +42,7 @@ Simplified mergeChoices(Graph& graph, NodeId x, NodeId y) {
 }
 
 Simplified simplifyAdd(Graph& graph, Operands& operands) {
-  sortCommutative(graph, operands);
+  putConstantLast(graph, operands);
   const auto [x, y, unused] = operands;
   if (graph.isConstant(y, 0)) return x;
   if (graph.is(y, Neg)) return graph.apply(Sub, {x, graph.operand(y, 0)});
@@ -79,7 +76,7 @@ Simplified multiplyChoice(Graph& graph, NodeId x, NodeId choice) {
 }
 
 Simplified simplifyMult(Graph& graph, Operands& operands) {
-  sortCommutative(graph, operands);
+  putConstantLast(graph, operands);
   const auto [x, y, unused] = operands;
   if (graph.isConstant(y, 0)) return y;
   if (graph.isConstant(y, 1)) return x;

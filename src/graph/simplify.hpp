@@ -7,8 +7,7 @@
 
 namespace warpjet {
 
-// A simpler node of the same value, or nothing; may instead reorder `operands` so that equal
-// operations become equal nodes.
+// A simpler node of the same value, or nothing; may put the constant of a sum or product last.
 //
 // Ignored on purpose: that x may be infinite or NaN in x * 0 = 0, x - x = 0 and 0 / x = 0; the sign
 // of a zero; and the rounding of a product of constants, (x * a) * b = x * (a * b), which is

@@ -1,0 +1,85 @@
+// Derivatives of graphs, against finite differences in double and against formulas worked out by
+// hand.
+#include <gtest/gtest.h>
+
+#include "diff/differentiator.hpp"
+#include "support.hpp"
+
+namespace warpjet {
+namespace {
+
+class DiffTest : public testing::Test {
+ protected:
+  Graph graph;
+  Differentiator differentiator{graph};
+  Expression x = scalar(graph, "x");
+  Expression y = scalar(graph, "y");
+
+  Expression derivative(Expression f, Expression by) {
+    return {&graph, differentiator.derivative(f.id, by.id)};
+  }
+  double at(Expression f, double xValue, double yValue = 0) {
+    return evaluateNode(graph, f.id, {{x.id, xValue}, {y.id, yValue}});
+  }
+};
+
+TEST_F(DiffTest, OfLeaves) {
+  EXPECT_EQ(at(derivative(x, x), 3), 1);
+  EXPECT_EQ(at(derivative(y, x), 3, 5), 0);
+  EXPECT_EQ(at(derivative({&graph, graph.constant(7)}, x), 3), 0);
+}
+
+TEST_F(DiffTest, ProductQuotientAndChainRule) {
+  const Expression f = sin(x * y) / (x + 2.0);
+  const double a = 0.7, b = -1.3;
+  EXPECT_DOUBLE_EQ(at(derivative(f, x), a, b),
+                   (b * std::cos(a * b) * (a + 2) - std::sin(a * b)) / ((a + 2) * (a + 2)));
+  EXPECT_DOUBLE_EQ(at(derivative(f, y), a, b), a * std::cos(a * b) / (a + 2));
+}
+
+TEST_F(DiffTest, OfEveryOrder) {
+  Expression f = sin(x * 2.0);
+  for (int i = 0; i < 4; ++i) f = derivative(f, x);
+  EXPECT_NEAR(at(f, 0.3), 16 * std::sin(0.6), 1e-12);
+}
+
+TEST_F(DiffTest, OfAPowerOfANegativeBase) {
+  EXPECT_DOUBLE_EQ(at(derivative(pow(x, 3.0), x), -2), 12);
+  EXPECT_DOUBLE_EQ(at(derivative(pow(x, -2.0), x), -2), 0.25);
+}
+
+TEST_F(DiffTest, BoundsThatVaryCount) {
+  const Expression clamped = min(max(x, y), y * y);
+  EXPECT_EQ(at(derivative(clamped, y), 10, 3), 6);
+  EXPECT_EQ(at(derivative(clamped, x), 10, 3), 0);
+  EXPECT_EQ(at(derivative(clamped, x), 4, 3), 1);
+}
+
+TEST_F(DiffTest, AtAKinkOfTheRootItIsZeroInsteadOfNaN) {
+  EXPECT_EQ(at(derivative(sqrt(x * x + y * y), x), 0, 0), 0);
+  EXPECT_DOUBLE_EQ(at(derivative(sqrt(x * x + y * y), x), 3, 4), 0.6);
+}
+
+TEST_F(DiffTest, TheBranchNotTakenDoesNotCount) {
+  const Expression f = ifElse(gt(x, 0.0), log(x), x * 5.0);
+  EXPECT_EQ(at(derivative(f, x), -1), 5);
+  EXPECT_EQ(at(derivative(f, x), 2), 0.5);
+}
+
+TEST_F(DiffTest, ValueAndDerivativeShareTheirWork) {
+  const Expression u = x * 3.0 + y;
+  sin(u);
+  const std::size_t before = graph.size();
+  derivative(sin(u), x);
+  EXPECT_LE(graph.size() - before, 4u) << "cos(u), its factor and constants; u is there already";
+}
+
+TEST_F(DiffTest, ALongChainNeitherRecursesNorTakesLong) {
+  Expression f = x;
+  for (int i = 0; i < 100'000; ++i) f = sin(f);
+  derivative(f, x);
+  EXPECT_LT(graph.size(), 450'000u);
+}
+
+}  // namespace
+}  // namespace warpjet

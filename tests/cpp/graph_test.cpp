@@ -1,0 +1,118 @@
+#include "graph/graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace warpjet {
+namespace {
+
+class GraphTest : public testing::Test {
+ protected:
+  Graph graph;
+  Expression x = scalar(graph, "x");
+  Expression y = scalar(graph, "y");
+
+  void expectConstant(Expression e, double value) {
+    ASSERT_TRUE(graph.isConstant(e.id));
+    EXPECT_EQ(graph.value(e.id), value);
+  }
+};
+
+TEST_F(GraphTest, EqualOperationsAreOneNode) {
+  EXPECT_EQ(sin(x + y).id, sin(x + y).id);
+  EXPECT_EQ((x + y).id, (y + x).id);
+  EXPECT_EQ((x * 2.0).id, (2.0 * x).id);
+  EXPECT_NE((x - y).id, (y - x).id);
+}
+
+TEST_F(GraphTest, AskingTwiceForAnInputGivesTheSame) {
+  EXPECT_EQ(scalar(graph, "x").id, x.id);
+  EXPECT_NE(x.id, y.id);
+}
+
+TEST_F(GraphTest, ConstantsKeepEveryBit) {
+  for (const double value : {0.1, 1e-30, 98765.4321, -0.00049, 1e21})
+    EXPECT_EQ(graph.value(graph.constant(value)), value);
+  EXPECT_NE(graph.constant(0.0), graph.constant(-0.0));
+}
+
+TEST_F(GraphTest, ConstantOperationsFold) {
+  const Expression two{&graph, graph.constant(2)};
+  expectConstant(two * 3.0, 6);
+  expectConstant(sqrt(two * 8.0), 4);
+  expectConstant(ifElse(lt(two, 3.0), 5.0, 7.0), 5);
+  expectConstant(ifElse(logicalAnd(lt(two, 3.0), lt(two, 1.0)), 5.0, 7.0), 7);
+}
+
+TEST_F(GraphTest, ResultsThatAreNotFiniteStayUnfolded) {
+  const Expression zero{&graph, graph.constant(0)};
+  EXPECT_FALSE(graph.isLeaf((1.0 / zero).id));
+  EXPECT_FALSE(graph.isLeaf(log(zero).id));
+  EXPECT_FALSE(graph.isLeaf((Expression{&graph, graph.constant(1e30)} * 1e30).id));
+}
+
+TEST_F(GraphTest, NeutralElementsDisappear) {
+  EXPECT_EQ((x + 0.0).id, x.id);
+  EXPECT_EQ((0.0 + x).id, x.id);
+  EXPECT_EQ((x - 0.0).id, x.id);
+  EXPECT_EQ((x * 1.0).id, x.id);
+  EXPECT_EQ((x / 1.0).id, x.id);
+  EXPECT_EQ((-(-x)).id, x.id);
+  expectConstant(x * 0.0, 0);
+  expectConstant(x - x, 0);
+  expectConstant(0.0 / x, 0);
+}
+
+TEST_F(GraphTest, SignsMoveOutwards) {
+  EXPECT_EQ((x + -y).id, (x - y).id);
+  EXPECT_EQ((x - -y).id, (x + y).id);
+  EXPECT_EQ((-x * -y).id, (x * y).id);
+  EXPECT_EQ((-x * y).id, (-(x * y)).id);
+  EXPECT_EQ((0.0 - x).id, (-x).id);
+  EXPECT_EQ((-(x - y)).id, (y - x).id);
+}
+
+TEST_F(GraphTest, WholePowersAreProducts) {
+  EXPECT_EQ(pow(x, 1.0).id, x.id);
+  EXPECT_EQ(pow(x, 2.0).id, (x * x).id);
+  EXPECT_EQ(pow(x, -1.0).id, (1.0 / x).id);
+  expectConstant(pow(x, 0.0), 1);
+  EXPECT_TRUE(graph.is(pow(x, 2.5).id, ops::find("pow")));
+  EXPECT_TRUE(graph.is(pow(x, 17.0).id, ops::find("pow")));
+  for (const double n : {3.0, 5.0, 7.0, 16.0, -3.0})
+    EXPECT_DOUBLE_EQ(evaluateNode(graph, pow(x, n).id, {{x.id, -1.5}}), std::pow(-1.5, n)) << n;
+}
+
+TEST_F(GraphTest, ConditionsAndNumbersConvert) {
+  const Expression sum = lt(x, y) + 1.0;
+  EXPECT_EQ(graph.type(sum.id), ops::Type::Float);
+  EXPECT_EQ(evaluateNode(graph, sum.id, {{x.id, 1}, {y.id, 2}}), 2);
+  const Expression chosen = ifElse(x, 5.0, 7.0);
+  EXPECT_EQ(evaluateNode(graph, chosen.id, {{x.id, -3}}), 5);
+  EXPECT_EQ(evaluateNode(graph, chosen.id, {{x.id, 0}}), 7);
+}
+
+TEST_F(GraphTest, ChoicesWithTheSameConditionMerge) {
+  const Expression c = lt(x, y);
+  EXPECT_EQ((ifElse(c, x, 0.0) + ifElse(c, 0.0, y)).id, ifElse(c, x, y).id);
+  EXPECT_EQ((ifElse(c, 1.0, 0.0) * y).id, ifElse(c, y, 0.0).id);
+  EXPECT_EQ(ifElse(c, x, x).id, x.id);
+}
+
+TEST_F(GraphTest, RepeatedSquaringStaysSmall) {
+  Expression v = x;
+  for (int i = 0; i < 40; ++i) v = v * v + v;
+  EXPECT_LT(graph.size(), 100u);
+}
+
+TEST_F(GraphTest, AFullGraphStopsGrowingAndDoesNotCrash) {
+  Expression v = x;
+  while (!graph.full()) v = sin(v);
+  const std::size_t size = graph.size();
+  for (int i = 0; i < 100; ++i) v = (v - 1.0) * -2.0 + y;
+  EXPECT_EQ(graph.size(), size);
+}
+
+}  // namespace
+}  // namespace warpjet

@@ -1,0 +1,56 @@
+#include "emit/names.hpp"
+
+#include <gtest/gtest.h>
+
+#include "emit/syntax.hpp"
+
+namespace warpjet {
+namespace {
+
+TEST(Names, ExpressionsOfAHostAreAccepted) {
+  for (const char* text :
+       {"position", "aPosition", "inputs.position", "(uModel * vec4(aPosition, 1.0)).xyz", "-x",
+        "1.5e-3 * x", "f()", "f(a, b[2].c)", "a < b ? a : b", "a - -b", "float(gl_VertexID)",
+        "!flag && x >= .5", "mat3(m)[0].x", "a ? b ? c : d : e"})
+    EXPECT_EQ(inputProblem(glsl300, text), "") << text;
+}
+
+TEST(Names, BrokenExpressionsAreRefused) {
+  for (const char* text :
+       {"",      " ",     "a b",     "a +",   "* a",   "(a",       "a)",     "(a]",
+        "a; b",  "a = b", "a += b",  "a++",   "--a",   "a // b",   "a /* b", "f(,a)",
+        "f(a,)", "a, b",  "a ? b",   "a : b", "a[",    "a[]",      "{a}",    "a.",
+        ".a",    "a\nb",  "#define", "a$b",   "\"a\"", "a.5b.c d", "()",     "x!"})
+    EXPECT_NE(inputProblem(glsl300, text), "") << text;
+}
+
+TEST(Names, ReservedWordsAreRefused) {
+  for (const char* text : {"for", "while", "sampler2D", "gl_Foo", "a__b", "__x", "webgl_x",
+                           "_webgl_x", "struct", "return", "in", "a + discard"})
+    EXPECT_NE(inputProblem(glsl300, text), "") << text;
+  EXPECT_NE(inputProblem(glsl300, "switch"), "");
+  EXPECT_NE(inputProblem(glsl300, "sample"), "");
+  EXPECT_EQ(inputProblem(glsl100, "sample"), "") << "reserved only since GLSL ES 3.00";
+}
+
+TEST(Names, ResultsNeedIdentifiers) {
+  EXPECT_EQ(outputProblem(glsl300, "dzdx"), "");
+  for (const char* name : {"", "2x", "a b", "a.b", "a-b", "vec3", "float", "gl_Position", "a__b"})
+    EXPECT_NE(outputProblem(glsl300, name), "") << name;
+}
+
+TEST(Names, MembersAreNotIdentifiers) {
+  const auto found = identifiers("inputs.uv * scale + f(2.0).x");
+  EXPECT_EQ(found, (std::vector<std::string_view>{"inputs", "scale", "f"}));
+}
+
+TEST(Names, PlainVariables) {
+  EXPECT_TRUE(isPlainVariable("position"));
+  EXPECT_TRUE(isPlainVariable("inputs.uv"));
+  EXPECT_FALSE(isPlainVariable("f(x)"));
+  EXPECT_FALSE(isPlainVariable("a + b"));
+  EXPECT_FALSE(isPlainVariable("1.0"));
+}
+
+}  // namespace
+}  // namespace warpjet

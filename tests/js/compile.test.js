@@ -1,0 +1,216 @@
+// The core API: what comes back, and that nothing stays behind.
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { test } from 'node:test'
+import {
+  compile,
+  compileWarp,
+  gen,
+  memoryInUse,
+  version,
+  WarpError,
+} from '../../dist/warpjet.js'
+
+const wave = ({ glsl, position, millis }) =>
+  glsl.vec3(0, position.x().mult(4).add(millis.div(1000)).sin().mult(0.15), 0)
+
+test('a warp gives statements, the inputs that it reads, and counts', () => {
+  const warp = compileWarp(wave)
+  assert.match(warp.code, /^vec3 offset, warpedPosition, warpedNormal;\n\{\n/)
+  assert.match(warp.code, /offset = vec3\(0\.0, sin\(t0\) \* 0\.15, 0\.0\);/)
+  assert.match(warp.code, /warpedPosition = position \+ offset;/)
+  assert.equal(warp.declarations, '')
+  assert.deepEqual(warp.uniforms, ['millis'])
+  assert.deepEqual(warp.attributes, ['position', 'normal'])
+  assert.deepEqual(Object.keys(warp.stats), ['nodes', 'operations', 'temporaries'])
+  assert.ok(warp.stats.nodes > warp.stats.operations)
+})
+
+test('names of inputs and outputs are the caller’s', () => {
+  const { code, uniforms, attributes } = compileWarp(wave, {
+    names: { position: 'aPosition', normal: 'inputs.normal', millis: 'uTime' },
+    outputs: { position: 'p', normal: 'n', offset: 'f' },
+  })
+  assert.match(code, /^vec3 f, p, n;/)
+  assert.match(code, /aPosition\.x \* 4\.0 \+ uTime \/ 1000\.0/)
+  assert.match(code, /p = aPosition \+ f;/)
+  assert.match(code, /inputs\.normal\.y/)
+  assert.deepEqual(uniforms, ['millis'])
+  assert.deepEqual(attributes, ['position', 'normal'])
+})
+
+test('normals can be left out', () => {
+  const { code, attributes } = compileWarp(wave, { normals: false })
+  assert.doesNotMatch(code, /warpedNormal|cos/)
+  assert.deepEqual(attributes, ['position'])
+})
+
+test('parameters of the sketch are listed with the uniforms', () => {
+  const { uniforms } = compileWarp(({ glsl, mouseX }) =>
+    glsl.vec3Param('uCenter').mult(glsl.param('uAmount')).mult(mouseX),
+  )
+  assert.deepEqual(uniforms, ['mouse', 'uCenter', 'uAmount'])
+})
+
+test('an unused input is not read', () => {
+  const { uniforms, attributes } = compileWarp(({ glsl }) => glsl.vec3(0, 1, 0), {
+    normals: false,
+  })
+  assert.deepEqual([uniforms, attributes], [[], ['position']])
+})
+
+test('a temporary never takes a name that the shader uses', () => {
+  const names = { position: 't0', normal: 't1', millis: 't3' }
+  const { code } = compileWarp(wave, { names, outputs: { offset: 't2' } })
+  for (const name of ['t0', 't1', 't2', 't3'])
+    assert.doesNotMatch(code, new RegExp(`float ${name} =`))
+})
+
+test('compile gives any named expressions and their derivatives', () => {
+  const { code, uniforms } = compile((glsl) => {
+    const x = glsl.param('x')
+    const y = x.mult(x).mult(3)
+    return { y, slope: glsl.derivative(y, x), below: y.lt(1), both: glsl.vec2(x, y) }
+  })
+  assert.equal(
+    code,
+    'float y, slope;\nbool below;\nvec2 both;\n{\n' +
+      '  y = x * x * 3.0;\n' +
+      '  slope = 3.0 * (x + x);\n'.replace('3.0 * (x + x)', '(x + x) * 3.0') +
+      '  below = y < 1.0;\n' +
+      '  both = vec2(x, y);\n}\n',
+  )
+  assert.deepEqual(uniforms, ['x'])
+})
+
+test('gen has the outputs and derivatives of glsl-autodiff', () => {
+  const code = gen((ad) => {
+    const x = ad.param('x')
+    const y = ad.param('y')
+    const z = ad.sin(ad.sum(x.mult(2), y))
+    z.output('z')
+    z.outputDeriv('dzdx', x)
+    z.outputDeriv('dzdy', y)
+  })
+  assert.equal(
+    code,
+    'float z, dzdx, dzdy;\n{\n' +
+      '  float t0 = x * 2.0 + y;\n' +
+      '  z = sin(t0);\n' +
+      '  dzdy = cos(t0);\n' +
+      '  dzdx = dzdy * 2.0;\n}\n',
+  )
+})
+
+test('gen adjusts normals', () => {
+  const code = gen((ad) => {
+    const position = ad.vec3Param('position')
+    const offset = ad.vec3(0, 0, position.x().sin())
+    offset.adjustNormal(ad.vec3Param('normal'), position).output('turned')
+  })
+  assert.match(code, /^vec3 turned;/)
+  assert.match(code, /cos\(position\.x\)/)
+})
+
+test('gen bounds the depth of expressions', () => {
+  const chain = (ad) => {
+    let v = ad.param('x')
+    for (let i = 0; i < 8; i++) v = v.sin()
+    v.output('y')
+  }
+  const temporaries = (settings) => gen(chain, settings).match(/float t\d+ =/g)?.length ?? 0
+  assert.equal(temporaries({ maxDepthPerVariable: 1 }), 7)
+  assert.equal(temporaries({ maxDepthPerVariable: 4 }), 1)
+  assert.equal(temporaries({ maxDepthPerVariable: Infinity }), 0)
+})
+
+test('debug names the line of the sketch', () => {
+  const code = gen(
+    (ad) => {
+      ad.param('x').sin().mult(2).output('y')
+    },
+    { debug: true },
+  )
+  assert.match(code, /\/\/ From .*compile\.test\.js:\d+:\d+/)
+})
+
+test('the text of GLSL ES 1.00 is the same here', () => {
+  assert.equal(compileWarp(wave, { target: 'glsl100' }).code, compileWarp(wave).code)
+})
+
+test('inputs have the sizes that p5.warp documents, and swizzles', () => {
+  compileWarp(({ glsl, position, normal, uv, color, mouse, size, width, height, mouseX }) => {
+    assert.deepEqual(
+      [position, normal, uv, color, mouse, size, width, height, mouseX].map((x) => x.ids.length),
+      [3, 3, 2, 4, 2, 2, 1, 1, 1],
+    )
+    assert.deepEqual(position.zyx().ids, [...position.ids].reverse())
+    assert.equal(color.aa().ids[1], color.w().ids[0])
+    assert.equal(uv.t().ids[0], uv.y().ids[0])
+    return glsl.vec3(0, 0, 0)
+  })
+})
+
+test('scalars broadcast beside vectors, on either side', () => {
+  const { code } = compile((glsl) => {
+    const v = glsl.vec3Param('v')
+    return { a: v.add(1), b: glsl.val(2).mult(v), c: v.mix(glsl.vec3(0, 0, 0), 0.5).neg() }
+  })
+  assert.match(code, /a = vec3\(v\.x \+ 1\.0, v\.y \+ 1\.0, v\.z \+ 1\.0\)/)
+  assert.match(code, /b = vec3\(v\.x \* 2\.0/)
+})
+
+test('numbers are exact', () => {
+  for (const [number, text] of [
+    [1e21, '1e21'],
+    [1e-5, '1e-5'],
+    [-0.00049, '-0.00049'],
+    [1e-30, '1e-30'],
+    [98765.4321, '98765.43'],
+  ]) {
+    const { code } = compile((glsl) => ({ y: glsl.param('x').mult(number) }))
+    assert.ok(code.includes(`x * ${text};`), code)
+    assert.equal(Math.fround(Number(text)), Math.fround(number))
+  }
+})
+
+test('ten thousand warps leave the memory as it was, also when the callback throws', () => {
+  const failing = () => {
+    throw new Error('from the sketch')
+  }
+  const round = () => {
+    compileWarp(wave)
+    assert.throws(() => compileWarp(failing), /from the sketch/)
+    assert.throws(() => compileWarp(() => undefined), WarpError)
+  }
+  for (let i = 0; i < 100; i++) round()
+  const before = memoryInUse()
+  for (let i = 0; i < 10_000; i++) round()
+  assert.equal(memoryInUse(), before)
+})
+
+test('repeated squaring and a long chain take no time to speak of', () => {
+  const derivative = (build) =>
+    compile((glsl) => {
+      const x = glsl.param('x')
+      const y = build(x)
+      return { y, slope: glsl.derivative(y, x) }
+    })
+  const squared = derivative((x) => {
+    let v = x
+    for (let i = 0; i < 40; i++) v = v.mult(v).add(v)
+    return v
+  })
+  assert.ok(squared.stats.nodes < 300)
+  const chain = derivative((x) => {
+    let v = x
+    for (let i = 0; i < 100_000; i++) v = v.sin()
+    return v
+  })
+  assert.equal(chain.stats.nodes, 300_000)
+})
+
+test('the version is that of the package', () => {
+  const { version: packaged } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url)))
+  assert.equal(version, packaged)
+})

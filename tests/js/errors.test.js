@@ -1,0 +1,129 @@
+// Bad input gets one clear sentence, and the next warp works as if nothing had happened.
+import assert from 'node:assert/strict'
+import { afterEach, test } from 'node:test'
+import { compile, compileWarp, gen, WarpError } from '../../dist/warpjet.js'
+
+const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+
+afterEach(() => assert.match(compileWarp(still).code, /warpedPosition/))
+
+function refuses(work, pattern) {
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof WarpError, String(error))
+    assert.match(error.message, pattern)
+    assert.doesNotMatch(error.message, /\n/)
+    return true
+  })
+}
+
+const offset = (callback) => () => compileWarp(callback)
+
+test('what the offset function returns', () => {
+  refuses(offset(() => undefined), /must return a vec3.*undefined/)
+  refuses(offset(() => 5), /must return a vec3.*the number 5/)
+  refuses(offset(({ glsl }) => glsl.vec2(1, 2)), /must return a vec3.*a vec2/)
+  refuses(offset(({ millis }) => millis), /must return a vec3.*a single number/)
+  refuses(offset(() => [0, 0, 0]), /must return a vec3.*an array of 3/)
+  refuses(offset(({ glsl }) => glsl.vec3(NaN, 0, 0)), /vec3: argument 1 is NaN/)
+  refuses(offset(({ glsl }) => glsl.vec3(0, 1 / 0, 0)), /vec3: argument 2 is Infinity/)
+})
+
+test('what is no offset function', () => {
+  refuses(() => compileWarp(), /a function was expected, but undefined/)
+  refuses(() => compileWarp('x'), /a function was expected, but the text "x"/)
+  refuses(() => compile(7), /compile: a function was expected/)
+  refuses(() => gen({}), /gen: a function was expected/)
+})
+
+test('operands', () => {
+  const with_ = (operand) => offset(({ position }) => position.add(operand))
+  refuses(with_(undefined), /add: argument 1 must be a number or an expression, but is undefined/)
+  refuses(with_('1'), /add: argument 1 .* the text "1"/)
+  refuses(with_({ x: 1 }), /add: argument 1 .* an object/)
+  refuses(with_([1, 2]), /add: argument 1 .* an array of 2/)
+  refuses(with_(NaN), /add: argument 1 is NaN/)
+  refuses(with_(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/)
+  refuses(offset(({ millis }) => millis.add()), /add: 1 argument was expected, but 0 came/)
+  refuses(offset(({ millis }) => millis.sin(2)), /sin: no arguments were expected, but 1 came/)
+  refuses(offset(({ glsl }) => glsl.sin()), /sin: 1 argument was expected, but 0 came/)
+  refuses(offset(({ glsl }) => glsl.sum()), /sum: 2 arguments were expected, but 0 came/)
+  refuses(offset(({ glsl, millis }) => glsl.max(millis, null)), /max: argument 2 .* null/)
+})
+
+test('sizes', () => {
+  refuses(offset(({ position, uv }) => position.add(uv)), /add: a vec3 and a vec2 do not fit/)
+  refuses(offset(({ uv }) => uv.cross(uv)), /cross: .* must be a vec3, but is a vec2/)
+  refuses(offset(({ millis, uv }) => uv.dot(millis)), /dot: argument 1 must be a vector/)
+  refuses(offset(({ uv }) => uv.z()), /z: a vec2 has no such components/)
+  refuses(offset(({ millis }) => millis.x()), /x: a single number has no such components/)
+  refuses(offset(({ glsl }) => glsl.vec3(1, 2)), /vec3: 3 components were expected, but 2 came/)
+  refuses(offset(({ glsl }) => glsl.vec3()), /vec3: 3 components were expected, but 0 came/)
+  refuses(offset(({ uv }) => uv.scale(uv)), /scale: argument 1 must be a single number/)
+})
+
+test('constants without a finite result', () => {
+  refuses(offset(({ glsl }) => glsl.val(1).div(0)), /div: the result .* not a finite number/)
+  refuses(offset(({ glsl }) => glsl.val(-1).sqrt()), /sqrt: the result/)
+  refuses(offset(({ glsl }) => glsl.val(1e30).mult(1e30)), /mult: the result/)
+})
+
+test('expressions of another warp', () => {
+  let stolen
+  compileWarp(({ glsl, position }) => ((stolen = position), glsl.vec3(0, 0, 0)))
+  refuses(offset(() => stolen), /comes from another warp/)
+  refuses(offset(({ position }) => position.add(stolen)), /add: argument 1 comes from another warp/)
+  refuses(() => stolen.add(1), /add: the function that made this expression is over/)
+})
+
+test('options', () => {
+  refuses(() => compileWarp(still, { target: 'hlsl' }), /glsl300, glsl100, but is the text "hlsl"/)
+  refuses(() => compileWarp(still, { traget: 'glsl300' }), /no option "traget"/)
+  refuses(() => compileWarp(still, 5), /options must be an object/)
+  refuses(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
+  refuses(() => compileWarp(still, { names: { position: 5 } }), /names\.position: .* the number 5/)
+  refuses(() => gen(() => {}, { maxDepthPerVariable: 0 }), /maxDepthPerVariable .* at least 1/)
+})
+
+test('names of results', () => {
+  const named = (outputs) => () => compileWarp(still, { outputs })
+  refuses(named({ position: '2x' }), /"2x" cannot name a result/)
+  refuses(named({ position: 'vec3' }), /"vec3" cannot name a result/)
+  refuses(named({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
+  refuses(named({ position: 'a', normal: 'a' }), /two results named "a"/)
+  refuses(named({ position: 7 }), /must be a text, but is the number 7/)
+  refuses(named({ offset: 'position' }), /"position" has the name of a variable/)
+  refuses(() => compile((glsl) => ({ 'a b': glsl.val(1) })), /"a b" cannot name a result/)
+  refuses(() => compile(() => 5), /must return an object of named expressions/)
+  refuses(() => gen((ad) => ad.param('z').sin().output('z')), /"z" has the name of a variable/)
+})
+
+test('names of parameters', () => {
+  const param = (name) => offset(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
+  refuses(param('for'), /"for" cannot be read in a shader: "for" is a word of GLSL/)
+  refuses(param('gl_Foo'), /gl_ or webgl_ belong to GLSL/)
+  refuses(param('a__b'), /two underscores/)
+  refuses(param('x; y'), /";" cannot stand in it/)
+  refuses(param('x +'), /an operand is missing/)
+  refuses(param('(x'), /"\)" is missing/)
+  refuses(param(''), /it is empty/)
+  refuses(param(undefined), /the name of a shader variable was expected, but undefined/)
+})
+
+test('derivatives', () => {
+  const by = (choose) => () => compile((glsl) => {
+    const v = glsl.vec3Param('v')
+    return { d: glsl.derivative(v.x().sin(), choose(v)) }
+  })
+  refuses(by((v) => v), /choose a component/)
+  refuses(by((v) => v.x().mult(2)), /by an input/)
+  refuses(by(() => 3), /by an input/)
+})
+
+test('a loop that never ends stops with a sentence', { timeout: 60_000 }, () => {
+  refuses(
+    offset(({ millis }) => {
+      for (let v = millis; ; ) v = v.sin().add(1)
+    }),
+    /more than four million operations/,
+  )
+})
