@@ -1,7 +1,7 @@
 /**
  * The p5 addon. Where p5 is a global, as after its script tag, importing this file is enough. As a module p5 is no
  * global, and then it is handed over: `p5.registerAddon(warpjet)` on 2.x, `warpjet(p5)` on 2.x and 1.11 alike.
- * p5 is not imported here: it cannot load without a browser, and a second copy of it would start a second sketch.
+ * p5 is not imported here: it cannot load without a browser, and beside a script tag it would be a second copy of p5.
  */
 import { type Distort, createWarp as create, keepWarp } from './p5/create-warp.js'
 import { type Canvas, sketchRemoved } from './p5/host.js'

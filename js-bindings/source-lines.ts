@@ -4,7 +4,8 @@ function stackLines(): string[] {
   return (new Error().stack ?? '').split('\n').filter((line) => /:\d+:\d+\)?$/.test(line))
 }
 
-const fileOf = (line: string) => line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at )(?=\S*$)/, '')
+const fileOf = (line: string) =>
+  line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at )(?=\S*$)/, '')
 
 /** The bundle that this code is part of, found when it is first needed. */
 let ownFile: string | undefined
@@ -14,5 +15,11 @@ export function callerOutside(): string {
   const lines = stackLines()
   ownFile ??= fileOf(lines[0] ?? '')
   const line = lines.find((line) => fileOf(line) !== ownFile) ?? 'an unknown line'
-  return 'From ' + line.trim().replace(/^at /, '').replace(/[\r\n]/g, ' ')
+  return (
+    'From ' +
+    line
+      .trim()
+      .replace(/^at /, '')
+      .replace(/[\r\n]/g, ' ')
+  )
 }

@@ -192,14 +192,25 @@ export interface Glsl {
   cross(a: Vec3, b: Vec3): Vec3
 }
 
-type Unary = <Value extends Expression = Scalar>(x: Value | number) => Value
-type Binary = <Value extends Expression = Scalar>(x: Value | Operand, y: Value | Operand) => Value
-type Ternary = <Value extends Expression = Scalar>(
-  x: Value | Operand,
-  y: Value | Operand,
-  z: Value | Operand,
-) => Value
-type Chain = <Value extends Expression = Scalar>(...operands: (Value | Operand)[]) => Value
+interface Unary {
+  (x: Operand): Scalar
+  <Value extends Vector>(x: Value): Value
+}
+
+interface Binary {
+  (x: Operand, y: Operand): Scalar
+  <Value extends Vector>(x: Value | Operand, y: Value | Operand): Value
+}
+
+interface Ternary {
+  (x: Operand, y: Operand, z: Operand): Scalar
+  <Value extends Vector>(x: Value | Operand, y: Value | Operand, z: Value | Operand): Value
+}
+
+interface Chain {
+  (...operands: Operand[]): Scalar
+  <Value extends Vector>(...operands: (Value | Operand)[]): Value
+}
 
 /** What an offset function is given. */
 export interface WarpInputs {

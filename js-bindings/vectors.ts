@@ -101,9 +101,7 @@ export function compose(
 /** `vec3(x, y, z)`, `vec3(xy, z)`, `vec3(x)`. */
 export function construct(compilation: Compilation, size: number, given: readonly unknown[]) {
   const name = `vec${size}`
-  const parts = given.map((part, i) =>
-    toExpression(compilation, name, part, `argument ${i + 1}`),
-  )
+  const parts = given.map((part, i) => toExpression(compilation, name, part, `argument ${i + 1}`))
   // A condition becomes 0 or 1 here, as it does in any sum.
   const all = parts.flatMap((part) => components(add!(part, 0)))
   if (all.length === 1) return vector(new Array<Expression>(size).fill(all[0]!))

@@ -2,7 +2,7 @@
 import { path, walk } from './files.mjs'
 import { availableParallelism } from 'node:os'
 import { cmakeBuild } from './cmake.mjs'
-import { run } from './run.mjs'
+import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
 
 const node = (...args) => run(process.execPath, args)
@@ -11,17 +11,17 @@ const binary = (name) => path('node_modules', name)
 export const cppFiles = () =>
   ['src', 'js-bindings', 'tests'].flatMap((folder) => walk(folder, /\.[ch]pp$/))
 
-const prettier = (mode) =>
-  node(binary('prettier/bin/prettier.cjs'), mode, '--log-level', 'warn', '.')
+const prettier = (mode) => [binary('prettier/bin/prettier.cjs'), mode, '--log-level', 'warn', '.']
 
 export async function format() {
   await run('clang-format', ['-i', ...cppFiles()])
-  await prettier('--write')
+  await node(...prettier('--write'))
 }
 
 async function checkFormat() {
-  await run('clang-format', ['--dry-run', '-Werror', ...cppFiles()])
-  await prettier('--check')
+  const cpp = ['clang-format', ['--dry-run', '-Werror', ...cppFiles()]]
+  const failures = [await exitCode(...cpp), await exitCode(process.execPath, prettier('--check'))]
+  if (failures.some(Boolean)) throw new Stop('`npm run format` puts this right.')
 }
 
 async function cpp(preset) {

@@ -1,11 +1,12 @@
 // Child processes: `run` shows what the program prints, `capture` returns it.
 import { spawn } from 'node:child_process'
+import { basename } from 'node:path'
 import { Stop, root } from './terminal.mjs'
 
 /** Streams the program's output; throws a Stop unless it ends with 0. */
 export async function run(command, args, options = {}) {
   const code = await exitCode(command, args, options)
-  if (code !== 0) throw new Stop(`${command} ${args.join(' ')} failed (${code})`)
+  if (code !== 0) throw new Stop(`${basename(command)} ${args[0] ?? ''} failed (${code})`)
 }
 
 export function exitCode(command, args, { env = {}, cwd = root } = {}) {

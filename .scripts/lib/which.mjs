@@ -1,5 +1,5 @@
 import { accessSync, constants, statSync } from 'node:fs'
-import { delimiter, join } from 'node:path'
+import { delimiter, isAbsolute, join } from 'node:path'
 
 const endings = process.platform === 'win32' ? ['.exe', '.bat', '.cmd', ''] : ['']
 
@@ -14,11 +14,13 @@ export function isProgram(file) {
 
 /** The full path of the first of `names` that the shell would find, or null. */
 export function onPath(...names) {
-  for (const name of names)
+  for (const name of names) {
+    if (isAbsolute(name) && isProgram(name)) return name
     for (const folder of (process.env.PATH ?? '').split(delimiter))
       for (const ending of endings) {
         const file = join(folder, name + ending)
         if (folder && isProgram(file)) return file
       }
+  }
   return null
 }

@@ -62,6 +62,10 @@ inline Expression tan(Expression x) { return build(ops::find("tan"), x); }
 
 inline Expression atan(Expression x) { return build(ops::find("atan"), x); }
 
+inline Expression asin(Expression x) { return build(ops::find("asin"), x); }
+
+inline Expression acos(Expression x) { return build(ops::find("acos"), x); }
+
 inline Expression exp(Expression x) { return build(ops::find("exp"), x); }
 
 inline Expression log(Expression x) { return build(ops::find("log"), x); }

@@ -37,7 +37,7 @@ bool fitsFloat32(double value) {
 
 }  // namespace
 
-Graph::Graph() : table_(256), maker_(noMaker) {}
+Graph::Graph(std::size_t capacity) : table_(256), maker_(noMaker), capacity_(capacity) {}
 
 std::size_t Graph::slotOf(const Node& node) const {
   const std::size_t mask = table_.size() - 1;

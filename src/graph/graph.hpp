@@ -56,7 +56,7 @@ class Graph {
   // memory. Past it every new node is the last one, valid but meaningless.
   static constexpr std::size_t maxNodes = std::size_t{1} << 22;
 
-  Graph();
+  explicit Graph(std::size_t capacity = maxNodes);
 
   NodeId constant(double value);
 
@@ -69,7 +69,7 @@ class Graph {
   NodeId apply(Op op, Operands operands);
 
   std::size_t size() const { return nodes_.size(); }
-  bool full() const { return nodes_.size() >= maxNodes; }
+  bool full() const { return nodes_.size() >= capacity_; }
   const Node& node(NodeId id) const { return nodes_[index(id)]; }
   const Input& input(std::uint32_t number) const { return inputs_[number]; }
   std::size_t inputCount() const { return inputs_.size(); }
@@ -105,6 +105,7 @@ class Graph {
   std::vector<std::uint32_t> table_;  // open addressing; an entry is a node's index plus one
   std::vector<Input> inputs_;
   std::uint32_t maker_;
+  std::size_t capacity_;
 };
 
 // While it lives, new nodes of the graph belong to `value`.

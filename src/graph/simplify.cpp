@@ -81,6 +81,9 @@ Simplified simplifyMult(Graph& graph, Operands& operands) {
   if (graph.isConstant(y, 0)) return y;
   if (graph.isConstant(y, 1)) return x;
   if (graph.isConstant(y, -1)) return graph.apply(Neg, {x});
+  // Before all that could move the infinity of a branch that is not taken next to the zero.
+  if (const auto choice = multiplyChoice(graph, x, y)) return choice;
+  if (const auto choice = multiplyChoice(graph, y, x)) return choice;
   if (graph.is(x, Neg) && graph.isConstant(y))
     return graph.apply(Mult, {graph.operand(x, 0), graph.constant(-graph.value(y))});
   if (graph.is(x, Neg)) return graph.apply(Neg, {graph.apply(Mult, {graph.operand(x, 0), y})});
@@ -94,8 +97,7 @@ Simplified simplifyMult(Graph& graph, Operands& operands) {
     if (graph.is(ratio, Div) && graph.isConstant(graph.operand(ratio, 0), 1))
       return graph.apply(Div, {factor, graph.operand(ratio, 1)});
   }
-  if (const auto choice = multiplyChoice(graph, x, y)) return choice;
-  return multiplyChoice(graph, y, x);
+  return {};
 }
 
 Simplified simplifyDiv(Graph& graph, const Operands& operands) {

@@ -20,6 +20,12 @@ inline constexpr auto one = [](auto...) { return 1.0; };
 inline constexpr auto minusOne = [](auto...) { return -1.0; };
 inline constexpr auto zero = [](auto...) { return 0.0; };
 
+// For derivatives that are infinite at the edge of an operation's domain.
+inline constexpr auto divideOrZero = [](auto x, auto y) { return ifElse(gt(y, 0.0), x / y, 0.0); };
+inline constexpr auto inversesqrtOrZero = [](auto x) {
+  return ifElse(gt(x, 0.0), inversesqrt(x), 0.0);
+};
+
 using enum Precedence;
 
 inline constexpr std::tuple table{
@@ -47,7 +53,7 @@ inline constexpr std::tuple table{
     binary(
         "pow", floats, call("pow($0, $1)"), {positive, anywhere, {}},
         [](auto x, auto y) { return pow(x, y); },
-        [](auto x, auto y, auto) { return y * pow(x, y - 1.0); },
+        [](auto x, auto y, auto) { return ifElse(gt(x, 0.0), y * pow(x, y - 1.0), 0.0); },
         [](auto x, auto, auto v) { return ifElse(gt(x, 0.0), v * log(x), 0.0); }),
     unary(
         "sqrt", floats, call("sqrt($0)"), {positive}, [](auto x) { return sqrt(x); },
@@ -74,18 +80,18 @@ inline constexpr std::tuple table{
         [](auto, auto v) { return v * v + 1.0; }),
     unary(
         "asin", floats, call("asin($0)"), {unitInterval}, [](auto x) { return asin(x); },
-        [](auto x, auto) { return inversesqrt(1.0 - x * x); }),
+        [](auto x, auto) { return inversesqrtOrZero(1.0 - x * x); }),
     unary(
         "acos", floats, call("acos($0)"), {unitInterval}, [](auto x) { return acos(x); },
-        [](auto x, auto) { return -inversesqrt(1.0 - x * x); }),
+        [](auto x, auto) { return -inversesqrtOrZero(1.0 - x * x); }),
     unary(
         "atan", floats, call("atan($0)"), everywhere, [](auto x) { return atan(x); },
         [](auto x, auto) { return 1.0 / (x * x + 1.0); }),
     binary(
         "atan2", floats, call("atan($0, $1)"), everywhere,
         [](auto y, auto x) { return atan2(y, x); },
-        [](auto y, auto x, auto) { return x / (x * x + y * y); },
-        [](auto y, auto x, auto) { return -y / (x * x + y * y); }),
+        [](auto y, auto x, auto) { return divideOrZero(x, x * x + y * y); },
+        [](auto y, auto x, auto) { return -divideOrZero(y, x * x + y * y); }),
 
     // pieces
     unary(

@@ -60,6 +60,24 @@ TEST_F(DiffTest, AtAKinkOfTheRootItIsZeroInsteadOfNaN) {
   EXPECT_DOUBLE_EQ(at(derivative(sqrt(x * x + y * y), x), 3, 4), 0.6);
 }
 
+TEST_F(DiffTest, AtTheEdgeOfADomainItIsZeroInsteadOfInfinity) {
+  EXPECT_EQ(at(derivative(atan2(y, x), x), 0, 0), 0);
+  EXPECT_EQ(at(derivative(atan2(y, x), y), 0, 0), 0);
+  EXPECT_EQ(at(derivative(asin(x), x), 1), 0);
+  EXPECT_EQ(at(derivative(acos(x), x), -1), 0);
+  EXPECT_EQ(at(derivative(pow(x, 0.5), x), 0), 0);
+  EXPECT_DOUBLE_EQ(at(derivative(asin(x), x), 0.6), 1.25);
+}
+
+// 0 * infinity is NaN, so the choice must come after the product.
+TEST_F(DiffTest, AnInfinityInTheBranchNotTakenStaysThere) {
+  const Expression guarded = ifElse(gt(x, 0.0), log(x), 0.0) + ifElse(gt(x, 0.0), y / x, 0.0);
+  EXPECT_EQ(at(derivative(guarded, x), 0, 1), 0);
+  EXPECT_EQ(at(derivative(guarded, y), 0, 1), 0);
+  EXPECT_EQ(at(derivative(min(1.0 / x, y), x), 0, 5), 0);
+  EXPECT_EQ(at(derivative(min(-(1.0 / x), y) * 3.0, x), 2, 5), 0.75);
+}
+
 TEST_F(DiffTest, TheBranchNotTakenDoesNotCount) {
   const Expression f = ifElse(gt(x, 0.0), log(x), x * 5.0);
   EXPECT_EQ(at(derivative(f, x), -1), 5);

@@ -2,14 +2,7 @@
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
-import {
-  compile,
-  compileWarp,
-  gen,
-  memoryInUse,
-  version,
-  WarpError,
-} from '../../dist/warpjet.js'
+import { compile, compileWarp, gen, memoryInUse, version, WarpError } from '../../dist/warpjet.js'
 
 const wave = ({ glsl, position, millis }) =>
   glsl.vec3(0, position.x().mult(4).add(millis.div(1000)).sin().mult(0.15), 0)
@@ -211,6 +204,8 @@ test('repeated squaring and a long chain take no time to speak of', () => {
 })
 
 test('the version is that of the package', () => {
-  const { version: packaged } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url)))
+  const { version: packaged } = JSON.parse(
+    readFileSync(new URL('../../package.json', import.meta.url)),
+  )
   assert.equal(version, packaged)
 })

@@ -19,13 +19,34 @@ function refuses(work, pattern) {
 const offset = (callback) => () => compileWarp(callback)
 
 test('what the offset function returns', () => {
-  refuses(offset(() => undefined), /must return a vec3.*undefined/)
-  refuses(offset(() => 5), /must return a vec3.*the number 5/)
-  refuses(offset(({ glsl }) => glsl.vec2(1, 2)), /must return a vec3.*a vec2/)
-  refuses(offset(({ millis }) => millis), /must return a vec3.*a single number/)
-  refuses(offset(() => [0, 0, 0]), /must return a vec3.*an array of 3/)
-  refuses(offset(({ glsl }) => glsl.vec3(NaN, 0, 0)), /vec3: argument 1 is NaN/)
-  refuses(offset(({ glsl }) => glsl.vec3(0, 1 / 0, 0)), /vec3: argument 2 is Infinity/)
+  refuses(
+    offset(() => undefined),
+    /must return a vec3.*undefined/,
+  )
+  refuses(
+    offset(() => 5),
+    /must return a vec3.*the number 5/,
+  )
+  refuses(
+    offset(({ glsl }) => glsl.vec2(1, 2)),
+    /must return a vec3.*a vec2/,
+  )
+  refuses(
+    offset(({ millis }) => millis),
+    /must return a vec3.*a single number/,
+  )
+  refuses(
+    offset(() => [0, 0, 0]),
+    /must return a vec3.*an array of 3/,
+  )
+  refuses(
+    offset(({ glsl }) => glsl.vec3(NaN, 0, 0)),
+    /vec3: argument 1 is NaN/,
+  )
+  refuses(
+    offset(({ glsl }) => glsl.vec3(0, 1 / 0, 0)),
+    /vec3: argument 2 is Infinity/,
+  )
 })
 
 test('what is no offset function', () => {
@@ -43,35 +64,89 @@ test('operands', () => {
   refuses(with_([1, 2]), /add: argument 1 .* an array of 2/)
   refuses(with_(NaN), /add: argument 1 is NaN/)
   refuses(with_(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/)
-  refuses(offset(({ millis }) => millis.add()), /add: 1 argument was expected, but 0 came/)
-  refuses(offset(({ millis }) => millis.sin(2)), /sin: no arguments were expected, but 1 came/)
-  refuses(offset(({ glsl }) => glsl.sin()), /sin: 1 argument was expected, but 0 came/)
-  refuses(offset(({ glsl }) => glsl.sum()), /sum: 2 arguments were expected, but 0 came/)
-  refuses(offset(({ glsl, millis }) => glsl.max(millis, null)), /max: argument 2 .* null/)
+  refuses(
+    offset(({ millis }) => millis.add()),
+    /add: 1 argument was expected, but 0 came/,
+  )
+  refuses(
+    offset(({ millis }) => millis.sin(2)),
+    /sin: no arguments were expected, but 1 came/,
+  )
+  refuses(
+    offset(({ glsl }) => glsl.sin()),
+    /sin: 1 argument was expected, but 0 came/,
+  )
+  refuses(
+    offset(({ glsl }) => glsl.sum()),
+    /sum: 2 arguments were expected, but 0 came/,
+  )
+  refuses(
+    offset(({ glsl, millis }) => glsl.max(millis, null)),
+    /max: argument 2 .* null/,
+  )
 })
 
 test('sizes', () => {
-  refuses(offset(({ position, uv }) => position.add(uv)), /add: a vec3 and a vec2 do not fit/)
-  refuses(offset(({ uv }) => uv.cross(uv)), /cross: .* must be a vec3, but is a vec2/)
-  refuses(offset(({ millis, uv }) => uv.dot(millis)), /dot: argument 1 must be a vector/)
-  refuses(offset(({ uv }) => uv.z()), /z: a vec2 has no such components/)
-  refuses(offset(({ millis }) => millis.x()), /x: a single number has no such components/)
-  refuses(offset(({ glsl }) => glsl.vec3(1, 2)), /vec3: 3 components were expected, but 2 came/)
-  refuses(offset(({ glsl }) => glsl.vec3()), /vec3: 3 components were expected, but 0 came/)
-  refuses(offset(({ uv }) => uv.scale(uv)), /scale: argument 1 must be a single number/)
+  refuses(
+    offset(({ position, uv }) => position.add(uv)),
+    /add: a vec3 and a vec2 do not fit/,
+  )
+  refuses(
+    offset(({ uv }) => uv.cross(uv)),
+    /cross: .* must be a vec3, but is a vec2/,
+  )
+  refuses(
+    offset(({ millis, uv }) => uv.dot(millis)),
+    /dot: argument 1 must be a vector/,
+  )
+  refuses(
+    offset(({ uv }) => uv.z()),
+    /z: a vec2 has no such components/,
+  )
+  refuses(
+    offset(({ millis }) => millis.x()),
+    /x: a single number has no such components/,
+  )
+  refuses(
+    offset(({ glsl }) => glsl.vec3(1, 2)),
+    /vec3: 3 components were expected, but 2 came/,
+  )
+  refuses(
+    offset(({ glsl }) => glsl.vec3()),
+    /vec3: 3 components were expected, but 0 came/,
+  )
+  refuses(
+    offset(({ uv }) => uv.scale(uv)),
+    /scale: argument 1 must be a single number/,
+  )
 })
 
 test('constants without a finite result', () => {
-  refuses(offset(({ glsl }) => glsl.val(1).div(0)), /div: the result .* not a finite number/)
-  refuses(offset(({ glsl }) => glsl.val(-1).sqrt()), /sqrt: the result/)
-  refuses(offset(({ glsl }) => glsl.val(1e30).mult(1e30)), /mult: the result/)
+  refuses(
+    offset(({ glsl }) => glsl.val(1).div(0)),
+    /div: the result .* not a finite number/,
+  )
+  refuses(
+    offset(({ glsl }) => glsl.val(-1).sqrt()),
+    /sqrt: the result/,
+  )
+  refuses(
+    offset(({ glsl }) => glsl.val(1e30).mult(1e30)),
+    /mult: the result/,
+  )
 })
 
 test('expressions of another warp', () => {
   let stolen
   compileWarp(({ glsl, position }) => ((stolen = position), glsl.vec3(0, 0, 0)))
-  refuses(offset(() => stolen), /comes from another warp/)
-  refuses(offset(({ position }) => position.add(stolen)), /add: argument 1 comes from another warp/)
+  refuses(
+    offset(() => stolen),
+    /comes from another warp/,
+  )
+  refuses(
+    offset(({ position }) => position.add(stolen)),
+    /add: argument 1 comes from another warp/,
+  )
   refuses(() => stolen.add(1), /add: the function that made this expression is over/)
 })
 
@@ -110,19 +185,29 @@ test('names of parameters', () => {
 })
 
 test('derivatives', () => {
-  const by = (choose) => () => compile((glsl) => {
-    const v = glsl.vec3Param('v')
-    return { d: glsl.derivative(v.x().sin(), choose(v)) }
-  })
-  refuses(by((v) => v), /choose a component/)
-  refuses(by((v) => v.x().mult(2)), /by an input/)
-  refuses(by(() => 3), /by an input/)
+  const by = (choose) => () =>
+    compile((glsl) => {
+      const v = glsl.vec3Param('v')
+      return { d: glsl.derivative(v.x().sin(), choose(v)) }
+    })
+  refuses(
+    by((v) => v),
+    /choose a component/,
+  )
+  refuses(
+    by((v) => v.x().mult(2)),
+    /by an input/,
+  )
+  refuses(
+    by(() => 3),
+    /by an input/,
+  )
 })
 
 test('a loop that never ends stops with a sentence', { timeout: 60_000 }, () => {
   refuses(
     offset(({ millis }) => {
-      for (let v = millis; ; ) v = v.sin().add(1)
+      for (let v = millis; ;) v = v.sin().add(1)
     }),
     /more than four million operations/,
   )
