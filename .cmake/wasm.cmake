@@ -17,7 +17,6 @@ else()
 endif()
 
 target_link_options(warpjet_wasm PRIVATE
-  -Oz                                   # clang optimizes for speed (-O3); Binaryen then for size: 12% fewer bytes, no slower
   --bind                                # embind for the few rich calls
   --no-entry                            # a library: there is no main()
   -fno-exceptions                       # no exception crosses the border: a throw that is left in the code does not link

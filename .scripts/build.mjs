@@ -3,6 +3,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { deflateRawSync } from 'node:zlib'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { path, step, walk } from './lib/files.mjs'
+import { locked } from './lib/lock.mjs'
 import { run } from './lib/run.mjs'
 import { reportSizes } from './lib/sizes.mjs'
 import { Stop, isMain, main } from './lib/terminal.mjs'
@@ -14,10 +15,16 @@ const generated = 'js-bindings/generated'
 const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
-const bundles = ['warpjet', 'p5', 'autodiff', 'p5.warpjet.min'].map((name) => `dist/${name}.js`)
-const entries = ['index', 'p5', 'autodiff', 'p5.global'].map((name) => `js-bindings/${name}.ts`)
+const bundles = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'p5.warpjet.min'].map(
+  (name) => `dist/${name}.js`,
+)
+const entries = ['index', 'p5', 'p5.browser', 'autodiff', 'p5.global'].map(
+  (name) => `js-bindings/${name}.ts`,
+)
 
-export async function build() {
+export const build = () => locked(buildAll)
+
+async function buildAll() {
   await step('WebAssembly core', {
     inputs: [
       ...scripts,

@@ -21,6 +21,7 @@ export const modules = {
       entry: {
         warpjet: path('js-bindings/index.ts'),
         p5: path('js-bindings/p5.ts'),
+        'p5.browser': path('js-bindings/p5.browser.ts'),
         autodiff: path('js-bindings/autodiff.ts'),
       },
       formats: ['es'],

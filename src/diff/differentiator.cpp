@@ -42,15 +42,15 @@ Differentiator::Tangents& Differentiator::tangentsBy(NodeId input) {
 
 NodeId Differentiator::chainRule(NodeId id, const Tangents& tangents) {
   const int arity = graph_.arity(id);
+  const Partials& rowPartials = partials[static_cast<std::size_t>(graph_.node(id).op)];
   std::array<Expression, ops::maxArity> x{};
   for (int i = 0; i < arity; ++i) x[i] = {&graph_, graph_.operand(id, i)};
 
   Expression sum{&graph_, graph_.constant(0)};
   for (int i = 0; i < arity; ++i) {
     const Expression tangent{&graph_, NodeId{tangents[index(x[i].id)] - 1}};
-    const Partial partial = partials[static_cast<std::size_t>(graph_.node(id).op)][i];
-    if (partial == nullptr || graph_.isConstant(tangent.id, 0)) continue;
-    sum = sum + Expression{&graph_, partial(graph_, x, {&graph_, id})} * tangent;
+    if (rowPartials[i] == nullptr || graph_.isConstant(tangent.id, 0)) continue;
+    sum = sum + Expression{&graph_, rowPartials[i](graph_, x, {&graph_, id})} * tangent;
   }
   return sum.id;
 }
@@ -60,13 +60,19 @@ NodeId Differentiator::derivative(NodeId root, NodeId input) {
   tangents.resize(graph_.size());
   const auto known = [&](NodeId id) { return tangents[index(id)] != 0; };
   const NodeId zero = graph_.constant(0), one = graph_.constant(1);
+  const auto dependsOnInput = [&](NodeId id) {
+    for (int i = 0; i < graph_.arity(id); ++i) {
+      if (tangents[index(graph_.operand(id, i))] != index(zero) + 1) return true;
+    }
+    return false;
+  };
 
   for (const NodeId id : reachable(graph_, {&root, 1}, known)) {
-    const Graph::MakingFor making(graph_, id);
     NodeId tangent = zero;
     if (id == input) {
       tangent = one;
-    } else if (!graph_.isLeaf(id)) {
+    } else if (dependsOnInput(id)) {
+      const Graph::MakingFor making(graph_, id);
       tangent = chainRule(id, tangents);
     }
     tangents[index(id)] = index(tangent) + 1;

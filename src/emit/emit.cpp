@@ -21,6 +21,8 @@ class Emitter {
         writer_(graph) {}
 
   Emitted run() {
+    constexpr std::size_t usualLength = 24;
+    statements_.reserve(nodes_.size() * usualLength);
     reserveNames();
     bindInputs();
     bindScalarOutputs();

@@ -10,6 +10,9 @@ namespace warpjet {
 
 namespace {
 
+// Enough for most warps, so that they never rehash; 16 KB.
+constexpr std::size_t initialTableSize = 4096;
+
 constexpr std::uint32_t noMaker = std::numeric_limits<std::uint32_t>::max();
 
 std::size_t hash(const Node& node) {
@@ -37,7 +40,8 @@ bool fitsFloat32(double value) {
 
 }  // namespace
 
-Graph::Graph(std::size_t capacity) : table_(256), maker_(noMaker), capacity_(capacity) {}
+Graph::Graph(std::size_t capacity)
+    : table_(initialTableSize), maker_(noMaker), capacity_(capacity) {}
 
 std::size_t Graph::slotOf(const Node& node) const {
   const std::size_t mask = table_.size() - 1;

@@ -139,6 +139,8 @@ Simplified simplifyMix(Graph& graph, const Operands& operands) {
   if (graph.isConstant(t, 0)) return x;
   if (graph.isConstant(t, 1)) return y;
   if (graph.isConstant(x, 0)) return graph.apply(Mult, {y, t});
+  if (graph.isConstant(y, 0))
+    return graph.apply(Mult, {x, graph.apply(Sub, {graph.constant(1), t})});
   return {};
 }
 

@@ -1,5 +1,12 @@
 // What the shipped types must allow and refuse; only checked, never run.
-import { compile, compileWarp, gen, type Scalar, type Vec2, type Vec3 } from '../../js-bindings/index.js'
+import {
+  compile,
+  compileWarp,
+  gen,
+  type Scalar,
+  type Vec2,
+  type Vec3,
+} from '../../js-bindings/index.js'
 
 compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {
   const t: Scalar = millis.div(1000).add(mouseX, 2)
@@ -15,7 +22,10 @@ compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {
   t.add('1')
   // @ts-expect-error a vec2 has no z
   uv.z()
-  return glsl.vec3(pair, color.a()).add(d).mix(glsl.vec3(0, 0, 0), glsl.smoothstep(0, 1, t))
+  return glsl
+    .vec3(pair, color.a())
+    .add(d)
+    .mix(glsl.vec3(0, 0, 0), glsl.smoothstep(0, 1, t))
 })
 
 // @ts-expect-error an offset is a vec3

@@ -13,7 +13,7 @@ export const p5Versions = {
 export async function runSketch(browser, server, scripts, code, type = '') {
   const html = `<!doctype html>
 <meta charset="utf-8">
-<body>
+<body style="margin: 0">
 ${scripts.map((src) => `<script src="${src}"></script>`).join('\n')}
 <script ${type && `type="${type}"`}>
 for (const event of ['error', 'unhandledrejection']) addEventListener(event, () => (window.done = true))
@@ -27,7 +27,7 @@ ${code}
 
 /**
  * Runs a global mode sketch and draws each of `scenes`, p5 code by name, as a frame of its own → images by name.
- * `setup` runs after createCanvas. Fails if the page prints anything.
+ * `setup` runs after createCanvas, and may keep things in the object `warps`; the mouse is at 30, 10. Fails if the page prints anything.
  */
 export async function drawScenes(browser, server, scripts, { size = 200, setup = '', scenes }) {
   const functions = Object.entries(scenes).map(
@@ -37,7 +37,8 @@ export async function drawScenes(browser, server, scripts, { size = 200, setup =
     browser,
     server,
     scripts,
-    `let scene = () => (window.done = true)
+    `const warps = {}
+let scene = () => (window.done = true)
 const scenes = { ${functions.join(',\n')} }
 function setup() {
   pixelDensity(1)
@@ -52,6 +53,7 @@ function draw() {
   pop()
 }`,
   )
+  await page.mouse.move(30, 10)
   const images = {}
   for (const name of Object.keys(scenes)) {
     await page.evaluate(`scene = scenes[${JSON.stringify(name)}]; redraw()`)

@@ -1,0 +1,18 @@
+// npm run golden: writes the shader texts of tests/golden anew, to be reviewed as a diff.
+import { rmSync, writeFileSync } from 'node:fs'
+import { build } from './build.mjs'
+import { good, main } from './lib/terminal.mjs'
+
+await main(async () => {
+  await build()
+  const { goldenFolder, goldenTexts, keptTexts } = await import('../tests/warps/golden.js')
+  const [texts, before] = [goldenTexts(), keptTexts()]
+  for (const file of Object.keys(before)) {
+    if (!(file in texts)) rmSync(new URL(file, goldenFolder))
+  }
+  for (const [file, text] of Object.entries(texts)) writeFileSync(new URL(file, goldenFolder), text)
+  const changed = Object.keys({ ...before, ...texts }).filter(
+    (file) => texts[file] !== before[file],
+  )
+  good(changed.length ? `Changed: ${changed.join(', ')}` : 'Nothing has changed.')
+})

@@ -1,0 +1,58 @@
+// Figure 6: one twist on two cubes. A warp moves vertices only, so that between
+// them a coarse mesh stays straight.
+let coarse, fine, twist
+
+function setup() {
+  createCanvas(640, 480, WEBGL)
+  noStroke()
+  coarse = denseCube(180, 2)
+  fine = denseCube(180, 40)
+
+  twist = createWarp(({ glsl, position, millis }) => {
+    const [x, y, z] = [position.x(), position.y(), position.z()]
+    const angle = y.mult(0.014).mult(millis.div(1000).sin())
+    const [sin, cos] = [angle.sin(), angle.cos()]
+    const turnedX = x.mult(cos).sub(z.mult(sin))
+    const turnedZ = x.mult(sin).add(z.mult(cos))
+    return glsl.vec3(turnedX, y, turnedZ).sub(position)
+  })
+}
+
+function draw() {
+  background('#151823')
+  orbitControl()
+  ambientLight(100)
+  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
+  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  specularMaterial(90)
+  shininess(40)
+  twist()
+
+  place(-150, '#ff8a5b', coarse)
+  place(150, '#43c6ac', fine)
+}
+
+function place(x, color, shape) {
+  push()
+  translate(x, 0)
+  rotateX(-0.5)
+  rotateY(0.7)
+  fill(color)
+  model(shape)
+  pop()
+}
+
+// p5's box() has vertices at its corners only.
+function denseCube(size, detail) {
+  return buildGeometry(() => {
+    for (let side = 0; side < 6; side++) {
+      push()
+      translate(0, 0, size / 2)
+      plane(size, size, detail, detail)
+      pop()
+      // Turn by turn, these bring every side to the front.
+      if (side % 2) rotateY(HALF_PI)
+      else rotateX(HALF_PI)
+    }
+  })
+}

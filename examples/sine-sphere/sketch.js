@@ -1,0 +1,63 @@
+// Figure 2: a sphere, (a) at rest, (b) moved by sines, but lit by its old normals,
+// (c) with the flat normals that dFdx and dFdy find on the screen, (d) by
+// createWarp, with the exact normals.
+let warp, onlyPositions, facets
+
+const sines = ({ glsl, position, millis }) => {
+  const time = millis.div(700)
+  const wave = (x, phase) => x.mult(7).add(time, phase).sin().mult(0.13)
+  const [x, y, z] = [position.x(), position.y(), position.z()]
+  return glsl.vec3(wave(y, 0), wave(z, 2), wave(x, 4))
+}
+
+function setup() {
+  createCanvas(640, 480, WEBGL)
+  noStroke()
+  warp = createWarp(sines)
+
+  // For b and c the same code without normals, by hand in a hook of p5.
+  const { code } = warpjet.compileWarp(sines, {
+    names: { position: 'inputs.position', millis: 'time' },
+    normals: false,
+  })
+  const moved = {
+    uniforms: { 'float time': () => millis() },
+    'Vertex getObjectInputs': `(Vertex inputs) {
+      ${code}
+      inputs.position = warpedPosition;
+      return inputs;
+    }`,
+  }
+  onlyPositions = baseMaterialShader().modify(moved)
+  facets = baseMaterialShader().modify({
+    ...moved,
+    'Inputs getPixelInputs': `(Inputs inputs) {
+      vec3 right = dFdx(vViewPosition), up = dFdy(vViewPosition);
+      inputs.normal = normalize(cross(up, right));
+      return inputs;
+    }`,
+  })
+}
+
+function draw() {
+  background('#151823')
+  ambientLight(100)
+  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
+  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  specularMaterial(120)
+  shininess(50)
+
+  panel(-150, -112, '#8d93a8', () => resetShader())
+  panel(150, -112, '#e9c46a', () => shader(onlyPositions))
+  panel(-150, 112, '#ff8a5b', () => shader(facets))
+  panel(150, 112, '#43c6ac', () => warp())
+}
+
+function panel(x, y, color, use) {
+  push()
+  translate(x, y)
+  use()
+  fill(color)
+  sphere(82, 64, 48)
+  pop()
+}

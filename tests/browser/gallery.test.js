@@ -1,0 +1,140 @@
+// The gallery as a visitor sees it: each example draws, its shader text shows, and the console stays empty.
+import assert from 'node:assert/strict'
+import { mkdirSync, readdirSync } from 'node:fs'
+import { after, before, describe, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { build, createServer, preview } from 'vite'
+import { sections } from '../../web/catalogue.js'
+import { launchBrowser, openPage } from './support/browser.js'
+
+const path = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url))
+const config = { configFile: path('web/vite.config.js'), logLevel: 'warn', clearScreen: false }
+const screenshots = path('.build/screenshots')
+const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
+
+// Without a GPU, and beside other work, a frame may take seconds.
+const patience = { timeout: 180_000 }
+
+const desktop = { viewport: { width: 1280, height: 900 } }
+const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }
+
+let browser
+before(async () => {
+  mkdirSync(screenshots, { recursive: true })
+  browser = await launchBrowser()
+})
+after(() => browser.close())
+
+test('the gallery shows every folder of examples', () => {
+  assert.deepEqual([...names].sort(), readdirSync(path('examples')).sort())
+})
+
+describe('the gallery of npm start', () => {
+  let server, url
+  before(async () => {
+    // Nobody edits the files meanwhile, and an edit would reload the page.
+    server = await createServer({ ...config, server: { port: 5200, watch: null } })
+    await server.listen()
+    url = server.resolvedUrls.local[0]
+  })
+  after(() => server.close())
+
+  describe('on a desktop', () => {
+    let page, messages
+    before(async () => {
+      ;({ page, messages } = await openPage(await browser.newContext(desktop), url))
+    })
+    after(() => page.context().close())
+
+    for (const name of names)
+      test(`shows ${name}`, async () => {
+        const card = page.locator(`#${name}`)
+        const frame = await playing(page, name)
+        assertPicture(await statistics(frame))
+
+        await card.getByText(/^frame \d+ · \d+ fps$/).waitFor(patience)
+        assert.match(await card.locator('code').textContent(), /^\/\/ /)
+        await card.getByRole('button', { name: 'GLSL' }).click()
+        assert.match(await card.locator('code').textContent(), /\b(vec3 offset|float height)\b/)
+
+        await page.screenshot({ path: `${screenshots}/${name}.png` })
+        const running = await page.locator('iframe').count()
+        assert.ok(running <= 3, `${running} sketches run at once`)
+      })
+
+    test('lets the wheel scroll the page over a sketch', async () => {
+      await playing(page, names[0])
+      await page.locator(`#${names[0]} .stage`).hover()
+      const before = await page.evaluate(() => scrollY)
+      await page.mouse.wheel(0, 400)
+      await page.waitForFunction((y) => scrollY > y + 100, before, patience)
+    })
+
+    test('has printed nothing', () => assert.deepEqual(messages, []))
+  })
+
+  test('fits a phone', async () => {
+    const { page, messages } = await openPage(await browser.newContext(phone), url)
+    const width = await page.evaluate(() => document.documentElement.scrollWidth)
+    assert.equal(width, phone.viewport.width)
+    await page.screenshot({ path: `${screenshots}/phone-top.png` })
+
+    const frame = await playing(page, names[0])
+    assertPicture(await statistics(frame))
+    assert.equal(await frame.evaluate('innerWidth >= document.documentElement.scrollWidth'), true)
+    await page.screenshot({ path: `${screenshots}/phone-${names[0]}.png` })
+    await page.context().close()
+    assert.deepEqual(messages, [])
+  })
+})
+
+test('the built gallery works from a folder of files', async () => {
+  const outDir = path('.build/gallery')
+  await build({ ...config, build: { outDir, emptyOutDir: true } })
+  const server = await preview({ ...config, preview: { port: 5300 }, build: { outDir } })
+  try {
+    const url = server.resolvedUrls.local[0]
+    const { page, messages } = await openPage(await browser.newContext(desktop), url)
+    assertPicture(await statistics(await playing(page, 'text-bulge')))
+    await page.context().close()
+    assert.deepEqual(messages, [])
+  } finally {
+    await server.close()
+  }
+})
+
+/** Scrolls to the example and waits until it has drawn some frames → its Playwright frame. */
+async function playing(page, name) {
+  await page.evaluate(
+    (id) => document.getElementById(id).scrollIntoView({ behavior: 'instant' }),
+    name,
+  )
+  const element = await page.waitForSelector(`#${name} iframe`, patience)
+  const frame = await element.contentFrame()
+  await frame.waitForFunction(() => window.frameCount >= 3, null, patience)
+  return frame
+}
+
+/** How many colours the canvas has, in steps of 8, and which share of it is not background. */
+const statistics = (frame) =>
+  frame.evaluate(() => {
+    const source = document.querySelector('.p5Canvas')
+    const copy = new OffscreenCanvas(source.width, source.height).getContext('2d')
+    copy.drawImage(source, 0, 0)
+    const { data } = copy.getImageData(0, 0, source.width, source.height)
+    const counts = new Map()
+    for (let i = 0; i < data.length; i += 4) {
+      const color = data
+        .subarray(i, i + 3)
+        .map((value) => value >> 3)
+        .join()
+      counts.set(color, (counts.get(color) ?? 0) + 1)
+    }
+    const background = Math.max(...counts.values())
+    return { colors: counts.size, covered: 1 - (4 * background) / data.length }
+  })
+
+function assertPicture({ colors, covered }) {
+  assert.ok(colors >= 30, `only ${colors} colours`)
+  assert.ok(covered >= 0.03 && covered <= 0.9, `${(100 * covered).toFixed()}% are not background`)
+}

@@ -1,0 +1,72 @@
+// Vertices to warp, as the float32 numbers that a vertex shader is given: position, normal, uv, color.
+
+import { directions } from './mesh.js'
+
+export const layout = { position: 3, normal: 3, uv: 2, color: 4 }
+export const stride = 12
+
+const sphere = (count) =>
+  directions(count).map((point) => ({
+    position: point,
+    normal: point,
+    uv: [(1 + point[0]) / 2, (1 - point[1]) / 2],
+  }))
+
+/** Faces at ±1 of `cells` × `cells` squares, with their corners and edges. */
+const cube = (cells) =>
+  [0, 1, 2].flatMap((axis) =>
+    [-1, 1].flatMap((side) =>
+      Array.from({ length: (cells + 1) ** 2 }, (_, i) => {
+        const [u, v] = [(i % (cells + 1)) / cells, Math.floor(i / (cells + 1)) / cells]
+        const place = (a, b, c) => [0, 1, 2].map((k) => [a, b, c][(k - axis + 3) % 3])
+        return {
+          position: place(side, 2 * u - 1, 2 * v - 1),
+          normal: place(side, 0, 0),
+          uv: [u, v],
+        }
+      }),
+    ),
+  )
+
+/** Points on the axes, and normals that a loaded model may have. */
+function oddities() {
+  const scaled = (length) => (n) => n.map((x) => length * x)
+  const given = [
+    [1, 1e-20, 0],
+    [1e-20, 1, 0],
+    [0, 0, 0],
+    [0, 3, 4],
+  ].map((n) => () => n)
+  const normals = [...given, ...[1, 1e-3, 1e-6, 1e3, 1e6].map(scaled)]
+  const onAxes = [0, 1, 2].flatMap((axis) =>
+    [-1, 1].map((side) => [0, 1, 2].map((k) => (k === axis ? side : 0))),
+  )
+  const points = [...onAxes, ...sphere(9).map(({ position }) => position), [0, 0, 0]]
+  return points.flatMap((position) =>
+    normals.map((normal) => ({ position, normal: normal(position), uv: [0.25, 0.75] })),
+  )
+}
+
+const color = ([x, y, z]) => [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5 - 0.4 * z, 0.6 + 0.3 * x * y]
+
+/** A sphere and a cube, `size` from the middle to the faces, and oddities. */
+export function denseMesh(size) {
+  const points = [...sphere(1200), ...cube(13), ...oddities()]
+  return Float32Array.from(
+    points.flatMap(({ position, normal, uv }) => [
+      ...position.map((x) => size * x),
+      ...normal,
+      ...uv,
+      ...color(position),
+    ]),
+  )
+}
+
+/** The vertices of a mesh as objects, with the very numbers that the shader reads. */
+export function vertices(mesh) {
+  return Array.from({ length: mesh.length / stride }, (_, i) => {
+    let start = i * stride
+    const read = (size) => Array.from(mesh.subarray(start, (start += size)))
+    return Object.fromEntries(Object.entries(layout).map(([name, size]) => [name, read(size)]))
+  })
+}

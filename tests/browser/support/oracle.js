@@ -1,0 +1,93 @@
+// What a warp must give, in double precision and without our compiler: positions from the offset as a plain function of
+// numbers; normals from the tangents of the moved surface, and these from differences of that function.
+import { add, cross, dot, normalize, subtract } from './matrix.js'
+
+const length = (v) => Math.hypot(...v)
+
+/** Estimates of one derivative that differ by more than this come from a kink or a jump nearby. */
+const roughness = 1e-5
+
+const axes = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+]
+const oblique = [1, -1.1, 1.2]
+
+/**
+ * The derivative of `f` at `p` along a direction, from steps h, h/2 and h/4; null if `f` is not smooth within h.
+ * `middle` is f(p).
+ */
+function slope(f, p, direction, h, middle) {
+  const at = (step) => f(p.map((x, k) => x + step * direction[k]))
+  const steps = [h, h / 2, h / 4]
+  const pairs = steps.map((step) => [at(step), at(-step)])
+  const slopes = []
+  for (let i = 0; i < 3; i++) {
+    // Central differences are f' + a h² + b h⁴ + …; Richardson's extrapolation takes a away, and then b.
+    const [d1, d2, d3] = pairs.map(([after, before], s) => (after[i] - before[i]) / (2 * steps[s]))
+    const [coarse, fine] = [(4 * d2 - d1) / 3, (4 * d3 - d2) / 3]
+    // Bends are h f'' + O(h³). A kink at p itself shows only here.
+    const [b1, b2] = pairs.map(
+      ([after, before], s) => (after[i] - 2 * middle[i] + before[i]) / steps[s],
+    )
+    if (!(Math.abs(coarse - fine) <= roughness && Math.abs(b1 - 2 * b2) <= roughness)) return null
+    slopes.push((16 * fine - coarse) / 15)
+  }
+  return slopes
+}
+
+/** The partial derivatives of `f` by x, y and z, each a vector; null if `f` is not smooth within `h` of `p`. */
+export function jacobian(f, p, h) {
+  const middle = f(p)
+  // The oblique direction finds what x, y and z miss, such as the jump of sign(x) y at the origin.
+  const columns = [...axes, oblique].map((direction) => slope(f, p, direction, h, middle))
+  return columns.includes(null) ? null : columns.slice(0, 3)
+}
+
+/** Vectors u, v with u × v = n, where n has length 1. */
+function tangents(n) {
+  const u = normalize(
+    cross(
+      axes.find((axis) => Math.abs(dot(axis, n)) < 0.6),
+      n,
+    ),
+  )
+  return [u, cross(n, u)]
+}
+
+/** An area this small, of what had area 1, comes from the differences' rounding errors. */
+const vanished = 1e-10
+
+/**
+ * The vertex after the warp → { position, normal, sensitivity }. `normal` is null where the function is not smooth
+ * within `h`, and zero where the moved surface has none. `sensitivity`, 1 for a warp that moves nothing, tells how much an
+ * error of the derivatives grows on its way to the normal: much where the surface has all but collapsed.
+ */
+export function warpVertex(offset, vertex, inputs, h) {
+  const all = { ...inputs, ...vertex }
+  const move = (p) => add(p, offset(p, all))
+  const position = move(vertex.position)
+  const none = { position, normal: [0, 0, 0], sensitivity: 1 }
+  if (!vertex.normal.some(Boolean)) return none
+
+  const columns = jacobian(move, vertex.position, h)
+  if (!columns) return { position, normal: null }
+  const [u, v] = tangents(normalize(vertex.normal)).map((tangent) =>
+    axes.map((_, row) =>
+      dot(
+        [0, 1, 2].map((column) => columns[column][row]),
+        tangent,
+      ),
+    ),
+  )
+  const normal = cross(u, v)
+  const size = Math.max(1, ...columns.map(length))
+  if (length(normal) < vanished * size ** 2) return none
+  return { position, normal: normalize(normal), sensitivity: size ** 2 / length(normal) }
+}
+
+/** In degrees; accurate for small angles too. */
+export const angleBetween = (a, b) => (Math.atan2(length(cross(a, b)), dot(a, b)) * 180) / Math.PI
+
+export const distanceBetween = (a, b) => length(subtract(a, b))

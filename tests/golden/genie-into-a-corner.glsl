@@ -1,0 +1,30 @@
+vec3 offset, warpedPosition, warpedNormal;
+{
+  float t0 = sin(millis / 2000.0) * 0.5 + 0.5;
+  float t1 = t0 * 1.6 - position.y * 0.004 - 0.5;
+  float t2 = clamp(t1, 0.0, 1.0);
+  float t3 = t1 < 0.0 || t1 > 1.0 ? 0.0 : -0.004;
+  float t4 = t2 * t2;
+  float t5 = t2 * t3;
+  float t6 = t2 * t4;
+  float t7 = t4 * t3 + t2 * (t5 + t5);
+  float t8 = t0 * 1.4 + position.x * 0.003 - 0.4;
+  float t9 = clamp(t8, 0.0, 1.0);
+  float t10 = t8 < 0.0 || t8 > 1.0 ? 0.0 : 0.003;
+  float t11 = t9 * t9;
+  float t12 = t9 * t10;
+  float t13 = t9 * t11;
+  float t14 = (120.0 - position.x) * t7;
+  float t15 = (150.0 - position.y) * (t11 * t10 + t9 * (t12 + t12));
+  float t16 = 1.0 - t6;
+  float t17 = position.z * t7;
+  float t18 = (1.0 - t13) * t16;
+  float t19 = t18 * normal.x - t16 * t15 * normal.y - t15 * t17 * normal.z;
+  float t20 = t16 * t16 * normal.y - t14 * t16 * normal.x + t16 * t17 * normal.z;
+  float t21 = (t18 - t15 * t14) * normal.z;
+  float t22 = t19 * t19 + t20 * t20 + t21 * t21;
+  float t23 = t22 > 0.0 ? inversesqrt(t22) : 0.0;
+  offset = vec3(mix(position.x, 120.0, t6) - position.x, mix(position.y, 150.0, t13) - position.y, position.z * t16 - position.z);
+  warpedPosition = position + offset;
+  warpedNormal = vec3(t19 * t23, t20 * t23, t21 * t23);
+}

@@ -1,0 +1,136 @@
+// The warps of the gallery as plain functions of numbers, by the names that sketches.js gives them. The sketches have the
+// other half. See stress.js.
+import { clamp } from './plain.js'
+
+const { sin, cos, exp, sqrt, hypot } = Math
+
+const minus = (a, b) => a.map((value, i) => value - b[i])
+
+/** Turned about the y axis. */
+const turnedAboutY = ([x, y, z], angle) => [
+  x * cos(angle) - z * sin(angle),
+  y,
+  x * sin(angle) + z * cos(angle),
+]
+
+const sinesByAxis =
+  (frequency, speed, amplitude, phases = [0, 0, 0]) =>
+  ([x, y, z], { millis }) =>
+    [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
+
+export const gallery = {
+  'airplane-twist': {
+    size: 100,
+    offset(p, { millis }) {
+      const [x, y, z] = p
+      const angle = 0.015 * x * sin(millis / 1200)
+      const turned = [x, y * cos(angle) - z * sin(angle), y * sin(angle) + z * cos(angle)]
+      return minus(turned, p)
+    },
+  },
+
+  'bunny-twist': {
+    size: 100,
+    offset: (p, { millis }) => minus(turnedAboutY(p, 0.015 * p[1] * sin(millis / 900)), p),
+  },
+
+  'bunny-flatten': {
+    size: 100,
+    offset: ([x], { millis }) => [-x * clamp(0.5 + 1.5 * sin(millis / 900), 0, 0.97), 0, 0],
+  },
+
+  carousel: {
+    size: 85,
+    params: { phase: 1.7 },
+    offset([x, y], { millis, phase }) {
+      const down = y / 170 + 0.5
+      const swing = sin(0.05 * x + 0.03 * y - millis / 300 + phase)
+      return [-50 * down ** 2, -10 * down ** 2, 14 * swing * down]
+    },
+  },
+
+  'coarse-and-fine': {
+    size: 90,
+    offset: (p, { millis }) => minus(turnedAboutY(p, 0.014 * p[1] * sin(millis / 1000)), p),
+  },
+
+  'displaced-plane': {
+    size: 0.5,
+    offset([x, y, z], { millis }) {
+      const [time, distance] = [millis / 1000, sqrt(x * x + y * y + 0.002)]
+      const ripples = (0.06 * sin(26 * distance - 3 * time)) / (8 * distance + 1)
+      return [0, 0, ripples + 0.05 * sin(5 * x + time) * cos(4 * y) - z]
+    },
+  },
+
+  fingers: {
+    size: 180,
+    offset([x, y], { millis }) {
+      const up = clamp(-y / 200, 0, 1)
+      return [0, 0, 70 * up ** 2 * sin(0.03 * x + millis / 250)]
+    },
+  },
+
+  genie: {
+    size: 100,
+    offset(p, { millis }) {
+      const [spout, above] = [
+        [100, 186, 0],
+        [150, 0, 0],
+      ]
+      const progress = 0.5 + 0.75 * sin(millis / 1300)
+      const start = hypot(...minus(p, spout)) / 480
+      const s = clamp((progress - start) / 0.5, 0, 1)
+      const t = s * s * (3 - 2 * s)
+      const weights = [(1 - t) ** 2, 2 * t * (1 - t), t ** 2]
+      return p.map((x, i) => weights[0] * x + weights[1] * above[i] + weights[2] * spout[i] - x)
+    },
+  },
+
+  lotus: {
+    size: 1,
+    params: { bend: 0.8 },
+    offset(p, { bend }) {
+      const [x, y, z] = [0.34 * p[0], p[1], p[2]]
+      const angle = bend * (0.5 - 0.5 * y)
+      const front = 0.04 * z - 1.6 * x * x
+      const out = (1.5 * (1 - cos(angle))) / bend + front * cos(angle)
+      const up = (1.5 * sin(angle)) / bend - front * sin(angle)
+      return minus([x, -up, out], p)
+    },
+  },
+
+  'sine-cube': { size: 100, offset: sinesByAxis(0.035, 800, 22) },
+  'sine-sphere': { size: 1, offset: sinesByAxis(7, 700, 0.13, [0, 2, 4]) },
+  'tangent-plane': { size: 75, offset: sinesByAxis(0.04, 800, 16) },
+
+  spoon: {
+    size: 100,
+    offset(p, { millis }) {
+      const [x, y, z] = p
+      const radius = 1 / (0.0185 + 0.018 * sin(millis / 1500))
+      const along = clamp(x + 10, 0, 50)
+      const beyond = x + 10 - along
+      const angle = along / radius
+      const bent = [
+        (radius - y) * sin(angle) + beyond * cos(angle) - 10,
+        radius - (radius - y) * cos(angle) + beyond * sin(angle),
+        z,
+      ]
+      return minus(bent, p)
+    },
+  },
+
+  'text-bulge': {
+    size: 250,
+    offset([x, y], { mouse, size, millis }) {
+      const away = [x - mouse[0] + size[0] / 2, y - mouse[1] + size[1] / 2]
+      const near = exp((away[0] ** 2 + away[1] ** 2) / -16000)
+      return [
+        0.6 * near * away[0],
+        0.6 * near * away[1],
+        90 * near + 14 * sin(0.01 * x + millis / 600),
+      ]
+    },
+  },
+}

@@ -1,0 +1,45 @@
+import { compileWarp } from '../../dist/warpjet.js'
+import { gallery } from './gallery.js'
+import { inputs } from './inputs.js'
+import { operations } from './operations.js'
+import { pieces } from './pieces.js'
+import { sketchWarps } from './sketches.js'
+import { stress } from './stress.js'
+
+/** A text of `gen` that gives a height over x and y, as a warp that puts every point at that height. */
+const asWarp = (text) => ({
+  declarations: '',
+  code: `float x = position.x, y = position.y, time = millis / 1000.0;
+${text}
+vec3 warpedPosition = vec3(x, y, height);
+vec3 warpedNormal = sign(normal.z) * normalize(vec3(-slopeX, -slopeY, 1.0));`,
+})
+
+const sketches = (await sketchWarps()).map((sketch) => ({
+  kept: true,
+  ...sketch,
+  ...gallery[sketch.name],
+  ...(sketch.text && { compile: () => asWarp(sketch.text) }),
+}))
+
+/**
+ * All warps, [{ name, compile, offset, size, reach, params, collapses, kept }].
+ * - `compile(target)` gives the statements;
+ * - `offset([x, y, z], inputs)` is the same offset in plain numbers;
+ * - `size` is the mesh's, from its middle to its faces;
+ * - `reach` is how large the numbers in the formulas get, for rounding errors are in proportion to it;
+ * - `params` are values of the warp's own parameters;
+ * - `collapses`: where the moved surface has no normal, its derivatives are exactly zero in float32 too;
+ * - `kept`: its text is one of tests/golden.
+ */
+export const warps = [...stress, ...sketches, ...operations, ...pieces, ...inputs].map((warp) => ({
+  compile: (target) => compileWarp(warp.warp, { target }),
+  reach: warp.size,
+  params: {},
+  ...warp,
+}))
+
+/** Oracles whose sketch is gone. */
+export const orphans = Object.keys(gallery).filter(
+  (name) => !sketches.some((sketch) => sketch.name === name),
+)

@@ -1,0 +1,61 @@
+// The warps of the gallery, taken out of its sketches: each runs with a pretended p5, which only remembers.
+import { readFileSync, readdirSync } from 'node:fs'
+import * as warpjet from '../../dist/warpjet.js'
+
+const examples = new URL('../../examples/', import.meta.url)
+
+/** What stands in for everything that a sketch draws and loads: it can be called, read and written to, without end. */
+const pretended = new Proxy(() => {}, {
+  get: (_, key) => (key === 'then' || key === Symbol.toPrimitive ? undefined : pretended),
+  set: () => true,
+  apply: () => pretended,
+  construct: () => pretended,
+})
+
+const numbers = { PI: Math.PI, TWO_PI: 2 * Math.PI, HALF_PI: Math.PI / 2 }
+
+/**
+ * All warps and shader texts of the sketches, in order → [{ name, warp }] and [{ name, text }]. The name is the sketch's
+ * folder, followed by the variable if there are several.
+ */
+export async function sketchWarps() {
+  const folders = readdirSync(examples).sort()
+  const found = await Promise.all(folders.map(warpsOf))
+  return found.flat()
+}
+
+async function warpsOf(folder) {
+  const source = readFileSync(new URL(`${folder}/sketch.js`, examples), 'utf8')
+  const variables = [...source.matchAll(/(\w+) = (?:createWarp|warpjet\.gen)\(/g)].map(
+    (match) => match[1],
+  )
+  const found = []
+  const name = () =>
+    variables.length > 1 ? `${folder}-${variables[found.length].toLowerCase()}` : folder
+  const known = {
+    ...numbers,
+    createWarp(warp) {
+      found.push({ name: name(), warp })
+      return pretended
+    },
+    warpjet: {
+      ...warpjet,
+      gen(...args) {
+        const text = warpjet.gen(...args)
+        found.push({ name: name(), text })
+        return text
+      },
+    },
+  }
+  const surroundings = new Proxy(known, {
+    has: () => true,
+    get: (_, key) =>
+      key === Symbol.unscopables
+        ? undefined
+        : (known[key] ?? Math[key] ?? globalThis[key] ?? pretended),
+  })
+  await new Function('surroundings', `with (surroundings) { ${source}; return setup() }`)(
+    surroundings,
+  )
+  return found
+}

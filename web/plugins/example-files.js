@@ -1,0 +1,87 @@
+/**
+ * Vite plugin: gives the examples what they load, at the paths that they name. In development each file is answered
+ * as it is asked for, in a build each is written once. The examples themselves go out exactly as they are in the
+ * repository, so that what the gallery shows is what a user copies.
+ */
+import { readFile, readdir } from 'node:fs/promises'
+import { extname } from 'node:path'
+import { models, toOBJ } from '../models/index.js'
+
+const root = new URL('../../', import.meta.url)
+const read = (path) => readFile(new URL(path, root))
+
+const libraries = ['dist/p5.warpjet.min.js', 'node_modules/p5/lib/p5.min.js']
+const fonts = {
+  'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',
+}
+const recorder = 'web/recorder.js'
+
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.obj': 'text/plain; charset=utf-8',
+  '.woff': 'font/woff',
+}
+
+const objs = new Map()
+
+function obj(name) {
+  if (!objs.has(name)) objs.set(name, toOBJ(models[name](), name))
+  return objs.get(name)
+}
+
+/** The example's page with the recorder in it: what the gallery frames. */
+const framedPage = (html) =>
+  String(html).replace(
+    '<script src="sketch.js">',
+    '<script src="../../recorder.js"></script>\n    $&',
+  )
+
+/** The content of the file at `path` below the gallery; undefined where there is none. */
+async function contentOf(path) {
+  if (libraries.includes(path)) return read(path)
+  if (path === 'recorder.js') return read(recorder)
+
+  const [, example, file] = /^examples\/([\w-]+)\/([\w.-]*)$/.exec(path) ?? []
+  if (!example) return
+  if (file === 'gallery.html') return framedPage(await read(`examples/${example}/index.html`))
+  if (file in fonts) return read(fonts[file])
+  const model = /^(\w+)\.obj$/.exec(file)?.[1]
+  if (model) return model in models ? obj(model) : undefined
+  return read(`examples/${example}/${file || 'index.html'}`)
+}
+
+/** Everything that a built gallery needs: for each example its pages, its sketch, and what the sketch loads. */
+async function allPaths() {
+  const paths = [...libraries, 'recorder.js']
+  const folders = await readdir(new URL('examples/', root))
+  for (const name of folders.sort()) {
+    const sketch = String(await read(`examples/${name}/sketch.js`))
+    const loaded = [...sketch.matchAll(/'([\w-]+\.(?:obj|woff))'/g)].map(([, file]) => file)
+    const files = new Set(['index.html', 'gallery.html', 'sketch.js', ...loaded])
+    paths.push(...[...files].map((file) => `examples/${name}/${file}`))
+  }
+  return paths
+}
+
+async function answer(request, response, next) {
+  const path = decodeURIComponent(request.url.split('?')[0]).slice(1)
+  const content = await contentOf(path).catch(() => undefined)
+  if (content === undefined) return next()
+  response.setHeader('Content-Type', types[extname(path) || '.html'])
+  response.setHeader('Cache-Control', 'no-cache')
+  response.end(content)
+}
+
+export const exampleFiles = () => ({
+  name: 'example-files',
+
+  configureServer(server) {
+    server.middlewares.use(answer)
+  },
+
+  async generateBundle() {
+    for (const path of await allPaths())
+      this.emitFile({ type: 'asset', fileName: path, source: await contentOf(path) })
+  },
+})

@@ -1,0 +1,44 @@
+// Runs in an example's page before its sketch, in the gallery only. Keeps the shader text of each warp for the page
+// around it; the callback is compiled a second time for that, with plain input names, which read better than p5's.
+// And it leaves the mouse wheel and vertical swipes to that page, so that nobody gets stuck in a sketch.
+{
+  const recorded = (window.recordedCode = [])
+  const { compileWarp, gen } = warpjet
+  const keep = (maker, code) => {
+    if (!recorded.some((record) => record.code === code)) recorded.push({ maker, code })
+  }
+
+  for (const methods of [p5.prototype, p5.Graphics.prototype]) {
+    const { createWarp } = methods
+    methods.createWarp = function (offset, ...options) {
+      keep('createWarp', compileWarp(offset).code)
+      return createWarp.call(this, offset, ...options)
+    }
+  }
+
+  window.warpjet = {
+    ...warpjet,
+    compileWarp(offset, options) {
+      const compiled = compileWarp(offset, options)
+      keep('compileWarp', compiled.code)
+      return compiled
+    },
+    gen(callback, settings) {
+      const code = gen(callback, settings)
+      keep('gen', code)
+      return code
+    },
+  }
+
+  const { orbitControl } = p5.prototype
+  p5.prototype.orbitControl = function () {
+    // p5's own mark that it has taken the wheel.
+    this.wheelDefaultDisabled = true
+    return orbitControl.call(this, 1, 1, 0)
+  }
+  document.head.append(
+    Object.assign(document.createElement('style'), {
+      textContent: 'canvas { touch-action: pan-y !important }',
+    }),
+  )
+}

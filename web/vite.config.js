@@ -1,0 +1,30 @@
+// The gallery's build: `npm start` serves it, `vite build --config web/vite.config.js` writes it to .build/gallery.
+import { fileURLToPath } from 'node:url'
+import { exampleFiles } from './plugins/example-files.js'
+import { quietClient } from './plugins/quiet-client.js'
+
+const path = (relative) => fileURLToPath(new URL(relative, import.meta.url))
+
+export default {
+  root: path('.'),
+  // The built page works in any folder of any server.
+  base: './',
+  appType: 'mpa',
+  publicDir: false,
+  cacheDir: path('../.build/vite'),
+  plugins: [exampleFiles(), quietClient()],
+  server: { fs: { allow: [path('..')] } },
+  optimizeDeps: {
+    include: [
+      'highlight.js/lib/core',
+      'highlight.js/lib/languages/javascript',
+      'highlight.js/lib/languages/glsl',
+    ],
+  },
+  build: {
+    outDir: path('../.build/gallery'),
+    emptyOutDir: true,
+    // Making the models takes most of a build.
+    rolldownOptions: { checks: { pluginTimings: false } },
+  },
+}
