@@ -17,6 +17,7 @@ else()
 endif()
 
 target_link_options(warpjet_wasm PRIVATE
+  -flto                                 # see CMakeLists.txt
   --bind                                # embind for the few rich calls
   --no-entry                            # a library: there is no main()
   -fno-exceptions                       # no exception crosses the border: a throw that is left in the code does not link

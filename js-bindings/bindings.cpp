@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "diff/differentiator.hpp"
+#include "emit/dialect.hpp"
 #include "emit/emit.hpp"
 #include "emit/names.hpp"
 #include "graph/graph.hpp"
+#include "graph/reachable.hpp"
 #include "warp/warp.hpp"
 
 using emscripten::val;
@@ -40,8 +42,12 @@ NodeId toNode(int id) { return NodeId{static_cast<std::uint32_t>(id)}; }
 
 Session& toSession(std::uintptr_t session) { return *reinterpret_cast<Session*>(session); }
 
+// An operation on constants that folding left alone, since its result is not a finite float32, or a
+// division by a constant zero.
 bool isUnfolded(const Graph& graph, NodeId id) {
   if (graph.isLeaf(id) || graph.known(id)) return false;
+  const bool divides = graph.is(id, ops::find("div")) || graph.is(id, ops::find("mod"));
+  if (divides && graph.isConstant(graph.operand(id, 1), 0)) return true;
   for (int i = 0; i < graph.arity(id); ++i) {
     if (!graph.known(graph.operand(id, i))) return false;
   }
@@ -69,7 +75,7 @@ EMSCRIPTEN_KEEPALIVE int derivative(Session* session, int root, int input) {
   return toNumber(*session, session->differentiator.derivative(toNode(root), toNode(input)));
 }
 
-EMSCRIPTEN_KEEPALIVE void close(Session* session) { delete session; }
+EMSCRIPTEN_KEEPALIVE void closeSession(Session* session) { delete session; }
 
 // Bytes that are allocated now.
 EMSCRIPTEN_KEEPALIVE int memoryInUse() {
@@ -111,10 +117,6 @@ int input(std::uintptr_t session, const std::string& expression, int size) {
   return static_cast<int>(toSession(session).graph.input(expression, size));
 }
 
-bool isCondition(std::uintptr_t session, int id) {
-  return toSession(session).graph.type(toNode(id)) == ops::Type::Bool;
-}
-
 Vec3 toVec3(const val& ids) {
   return {toNode(ids[0].as<int>()), toNode(ids[1].as<int>()), toNode(ids[2].as<int>())};
 }
@@ -145,21 +147,35 @@ Output toOutput(const val& from) {
   return output;
 }
 
+// A derivative can need an operation on constants that `apply` never saw.
+int problemOf(const Graph& graph, const std::vector<Output>& outputs) {
+  if (graph.full()) return graphFull;
+  std::vector<NodeId> roots;
+  for (const Output& output : outputs)
+    roots.insert(roots.end(), output.components.begin(), output.components.end());
+  for (const NodeId id : reachable(graph, roots)) {
+    if (isUnfolded(graph, id)) return notFinite;
+  }
+  return 0;
+}
+
 // `comments` holds pairs of a node and a line, in the order of the nodes.
 val emitCode(std::uintptr_t session, const val& outputs, int maxDepth, const val& comments) {
   const Session& at = toSession(session);
   val result = val::object();
-  if (at.graph.full()) return result;
-
   std::vector<Output> roots;
   const int count = outputs["length"].as<int>();
   for (int i = 0; i < count; ++i) roots.push_back(toOutput(outputs[i]));
-  EmitOptions options{at.dialect, maxDepth};
+  EmitOptions options{maxDepth};
   const int lines = comments["length"].as<int>();
   for (int i = 0; i < lines; ++i)
     options.comments.emplace_back(toNode(comments[i][0].as<int>()),
                                   comments[i][1].as<std::string>());
 
+  if (const int problem = problemOf(at.graph, roots); problem != 0) {
+    result.set("problem", problem);
+    return result;
+  }
   const Emitted emitted = emit(at.graph, roots, options);
   val inputs = val::array();
   for (const std::uint32_t input : emitted.inputs) inputs.call<void>("push", input);
@@ -179,7 +195,6 @@ EMSCRIPTEN_BINDINGS(warpjet) {
   emscripten::function("input", &input);
   emscripten::function("inputProblem", &inputProblemOf);
   emscripten::function("outputProblem", &outputProblemOf);
-  emscripten::function("isCondition", &isCondition);
   emscripten::function("warpedPosition", &positionOf);
   emscripten::function("warpedNormal", &normalOf);
   emscripten::function("emit", &emitCode);

@@ -5,52 +5,30 @@ import { call, operationNames } from './operations.js'
 import { compose, compositions, construct, swizzle, swizzles } from './vectors.js'
 import { WarpError } from './errors.js'
 
-export class Builder {
-  readonly #compilation: Compilation
+export type Builder = Record<string, (...operands: unknown[]) => Expression>
 
-  constructor(compilation: Compilation) {
-    this.#compilation = compilation
-    installMethods()
+/** Functions that need no `this`, so that `const { vec3, sin } = glsl` works. */
+export function createBuilder(compilation: Compilation): Builder {
+  installMethods()
+  const builder: Builder = {
+    val: (value) => toExpression(compilation, 'val', value, 'argument 1'),
+    derivative: (value, input) =>
+      compilation.derivative(
+        toExpression(compilation, 'derivative', value, 'argument 1'),
+        toExpression(compilation, 'derivative', input, 'argument 2'),
+        'derivative',
+      ),
   }
-
-  param(name: string) {
-    return this.#compilation.input(name, 1, 'param')
-  }
-  vec2Param(name: string) {
-    return this.#compilation.input(name, 2, 'vec2Param')
-  }
-  vec3Param(name: string) {
-    return this.#compilation.input(name, 3, 'vec3Param')
-  }
-  vec4Param(name: string) {
-    return this.#compilation.input(name, 4, 'vec4Param')
-  }
-
-  val(value: number) {
-    return toExpression(this.#compilation, 'val', value, 'argument 1')
-  }
-  vec2(...parts: unknown[]) {
-    return construct(this.#compilation, 2, parts)
-  }
-  vec3(...parts: unknown[]) {
-    return construct(this.#compilation, 3, parts)
-  }
-  vec4(...parts: unknown[]) {
-    return construct(this.#compilation, 4, parts)
-  }
-
-  derivative(value: unknown, input: unknown) {
-    return this.#compilation.derivative(
-      toExpression(this.#compilation, 'derivative', value, 'argument 1'),
-      toExpression(this.#compilation, 'derivative', input, 'argument 2'),
-      'derivative',
-    )
-  }
-
-  /** Calls any operation as a function. */
-  static apply(builder: Builder, run: typeof call, name: string, operands: unknown[]) {
-    return run(builder.#compilation, name, operands, false)
-  }
+  const params = { param: 1, vec2Param: 2, vec3Param: 3, vec4Param: 4 }
+  for (const [name, size] of Object.entries(params))
+    builder[name] = (label) => compilation.input(label, size, name)
+  for (const size of [2, 3, 4])
+    builder[`vec${size}`] = (...parts) => construct(compilation, size, parts)
+  for (const name of operationNames())
+    builder[name] = (...operands) => call(compilation, name, operands)
+  for (const name of Object.keys(compositions))
+    builder[name] = (...operands) => compose(compilation, name, operands)
+  return builder
 }
 
 /** Methods that ask for results, as glsl-autodiff has them. */
@@ -77,28 +55,29 @@ const results = {
 
 let installed = false
 
-/** Puts every operation on expressions and on `glsl`. The table is in the wasm, so this waits for it. */
+/** Puts every operation on expressions. The table is in the wasm, so this waits for the first warp. */
 function installMethods() {
   if (installed) return
   installed = true
-  for (const name of operationNames()) install(name, call)
-  for (const name of Object.keys(compositions)) install(name, compose)
+  for (const name of operationNames())
+    define(name, function (...operands) {
+      return call(this.compilation, name, operands, this)
+    })
+  for (const name of Object.keys(compositions))
+    define(name, function (...operands) {
+      return compose(this.compilation, name, operands, this)
+    })
   for (const [name, indices] of swizzles())
-    define(Expression.prototype, name, function (this: Expression) {
+    define(name, function () {
       return swizzle(this, name, indices)
     })
-  for (const [name, method] of Object.entries(results)) define(Expression.prototype, name, method)
+  for (const [name, method] of Object.entries(results)) define(name, method)
 }
 
-function install(name: string, run: typeof call) {
-  define(Expression.prototype, name, function (this: Expression, ...operands: unknown[]) {
-    return run(this.compilation, name, [this, ...operands], true)
-  })
-  define(Builder.prototype, name, function (this: Builder, ...operands: unknown[]) {
-    return Builder.apply(this, run, name, operands)
-  })
-}
-
-function define(prototype: object, name: string, value: unknown) {
-  Object.defineProperty(prototype, name, { value, configurable: true, writable: true })
+function define(name: string, method: (this: Expression, ...operands: unknown[]) => unknown) {
+  const value = function (this: unknown, ...operands: unknown[]) {
+    if (this instanceof Expression) return method.apply(this, operands)
+    throw new WarpError(`${name}: call it on an expression, as in x.${name}(…).`)
+  }
+  Object.defineProperty(Expression.prototype, name, { value, configurable: true, writable: true })
 }

@@ -1,8 +1,8 @@
 // One compilation: the session in the wasm, and what a sketch asked for so far. All node numbers
 // pass through here, and it is closed when the callback is over, whatever happened.
 import { type Core, type Emitted, type Session, getCore, graphFull, notFinite } from './core.js'
-import { WarpError, describe } from './errors.js'
-import { Expression } from './expression.js'
+import { WarpError, describe, shorten } from './errors.js'
+import { Expression, sizeName } from './expression.js'
 import { callerOutside } from './source-lines.js'
 
 const largestFloat32 = 3.4028234663852886e38
@@ -21,23 +21,25 @@ export interface Output {
 export class Compilation {
   readonly core: Core = getCore()
   readonly outputs: Output[] = []
+  private readonly names = new Set<string>()
   private session: Session | 0
   private readonly constants = new Map<number, number>()
   private readonly inputComponents = new Set<number>()
   private readonly inputLabels: string[] = []
+  private readonly inputs = new Map<string, Expression>()
   private readonly comments: Map<number, string> | undefined
 
   constructor(target: unknown, debug = false) {
     if (!targets.includes(target as Target))
       throw new WarpError(
-        `The target must be one of ${targets.join(', ')}, but is ${describe(target)}.`,
+        `The option "target" must be one of ${targets.join(', ')}, but is ${describe(target)}.`,
       )
     this.session = this.core.open(target as Target)
     this.comments = debug ? new Map() : undefined
   }
 
   close() {
-    if (this.session) this.core._close(this.session)
+    if (this.session) this.core._closeSession(this.session)
     this.session = 0
   }
 
@@ -73,11 +75,15 @@ export class Compilation {
       throw new WarpError(
         `${method}: ${place} is ${value}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`,
       )
+    if (value !== 0 && Math.fround(value) === 0)
+      throw new WarpError(
+        `${method}: ${place} is ${value}, too close to zero for a shader to hold; use 0 instead.`,
+      )
     let id = this.constants.get(value)
     if (id === undefined || Object.is(value, -0)) {
       id = this.core._constant(session, value)
       if (id === graphFull) this.refuse(id, method)
-      this.constants.set(value, id)
+      if (!Object.is(value, -0)) this.constants.set(value, id)
     }
     return id
   }
@@ -91,7 +97,13 @@ export class Compilation {
       )
     const problem = this.core.inputProblem(session, label)
     if (problem)
-      throw new WarpError(`${method}: "${label}" cannot be read in a shader: ${problem}.`)
+      throw new WarpError(`${method}: "${shorten(label)}" cannot be read in a shader: ${problem}.`)
+    const known = this.inputs.get(label) ?? (size === 1 ? this.componentOf(label) : undefined)
+    if (known?.ids.length === size) return known
+    if (known)
+      throw new WarpError(
+        `${method}: "${label}" was read as ${sizeName(known.ids.length)} before, and now as ${sizeName(size)}.`,
+      )
     const input = this.core.input(session, label, size)
     this.inputLabels[input] = label
     const ids = Array.from({ length: size }, (_, i) => this.core._component(session, input, i))
@@ -99,7 +111,16 @@ export class Compilation {
       if (id < 0) this.refuse(id, method)
       this.inputComponents.add(id)
     }
-    return new Expression(this, ids)
+    const expression = new Expression(this, ids)
+    this.inputs.set(label, expression)
+    return expression
+  }
+
+  /** `position.x` of an input `position`, so that derivatives know that they are the same. */
+  private componentOf(label: string): Expression | undefined {
+    const [, vector, letter] = /^(.*)\.([xyzw])$/.exec(label) ?? []
+    const id = this.inputs.get(vector ?? '')?.ids['xyzw'.indexOf(letter ?? '')]
+    return id === undefined ? undefined : new Expression(this, [id])
   }
 
   /** The partial derivative of each component by a scalar input, or one component of a vector. */
@@ -130,6 +151,8 @@ export class Compilation {
   warpedNormal(position: Expression, normal: Expression, offset: Expression, method: string) {
     const session = this.open(method)
     this.requireInput(position, method)
+    if (new Set(position.ids).size !== 3)
+      throw new WarpError(`${method}: the position must have three different components.`)
     const ids = this.core.warpedNormal(session, position.ids, normal.ids, offset.ids)
     return new Expression(this, ids)
   }
@@ -142,9 +165,11 @@ export class Compilation {
         `${method}: the name of a result must be a text, but is ${describe(name)}.`,
       )
     const problem = this.core.outputProblem(session, name)
-    if (problem) throw new WarpError(`${method}: "${name}" cannot name a result: ${problem}.`)
-    if (this.outputs.some((output) => output.name === name))
+    if (problem)
+      throw new WarpError(`${method}: "${shorten(name)}" cannot name a result: ${problem}.`)
+    if (this.names.has(name))
       throw new WarpError(`${method}: there are two results named "${name}"; rename one.`)
+    this.names.add(name)
     this.outputs.push({ name, value, sum })
   }
 
@@ -162,7 +187,7 @@ export class Compilation {
       Math.min(maxDepth, 2 ** 30),
       comments,
     )
-    if (emitted.code === undefined) this.refuse(graphFull, 'emit')
+    if (emitted.code === undefined) this.refuse(emitted.problem!, 'A result or its derivative')
     const labels = emitted.inputs.map((input) => this.inputLabels[input]!)
     this.refuseShadowing(labels)
     return { ...emitted, code: emitted.code, labels }
@@ -170,11 +195,11 @@ export class Compilation {
 
   /** A result named like a variable that the text reads would hide it. */
   private refuseShadowing(labels: string[]) {
-    for (const { name } of this.outputs) {
-      const hidden = labels.find((label) => new RegExp(`(^|[^.\\w])${name}\\b`).test(label))
+    for (const label of labels) {
+      const hidden = label.match(/(?<![.\w])[A-Za-z_]\w*/g)?.find((word) => this.names.has(word))
       if (hidden !== undefined)
         throw new WarpError(
-          `The result "${name}" has the name of a variable that it is computed from ("${hidden}"); rename the result.`,
+          `The result "${hidden}" has the name of a variable that is read for it ("${shorten(label)}"); rename the result.`,
         )
     }
   }

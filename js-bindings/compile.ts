@@ -1,8 +1,9 @@
 // From a callback to shader text: builds the graph, asks for results, and closes the compilation.
-import { Builder } from './builder.js'
+import { createBuilder } from './builder.js'
 import { Compilation, type Target } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import { Expression, sizeName, toExpression } from './expression.js'
+import { call } from './operations.js'
 import { checkCallback, checkOptions } from './options.js'
 import type { Expression as AnyExpression, Glsl, OffsetFunction, WarpInputs } from './types.js'
 
@@ -18,9 +19,9 @@ export interface Stats {
 export interface Compiled {
   /** Statements for the inside of a function; they declare and assign the results. */
   code: string
-  /** Functions that `code` calls, for above it; may be empty. */
+  /** Functions that `code` calls, for above `main`; no operation needs any so far, so it is empty. */
   declarations: string
-  /** The inputs that the statements really read. */
+  /** The host's variables and expressions that the statements really read. */
   uniforms: string[]
   stats: Stats
 }
@@ -39,7 +40,7 @@ export type InputName = keyof typeof inputSizes
 export interface WarpOptions extends CompileOptions {
   /** The host shader's expression for each input; its name unless given. */
   names?: Partial<Record<InputName, string>>
-  /** The names of the results. */
+  /** The names of the results: `warpedPosition`, `warpedNormal` and `offset` unless given. */
   outputs?: { position?: string; normal?: string; offset?: string }
   /** `false` leaves the normal out. */
   normals?: boolean
@@ -56,14 +57,29 @@ export interface CompiledWarp extends Compiled {
 /**
  * Compiles an offset function into statements that move a vertex and turn its normal. They declare
  * `vec3 offset, warpedPosition, warpedNormal`; the normal has length 1, or 0 where the warp
- * collapses the surface. Throws a `WarpError`.
+ * collapses the surface. `normal`, `uv` and `color` count as constant over the surface: where the
+ * offset depends on them, their share of the turn is left out. Throws a `WarpError` if the offset
+ * is no function, returns no vec3, or misuses an operation, and for wrong options.
  */
 export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): CompiledWarp {
-  const method = 'compileWarp'
+  return compileWarpFor('compileWarp', offset, options)
+}
+
+/** The same for another public function, which `method` names in messages. */
+export function compileWarpFor(
+  method: string,
+  offset: OffsetFunction,
+  options: WarpOptions,
+): CompiledWarp {
   checkCallback(method, offset)
   checkOptions(method, options, ['target', 'names', 'outputs', 'normals'])
   checkOptions(`${method} names`, options.names, Object.keys(inputSizes))
   checkOptions(`${method} outputs`, options.outputs, ['position', 'normal', 'offset'])
+  const { normals = true } = options
+  if (typeof normals !== 'boolean')
+    throw new WarpError(
+      `${method}: the option "normals" must be true or false, but is ${describe(normals)}.`,
+    )
 
   return withCompilation(options.target, false, (compilation) => {
     const labels: Record<string, string> = {}
@@ -73,28 +89,31 @@ export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): 
       inputs[name] = compilation.input(labels[name], size, `${method} names.${name}`)
     }
     const { position, normal } = inputs as { position: Expression; normal: Expression }
-    const value = checkOffset(compilation, offset(warpInputs(compilation, inputs)))
+    const value = checkOffset(compilation, method, offset(warpInputs(compilation, inputs)))
 
-    const names = { offset: 'offset', position: 'warpedPosition', normal: 'warpedNormal' }
-    Object.assign(names, options.outputs)
+    const {
+      offset: offsetName = 'offset',
+      position: positionName = 'warpedPosition',
+      normal: normalName = 'warpedNormal',
+    } = options.outputs ?? {}
     const place = `${method} outputs`
     const first = compilation.outputs.length
-    compilation.output(names.offset, value, place)
+    compilation.output(offsetName, value, place)
     compilation.outputAsSum(
-      names.position,
+      positionName,
       compilation.warpedPosition(position, value),
       labels['position']!,
       first,
       place,
     )
-    if (options.normals ?? true)
+    if (normals)
       compilation.output(
-        names.normal,
+        normalName,
         compilation.warpedNormal(position, normal, value, method),
         place,
       )
 
-    const { labels: used, ...compiled } = emitted(compilation)
+    const { labels: used, ...compiled } = toCompiled(compilation)
     const isRead = (name: string) => used.includes(labels[name]!)
     const isOwn = (label: string) => !Object.values(labels).includes(label)
     return {
@@ -116,8 +135,8 @@ export function compile(
   checkCallback('compile', callback)
   checkOptions('compile', options, ['target'])
   return withCompilation(options.target, false, (compilation) => {
-    const results: unknown = callback(new Builder(compilation) as unknown as Glsl)
-    if (typeof results !== 'object' || results === null || results instanceof Expression)
+    const results: unknown = callback(createBuilder(compilation) as unknown as Glsl)
+    if (typeof results !== 'object' || results === null || isNoRecord(results))
       throw new WarpError(
         `compile: the function must return an object of named expressions, but returned ${describe(results)}.`,
       )
@@ -127,7 +146,7 @@ export function compile(
         toExpression(compilation, 'compile', value, `the result "${name}"`),
         'compile',
       )
-    const { labels, ...compiled } = emitted(compilation)
+    const { labels, ...compiled } = toCompiled(compilation)
     return { ...compiled, uniforms: labels }
   })
 }
@@ -152,10 +171,19 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
       `gen: maxDepthPerVariable must be a number of at least 1, but is ${describe(maxDepthPerVariable)}.`,
     )
   return withCompilation(target, debug, (compilation) => {
-    callback(new Builder(compilation) as unknown as Glsl)
-    return emitted(compilation, maxDepthPerVariable).code
+    const returned: unknown = callback(createBuilder(compilation) as unknown as Glsl)
+    if (isUnfinished(returned))
+      throw new WarpError('gen: the function must be a plain one, not async and no generator.')
+    return toCompiled(compilation, maxDepthPerVariable).code
   })
 }
+
+/** What an async function or a generator returns at once. */
+const isUnfinished = (returned: unknown) =>
+  typeof returned === 'object' && returned !== null && ('then' in returned || 'next' in returned)
+
+const isNoRecord = (results: object) =>
+  results instanceof Expression || Array.isArray(results) || Object.keys(results).length === 0
 
 function withCompilation<Result>(
   target: Target = 'glsl300',
@@ -173,7 +201,7 @@ function withCompilation<Result>(
 function warpInputs(compilation: Compilation, inputs: Record<string, Expression>): WarpInputs {
   const part = (name: string, i: number) => new Expression(compilation, [inputs[name]!.ids[i]!])
   return {
-    glsl: new Builder(compilation),
+    glsl: createBuilder(compilation),
     ...inputs,
     mouseX: part('mouse', 0),
     mouseY: part('mouse', 1),
@@ -182,16 +210,17 @@ function warpInputs(compilation: Compilation, inputs: Record<string, Expression>
   } as unknown as WarpInputs
 }
 
-function checkOffset(compilation: Compilation, offset: unknown): Expression {
+function checkOffset(compilation: Compilation, method: string, offset: unknown): Expression {
   const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
   if (!(offset instanceof Expression))
-    throw new WarpError(`compileWarp: ${expected}, but returned ${describe(offset)}.`)
+    throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
   if (offset.ids.length !== 3)
-    throw new WarpError(`compileWarp: ${expected}, but returned ${sizeName(offset.ids.length)}.`)
-  return toExpression(compilation, 'compileWarp', offset, 'the offset')
+    throw new WarpError(`${method}: ${expected}, but returned ${sizeName(offset.ids.length)}.`)
+  // A condition becomes 0 or 1 here, as it does in any sum.
+  return call(compilation, 'add', [offset, 0])
 }
 
-function emitted(compilation: Compilation, maxDepth?: number) {
+function toCompiled(compilation: Compilation, maxDepth?: number) {
   const { code, labels, nodes, operations, temporaries } = compilation.emit(maxDepth)
   return { code, declarations: '', labels, stats: { nodes, operations, temporaries } }
 }

@@ -15,8 +15,9 @@ export interface EmittedOutput {
 }
 
 export interface Emitted {
-  /** Missing when the graph grew past all bounds. */
+  /** Missing where there is a problem: `notFinite` or `graphFull`. */
   code?: string
+  problem?: number
   inputs: number[]
   nodes: number
   operations: number
@@ -29,14 +30,13 @@ export interface Core {
   _component(session: Session, input: number, component: number): number
   _apply(session: Session, op: number, a: number, b: number, c: number): number
   _derivative(session: Session, root: number, input: number): number
-  _close(session: Session): void
+  _closeSession(session: Session): void
 
   operations(): { name: string; arity: number }[]
   open(target: string): Session | 0
   input(session: Session, expression: string, size: number): number
   inputProblem(session: Session, expression: string): string
   outputProblem(session: Session, name: string): string
-  isCondition(session: Session, id: number): boolean
   warpedPosition(session: Session, position: readonly number[], offset: readonly number[]): number[]
   warpedNormal(
     session: Session,

@@ -6,9 +6,14 @@ export class WarpError extends Error {
 /** How a value that came in is shown in a message. */
 export function describe(value: unknown): string {
   if (value === null || value === undefined) return String(value)
-  if (typeof value === 'string') return `the text "${value.slice(0, 40)}"`
+  if (typeof value === 'string') return `the text "${shorten(value)}"`
   if (typeof value === 'number') return `the number ${value}`
   if (typeof value === 'function') return 'a function'
   if (Array.isArray(value)) return `an array of ${value.length}`
-  return typeof value === 'object' ? 'an object' : `the ${typeof value} ${String(value)}`
+  return typeof value === 'object' ? 'an object' : `the ${typeof value} ${shorten(String(value))}`
+}
+
+/** A text from outside, on one line and not too long. */
+export function shorten(text: string): string {
+  return text.slice(0, 60).replace(/\s+/g, ' ')
 }

@@ -28,8 +28,8 @@ const aliases = {
   vecIfElse: 'ifElse',
 }
 
-/** Conversions, which the graph inserts by itself. */
-const hidden = new Set(['float', 'bool'])
+/** Conversions, which the graph inserts by itself, and the row behind `atan` of two operands. */
+const hidden = new Set(['float', 'bool', 'atan2'])
 
 let table: Map<string, Operation> | undefined
 
@@ -48,25 +48,24 @@ export function operationNames(): string[] {
   return [...operations().keys()].filter((name) => !hidden.has(name))
 }
 
-/** A method as it is called: the receiver first, or none for a function of `glsl`. */
+/** An operation by name: of the receiver if it is called as a method, or a function of `glsl`. */
 export function call(
   compilation: Compilation,
   name: string,
   given: readonly unknown[],
-  isMethod: boolean,
+  receiver?: Expression,
 ): Expression {
-  const operands = given.map((operand, i) =>
-    toExpression(compilation, name, operand, isMethod ? `argument ${i}` : `argument ${i + 1}`),
-  )
+  const operands = receiver ? [receiver] : []
+  for (const [i, operand] of given.entries())
+    operands.push(toExpression(compilation, name, operand, `argument ${i + 1}`))
   const operation = operations().get(name === 'atan' && operands.length === 2 ? 'atan2' : name)!
-  const { arity } = operation
-  if (operation.chained && operands.length > (isMethod ? 1 : 0))
-    return operands.reduce((sum, operand) => apply(compilation, operation, sum, operand))
-  if (operands.length !== arity) {
-    const [wanted, came] = isMethod ? [arity - 1, operands.length - 1] : [arity, operands.length]
-    throw new WarpError(`${name}: ${argumentCount(wanted)} expected, but ${came} came.`)
+  if (operation.chained && given.length > 0)
+    return operands.reduce((sum, operand) => apply(compilation, operation, name, sum, operand))
+  if (operands.length !== operation.arity) {
+    const wanted = argumentCount(operation.arity - (receiver ? 1 : 0))
+    throw new WarpError(`${name}: ${wanted} expected, but ${given.length} came.`)
   }
-  return apply(compilation, operation, ...(operands as [Expression]))
+  return apply(compilation, operation, name, ...(operands as [Expression]))
 }
 
 function argumentCount(count: number): string {
@@ -75,7 +74,8 @@ function argumentCount(count: number): string {
 
 function apply(
   compilation: Compilation,
-  { code, name }: Operation,
+  { code }: Operation,
+  name: string,
   a: Expression,
   b?: Expression,
   c?: Expression,
@@ -91,7 +91,8 @@ function component(operand: Expression | undefined, i: number): number {
   return operand ? operand.ids[operand.ids.length === 1 ? 0 : i]! : 0
 }
 
-function commonSize(name: string, size: number, operand: Expression | undefined): number {
+/** The size of the result for one more operand. */
+export function commonSize(name: string, size: number, operand: Expression | undefined): number {
   const other = operand?.ids.length ?? 1
   if (size !== 1 && other !== 1 && size !== other)
     throw new WarpError(
@@ -103,5 +104,5 @@ function commonSize(name: string, size: number, operand: Expression | undefined)
 /** An operation as a function, for the formulas of other files. */
 export function operation(name: string) {
   return (first: Expression, ...others: Operand[]): Expression =>
-    call(first.compilation, name, [first, ...others], true)
+    call(first.compilation, name, others, first)
 }

@@ -1,4 +1,11 @@
 // The types that a sketch sees. At run time every expression is one class; see expression.ts.
+//
+// Every method throws a `WarpError` for an argument that is no finite number or expression of the same
+// warp, for vectors of different sizes, and where constants give no finite result.
+//
+// Derivatives at kinks: that of abs at 0 is 0; floor, sign, step and comparisons have 0; fract has 1;
+// min, max, clamp and ifElse have that of the branch taken; sqrt, length, dist and normalize have 0 at 0,
+// as have pow at 0, asin and acos at 1 and -1, and atan at the origin.
 
 /** An expression of one number a vertex. A vector beside it gives a vector. */
 export interface Scalar extends Methods<Scalar, Operand, ScalarChain>, Results {
@@ -53,12 +60,15 @@ interface Methods<Self, Other, Chain> {
   div: Chain
   min: Chain
   max: Chain
+  /** this - divisor * floor(this / divisor): has the sign of the divisor. */
   mod(divisor: Other): Self
-  /** A whole exponent from -16 to 16 is a product, right for negative numbers too. */
+  /** A whole exponent from -16 to 16 is a product, right for negative numbers too; with any other
+   * exponent this must not be negative. */
   pow(exponent: Other): Self
   sqrt(): Self
   inversesqrt(): Self
   exp(): Self
+  /** The natural logarithm, of what is greater than 0. */
   log(): Self
   sin(): Self
   cos(): Self
@@ -67,16 +77,19 @@ interface Methods<Self, Other, Chain> {
   acos(): Self
   atan(): Self
   abs(): Self
+  /** -1, 0 or 1. */
   sign(): Self
   floor(): Self
   fract(): Self
+  /** `low` must not be above `high`. */
   clamp(low: Other, high: Other): Self
   /** 0 where `x` is below this edge, otherwise 1. */
   step(x: Other): Self
-  /** From 0 where `x` is at this edge, smoothly to 1 where it is at `high`. */
+  /** From 0 where `x` is at this edge, smoothly to 1 where it is at `high`, a different number. */
   smoothstep(high: Other, x: Other): Self
   radians(): Self
   degrees(): Self
+  /** Comparisons are conditions for `ifElse`; as numbers they are 1 and 0. */
   lt(other: Other): Self
   le(other: Other): Self
   gt(other: Other): Self
@@ -87,6 +100,7 @@ interface Methods<Self, Other, Chain> {
 
 interface VectorMethods<Self> extends Methods<Self, Self | Operand, VectorChain<Self>>, Results {
   mix(other: Self | Operand, amount: Self | Operand): Self
+  /** The product with a single number. */
   scale(factor: Operand): Self
   dot(other: Self): Scalar
   length(): Scalar
@@ -125,10 +139,11 @@ export interface Glsl {
   vec3Param(name: string): Vec3
   vec4Param(name: string): Vec4
   val(value: number): Scalar
+  /** From numbers and smaller vectors, or from one number for all components. */
   vec2(...parts: Parts): Vec2
   vec3(...parts: Parts): Vec3
   vec4(...parts: Parts): Vec4
-  /** The exact partial derivative by an input, such as `millis` or `position.x()`. */
+  /** The exact partial derivative of each component by an input, such as `millis` or `position.x()`. */
   derivative<Value extends Expression>(value: Value, input: Scalar): Value
 
   neg: Unary
@@ -217,6 +232,8 @@ export interface WarpInputs {
   glsl: Glsl
   /** The vertex, in the space of the warp. */
   position: Vec3
+  /** The vertex's normal as the mesh has it, usually of length 1. Its derivative counts as 0, as do
+   * those of `uv` and `color`. */
   normal: Vec3
   /** Texture coordinates. */
   uv: Vec2
@@ -224,11 +241,11 @@ export interface WarpInputs {
   color: Vec4
   /** Milliseconds since the sketch started. */
   millis: Scalar
-  /** The mouse in pixels from the canvas' top left corner. */
+  /** The mouse in pixels from the canvas' top left corner, as p5's mouseX and mouseY. */
   mouse: Vec2
   mouseX: Scalar
   mouseY: Scalar
-  /** The canvas in pixels. */
+  /** The canvas in pixels, as p5's width and height: not multiplied by pixelDensity. */
   size: Vec2
   width: Scalar
   height: Scalar

@@ -3,15 +3,16 @@
 import type { Compilation } from './compilation.js'
 import { WarpError } from './errors.js'
 import { Expression, sizeName, toExpression } from './expression.js'
-import { operation } from './operations.js'
+import { commonSize, operation } from './operations.js'
 
-const [add, sub, mult, div] = ['add', 'sub', 'mult', 'div'].map(operation) as Binary[]
-const [sqrt, inversesqrt] = ['sqrt', 'inversesqrt'].map(operation) as Unary[]
-const [clamp, ifElse, gt] = ['clamp', 'ifElse', 'gt'].map(operation) as Any[]
-
-type Unary = (x: Expression) => Expression
-type Binary = (x: Expression, y: Expression | number) => Expression
-type Any = ReturnType<typeof operation>
+const [add, sub, mult, div] = [
+  operation('add'),
+  operation('sub'),
+  operation('mult'),
+  operation('div'),
+]
+const [sqrt, inversesqrt] = [operation('sqrt'), operation('inversesqrt')]
+const [clamp, ifElse, gt] = [operation('clamp'), operation('ifElse'), operation('gt')]
 
 export interface Composition {
   /** `v` for a vector, `s` for a scalar, `x` for either; one letter an operand. */
@@ -31,32 +32,35 @@ function vector(parts: Expression[]): Expression {
 }
 
 function dot(a: Expression, b: Expression): Expression {
-  return components(mult!(a, b)).reduce((sum, product) => add!(sum, product))
+  return components(mult(a, b)).reduce((sum, product) => add(sum, product))
 }
 
 /** Zero at zero, value and derivative, where the formula has none. */
 function normalize(v: Expression): Expression {
   const squared = dot(v, v)
-  return mult!(v, ifElse!(gt!(squared, 0), inversesqrt!(squared), 0))
+  const isPositive = gt(squared, 0)
+  // Of a constant zero there is no inverse root that could fold. Equal conditions are one node.
+  if (isPositive.ids[0] === gt(mult(squared, 0), 0).ids[0]) return v
+  return mult(v, ifElse(isPositive, inversesqrt(squared), 0))
 }
 
 function cross(a: Expression, b: Expression): Expression {
   const [ax, ay, az] = components(a) as [Expression, Expression, Expression]
   const [bx, by, bz] = components(b) as [Expression, Expression, Expression]
   return vector([
-    sub!(mult!(ay, bz), mult!(az, by)),
-    sub!(mult!(az, bx), mult!(ax, bz)),
-    sub!(mult!(ax, by), mult!(ay, bx)),
+    sub(mult(ay, bz), mult(az, by)),
+    sub(mult(az, bx), mult(ax, bz)),
+    sub(mult(ax, by), mult(ay, bx)),
   ])
 }
 
 function smoothstep(low: Expression, high: Expression, x: Expression): Expression {
-  const t = clamp!(div!(sub!(x, low), sub!(high, low)), 0, 1)
-  return mult!(mult!(t, t), sub!(toExpression(t.compilation, 'smoothstep', 3, ''), mult!(t, 2)))
+  const t = clamp(div(sub(x, low), sub(high, low)), 0, 1)
+  return mult(mult(t, t), add(mult(t, -2), 3))
 }
 
-const length = (v: Expression) => sqrt!(dot(v, v))
-const distance = (a: Expression, b: Expression) => length(sub!(a, b))
+const length = (v: Expression) => sqrt(dot(v, v))
+const distance = (a: Expression, b: Expression) => length(sub(a, b))
 
 export const compositions: Record<string, Composition> = {
   dot: { operands: 'vv', compose: dot },
@@ -65,36 +69,40 @@ export const compositions: Record<string, Composition> = {
   dist: { operands: 'vv', compose: distance },
   distance: { operands: 'vv', compose: distance },
   normalize: { operands: 'v', compose: normalize },
-  scale: { operands: 'xs', compose: mult! },
+  scale: { operands: 'xs', compose: mult },
   smoothstep: { operands: 'xxx', compose: smoothstep },
-  radians: { operands: 'x', compose: (degrees) => mult!(degrees, Math.PI / 180) },
-  degrees: { operands: 'x', compose: (radians) => mult!(radians, 180 / Math.PI) },
+  radians: { operands: 'x', compose: (degrees) => mult(degrees, Math.PI / 180) },
+  degrees: { operands: 'x', compose: (radians) => mult(radians, 180 / Math.PI) },
 }
 
 export function compose(
   compilation: Compilation,
   name: string,
   given: readonly unknown[],
-  isMethod: boolean,
+  receiver?: Expression,
 ): Expression {
   const { operands, compose } = compositions[name]!
-  const receivers = isMethod ? 1 : 0
-  if (given.length !== operands.length)
+  const receivers = receiver ? 1 : 0
+  if (given.length !== operands.length - receivers)
     throw new WarpError(
-      `${name}: the number of arguments must be ${operands.length - receivers}, but is ${given.length - receivers}.`,
+      `${name}: the number of arguments must be ${operands.length - receivers}, but is ${given.length}.`,
     )
-  const expressions = given.map((operand, i) => {
-    const place = isMethod && i === 0 ? 'what it is called on' : `argument ${i + 1 - receivers}`
-    const expression = toExpression(compilation, name, operand, place)
-    const size = expression.ids.length
-    if (operands[i] === 'v' && size === 1)
+  const expressions = given.map((operand, i) =>
+    toExpression(compilation, name, operand, `argument ${i + 1}`),
+  )
+  if (receiver) expressions.unshift(receiver)
+  for (const [i, { ids }] of expressions.entries()) {
+    const place = i < receivers ? 'what it is called on' : `argument ${i + 1 - receivers}`
+    if (operands[i] === 'v' && ids.length === 1)
       throw new WarpError(`${name}: ${place} must be a vector, but is a single number.`)
-    if (operands[i] === 's' && size !== 1)
-      throw new WarpError(`${name}: ${place} must be a single number, but is ${sizeName(size)}.`)
-    if (name === 'cross' && size !== 3)
-      throw new WarpError(`${name}: ${place} must be a vec3, but is ${sizeName(size)}.`)
-    return expression
-  })
+    if (operands[i] === 's' && ids.length !== 1)
+      throw new WarpError(
+        `${name}: ${place} must be a single number, but is ${sizeName(ids.length)}.`,
+      )
+    if (name === 'cross' && ids.length !== 3)
+      throw new WarpError(`${name}: ${place} must be a vec3, but is ${sizeName(ids.length)}.`)
+  }
+  expressions.reduce((size, operand) => commonSize(name, size, operand), 1)
   return compose(...expressions)
 }
 
@@ -103,7 +111,7 @@ export function construct(compilation: Compilation, size: number, given: readonl
   const name = `vec${size}`
   const parts = given.map((part, i) => toExpression(compilation, name, part, `argument ${i + 1}`))
   // A condition becomes 0 or 1 here, as it does in any sum.
-  const all = parts.flatMap((part) => components(add!(part, 0)))
+  const all = parts.flatMap((part) => components(add(part, 0)))
   if (all.length === 1) return vector(new Array<Expression>(size).fill(all[0]!))
   if (all.length !== size)
     throw new WarpError(`${name}: ${size} components were expected, but ${all.length} came.`)

@@ -16,7 +16,9 @@ export function makeCard({ name, figure, title, text }, sketch) {
 
   const source = sourceView(card, sketch)
   perform(find('.stage'), { name, title }, ({ frames, rate, code }) => {
-    find('output').textContent = rate ? `frame ${frames} · ${Math.round(rate)} fps` : ''
+    find('output').textContent = rate
+      ? `frame ${frames} · ${rate.toFixed(rate < 10 ? 1 : 0)} fps`
+      : ''
     if (code) source.setShader(code)
   })
   return card

@@ -11,10 +11,10 @@ const inView = new IntersectionObserver(
     for (const { target, isIntersecting, intersectionRatio } of entries) {
       const { start, stop } = performances.get(target)
       if (!isIntersecting) stop()
-      else if (intersectionRatio >= 0.5) start()
+      else if (intersectionRatio >= 0.3) start()
     }
   },
-  { threshold: [0, 0.5] },
+  { threshold: [0, 0.3] },
 )
 
 /** Fills `stage` with the example while it is in view. `report` gets { frames, rate, code } as long as it runs. */
@@ -42,14 +42,14 @@ export function perform(stage, { name, title }, report) {
   inView.observe(stage)
 }
 
-/** Reads the frame's p5 counter and what the recorder kept. */
+/** Reads the frame's p5 counter and what the recorder kept. `rate` is in frames a second, 0 at first. */
 function observer(frame, report) {
   let frames = 0
-  let time = performance.now()
+  let time
   return () => {
     const { frameCount = 0, recordedCode = [] } = frame.contentWindow
+    if (frameCount === frames) return
     const now = performance.now()
-    // p5 counts nothing while it loads a model.
     const rate = frames ? (1000 * (frameCount - frames)) / (now - time) : 0
     const code = recordedCode.map(({ maker, code }) => `// ${maker}\n${code}`).join('\n\n')
     report({ frames: frameCount, rate, code })

@@ -8,15 +8,15 @@ function setup() {
 
   const heights = warpjet.gen((ad) => {
     const [x, y, time] = [ad.param('x'), ad.param('y'), ad.param('time')]
-    const distance = x.mult(x).add(y.mult(y), 0.002).sqrt()
-    const fade = distance.mult(8).add(1)
-    const ripples = distance.mult(26).sub(time.mult(3)).sin().div(fade)
+    const radius = x.mult(x).add(y.mult(y), 0.002).sqrt()
+    const fade = radius.mult(8).add(1)
+    const ripples = radius.mult(26).sub(time.mult(3)).sin().div(fade)
     const swell = x.mult(5).add(time).sin().mult(y.mult(4).cos())
 
-    const height = ripples.mult(0.06).add(swell.mult(0.05))
-    height.output('height')
-    height.outputDeriv('slopeX', x)
-    height.outputDeriv('slopeY', y)
+    const surface = ripples.mult(0.06).add(swell.mult(0.05))
+    surface.output('height')
+    surface.outputDeriv('slopeX', x)
+    surface.outputDeriv('slopeY', y)
   })
 
   waves = createShader(

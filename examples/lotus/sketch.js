@@ -35,7 +35,7 @@ function draw() {
   specularMaterial(60)
   shininess(30)
 
-  translate(0, 80)
+  translate(0, 60)
   rotateX(-0.7)
   rotateY(millis() / 6000)
   const petals = 28
@@ -48,7 +48,7 @@ function draw() {
     fill(lerpColor(color('#ffe3b0'), color('#e0518a'), outer))
     const breath = sin(millis() / 1500 - outer)
     bloom({ bend: 0.3 + outer * (0.9 + 0.4 * breath) })
-    sphere(95 + 70 * outer, 16, 24)
+    sphere(90 + 60 * outer, 16, 24)
     pop()
   }
 }

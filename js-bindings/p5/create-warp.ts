@@ -1,7 +1,7 @@
 /** `createWarp` itself: compiles the offset once for the canvas, and makes the function that a sketch calls to draw with it. */
-import { compileWarp } from '../compile.js'
+import { compileWarpFor } from '../compile.js'
 import { WarpError, describe } from '../errors.js'
-import { hookStyleOf, namesFor, weave } from './hooks.js'
+import { hookStyleOf, namesFor, results, weave } from './hooks.js'
 import { type Canvas, type Shader, materialOf, webglOf } from './host.js'
 import { type CreateWarpOptions, type WarpSettings, type WarpType, readOptions } from './options.js'
 import type { OffsetFunction } from '../types.js'
@@ -58,7 +58,11 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
 
   const renderer = webglOf(canvas)
   const target = renderer?.webglVersion === 'webgl' ? 'glsl100' : 'glsl300'
-  const warp = compileWarp(offset, { target, names: namesFor(style) })
+  const warp = compileWarpFor('createWarp', offset, {
+    target,
+    names: namesFor(style),
+    outputs: results,
+  })
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {
     renderer,

@@ -8,6 +8,13 @@ import type { Shader } from './host.js'
 import type { WarpSettings, WarpSpace, WarpType } from './options.js'
 import { inputUniforms, uniformDeclarations } from './uniforms.js'
 
+/** All of our names in p5's shaders start with warpjet, so that they meet none of the sketch's. */
+export const results = {
+  offset: 'warpjetOffset',
+  position: 'warpjetMoved',
+  normal: 'warpjetTurned',
+}
+
 type Names = Record<'position' | 'normal' | 'uv' | 'color', string>
 type Hooks = Record<string, string>
 
@@ -15,26 +22,26 @@ interface HookStyle {
   names: Names
   /** GLSL above the hooks that this style needs in `space`. */
   declarations: (space: WarpSpace) => string
-  /** The hooks that run `code` and hand `warpedPosition` and `warpedNormal` to p5. */
+  /** The hooks that run `code` and hand `warpjetMoved` and `warpjetTurned` to p5. */
   hooks: (code: string, space: WarpSpace, type: WarpType) => Hooks
 }
 
 /** p5 2.x. Its normal shader normalizes at the end of main, hence the last word in `afterVertex`. */
 const structHooks: HookStyle = {
   names: {
-    position: 'inputs.position',
-    normal: 'inputs.normal',
-    uv: 'inputs.texCoord',
-    color: 'inputs.color',
+    position: 'warpjetInputs.position',
+    normal: 'warpjetInputs.normal',
+    uv: 'warpjetInputs.texCoord',
+    color: 'warpjetInputs.color',
   },
   declarations: () => 'bool warpjetFlat;',
   hooks: (code, space, type) => ({
-    [structHookOf[space]]: `(Vertex inputs) {
+    [structHookOf[space]]: `(Vertex warpjetInputs) {
 ${code}
-  warpjetFlat = warpedNormal == vec3(0.0);
-  inputs.position = warpedPosition;
-  inputs.normal = warpedNormal;
-  return inputs;
+  warpjetFlat = warpjetTurned == vec3(0.0);
+  warpjetInputs.position = warpjetMoved;
+  warpjetInputs.normal = warpjetTurned;
+  return warpjetInputs;
 }`,
     ...(type === 'normal' && {
       'void afterVertex': '() { if (warpjetFlat) vVertexNormal = vec3(0.0); }',
@@ -67,7 +74,7 @@ vec3 warpjetNormal;${space === 'world' ? '\nuniform mat4 uModelMatrix;\nuniform 
   hooks: (code, space, type) => {
     const { position, normal, viewPosition, viewNormal } = valueSpaces[space]
     return {
-      'vec3 getWorldPosition': `(vec3 position) {
+      'vec3 getWorldPosition': `(vec3 warpjetView) {
   vec3 warpjetPosition = ${position};
   warpjetNormal = ${normal};
 ${code}
@@ -86,20 +93,20 @@ const valueSpaces = {
   local: {
     position: 'aPosition',
     normal: 'aNormal',
-    viewPosition: '(uModelViewMatrix * vec4(warpedPosition, 1.0)).xyz',
-    viewNormal: 'uNormalMatrix * warpedNormal',
+    viewPosition: '(uModelViewMatrix * vec4(warpjetMoved, 1.0)).xyz',
+    viewNormal: 'uNormalMatrix * warpjetTurned',
   },
   world: {
     position: '(uModelMatrix * vec4(aPosition, 1.0)).xyz',
     normal: '(vec4(uNormalMatrix * aNormal, 0.0) * uViewMatrix).xyz',
-    viewPosition: '(uViewMatrix * vec4(warpedPosition, 1.0)).xyz',
-    viewNormal: '(uViewMatrix * vec4(warpedNormal, 0.0)).xyz',
+    viewPosition: '(uViewMatrix * vec4(warpjetMoved, 1.0)).xyz',
+    viewNormal: '(uViewMatrix * vec4(warpjetTurned, 0.0)).xyz',
   },
   camera: {
-    position: 'position',
+    position: 'warpjetView',
     normal: 'uNormalMatrix * aNormal',
-    viewPosition: 'warpedPosition',
-    viewNormal: 'warpedNormal',
+    viewPosition: 'warpjetMoved',
+    viewNormal: 'warpjetTurned',
   },
 }
 

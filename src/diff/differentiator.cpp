@@ -48,7 +48,7 @@ NodeId Differentiator::chainRule(NodeId id, const Tangents& tangents) {
 
   Expression sum{&graph_, graph_.constant(0)};
   for (int i = 0; i < arity; ++i) {
-    const Expression tangent{&graph_, NodeId{tangents[index(x[i].id)] - 1}};
+    const Expression tangent{&graph_, tangents[index(x[i].id)]};
     if (rowPartials[i] == nullptr || graph_.isConstant(tangent.id, 0)) continue;
     sum = sum + Expression{&graph_, rowPartials[i](graph_, x, {&graph_, id})} * tangent;
   }
@@ -57,27 +57,27 @@ NodeId Differentiator::chainRule(NodeId id, const Tangents& tangents) {
 
 NodeId Differentiator::derivative(NodeId root, NodeId input) {
   Tangents& tangents = tangentsBy(input);
-  tangents.resize(graph_.size());
-  const auto known = [&](NodeId id) { return tangents[index(id)] != 0; };
+  tangents.resize(graph_.size(), unknown);
+  const auto isKnown = [&](NodeId id) { return tangents[index(id)] != unknown; };
   const NodeId zero = graph_.constant(0), one = graph_.constant(1);
   const auto dependsOnInput = [&](NodeId id) {
     for (int i = 0; i < graph_.arity(id); ++i) {
-      if (tangents[index(graph_.operand(id, i))] != index(zero) + 1) return true;
+      if (tangents[index(graph_.operand(id, i))] != zero) return true;
     }
     return false;
   };
 
-  for (const NodeId id : reachable(graph_, {&root, 1}, known)) {
+  for (const NodeId id : reachable(graph_, {&root, 1}, isKnown)) {
     NodeId tangent = zero;
     if (id == input) {
       tangent = one;
     } else if (dependsOnInput(id)) {
-      const Graph::MakingFor making(graph_, id);
+      const Graph::OriginScope scope(graph_, id);
       tangent = chainRule(id, tangents);
     }
-    tangents[index(id)] = index(tangent) + 1;
+    tangents[index(id)] = tangent;
   }
-  return NodeId{tangents[index(root)] - 1};
+  return tangents[index(root)];
 }
 
 }  // namespace warpjet

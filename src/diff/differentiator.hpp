@@ -3,6 +3,7 @@
 // derivative, and whatever they share with the values is shared by interning.
 #pragma once
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -18,8 +19,9 @@ class Differentiator {
   NodeId derivative(NodeId root, NodeId input);
 
  private:
-  // By node index, the derivative's node index plus one; 0 where it is not known yet.
-  using Tangents = std::vector<std::uint32_t>;
+  // By node index, its derivative.
+  using Tangents = std::vector<NodeId>;
+  static constexpr NodeId unknown{~std::uint32_t{0}};
 
   Tangents& tangentsBy(NodeId input);
   NodeId chainRule(NodeId id, const Tangents& tangents);

@@ -81,7 +81,8 @@ class Emitter {
   void bindScalarOutputs() {
     for (const Output& output : outputs_) {
       const NodeId id = output.components[0];
-      if (output.components.size() == 1 && !graph_.isLeaf(id) && !writer_.isNamed(id))
+      if (!output.sum && output.components.size() == 1 && !graph_.isLeaf(id) &&
+          !writer_.isNamed(id))
         writer_.name(id, output.name);
     }
   }

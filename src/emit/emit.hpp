@@ -1,16 +1,16 @@
-// Emission: roots of a graph enter, the statements that compute them in one dialect leave.
+// Emission: roots of a graph enter, the statements that compute them leave.
 //
 // A node that is used once is written where it is used; a node that is used more often becomes a
 // temporary. Nothing here recurses, so depth is no limit. Emission knows nothing of warps.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "emit/dialect.hpp"
 #include "graph/graph.hpp"
 
 namespace warpjet {
@@ -30,7 +30,6 @@ struct Output {
 };
 
 struct EmitOptions {
-  const Dialect& dialect = glsl300;
   // The number of nested operations at which an expression becomes a temporary.
   int maxDepth = 8;
   // Comments to put before the statement that computes a node, sorted by node.

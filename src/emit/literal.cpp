@@ -13,8 +13,8 @@ struct Decimal {
   int exponent;
 };
 
-// Nine digits tell any two float32 apart.
-constexpr int mostDigits = 9;
+// Nine digits tell any two float32 apart; the largest one needs ten not to be rounded up.
+constexpr int mostDigits = 10;
 
 // 10^0 to 10^63; a float32 with nine digits needs 10^53.
 constexpr auto powersOfTen = [] {

@@ -1,4 +1,4 @@
-// How a number is written.
+// How a number is written: a double enters, the text of a float leaves.
 #pragma once
 
 #include <string>

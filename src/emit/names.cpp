@@ -1,41 +1,34 @@
 #include "emit/names.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "emit/syntax.hpp"
+#include "ops/ops.hpp"
 
 namespace warpjet {
 
 namespace {
 
-bool isKeyword(const Dialect& dialect, std::string_view word) {
-  return dialect.keywords.find(" " + std::string(word) + " ") != std::string_view::npos;
-}
+// WebGL 1.0, section 6.21; WebGL 2 allows 1024.
+constexpr std::size_t longestName = 256;
 
-// Type constructors and the two literals are keywords that an expression may hold.
-bool isExpressionKeyword(std::string_view word) {
-  constexpr std::array<std::string_view, 20> words{
-      "float", "int",   "uint",  "bool", "vec2", "vec3", "vec4",  "ivec2", "ivec3", "ivec4",
-      "uvec2", "uvec3", "uvec4", "mat2", "mat3", "mat4", "bvec2", "bvec3", "bvec4", "true"};
-  return word == "false" || std::find(words.begin(), words.end(), word) != words.end();
-}
-
-// The built-in variables that a vertex or fragment shader may read; no host can declare another.
-bool isBuiltIn(std::string_view word) {
-  constexpr std::array<std::string_view, 7> words{"gl_VertexID",  "gl_InstanceID", "gl_Position",
-                                                  "gl_PointSize", "gl_FragCoord",  "gl_FrontFacing",
-                                                  "gl_PointCoord"};
-  return std::find(words.begin(), words.end(), word) != words.end();
+// Whether our statements call a function of that name, such as `sin($0)`.
+bool isCalledByUs(std::string_view word) {
+  return std::any_of(ops::infos.begin(), ops::infos.end(), [&](const ops::Info& info) {
+    const std::string_view text = info.glsl.text;
+    return text.starts_with(word) && text.substr(word.size()).starts_with('(');
+  });
 }
 
 std::string reservedProblem(const Dialect& dialect, std::string_view word) {
-  const auto startsWith = [&](std::string_view prefix) { return word.starts_with(prefix); };
-  if (isKeyword(dialect, word)) return quoted(word) + " is a word of GLSL itself";
-  if (startsWith("gl_") || startsWith("webgl_") || startsWith("_webgl_"))
+  if (word.size() > longestName) return "it is longer than 256 letters";
+  if (Dialect::holds(dialect.keywords, word)) return quoted(word) + " is a word of GLSL itself";
+  if (word.starts_with("gl_") || word.starts_with("GL_") || word.starts_with("webgl_") ||
+      word.starts_with("_webgl_"))
     return "names that start with gl_ or webgl_ belong to GLSL, as " + quoted(word) + " does";
   if (word.find("__") != std::string_view::npos)
     return "names with two underscores in a row belong to GLSL, as " + quoted(word) + " does";
+  if (isCalledByUs(word)) return quoted(word) + " is a function of GLSL";
   return {};
 }
 
@@ -59,9 +52,12 @@ std::vector<std::string_view> identifiers(std::string_view text) {
 
 std::string inputProblem(const Dialect& dialect, std::string_view text) {
   if (text.find_first_not_of(' ') == std::string_view::npos) return "it is empty";
-  if (auto problem = syntaxProblem(text); !problem.empty()) return problem;
+  if (auto problem = syntaxProblem(text, dialect.hasBitOperators); !problem.empty()) return problem;
   for (const std::string_view word : identifiers(text)) {
-    if (isExpressionKeyword(word) || isBuiltIn(word)) continue;
+    const std::size_t end = text.find_first_not_of(' ', word.data() - text.data() + word.size());
+    const bool isCall = end != text.npos && text[end] == '(';
+    if (isCall && (Dialect::holds(dialect.constructors, word) || isCalledByUs(word))) continue;
+    if (Dialect::holds(dialect.builtIns, word)) continue;
     if (auto problem = reservedProblem(dialect, word); !problem.empty()) return problem;
   }
   return {};

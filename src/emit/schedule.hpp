@@ -1,4 +1,4 @@
-// The order of the statements.
+// The order of the statements: needed nodes enter, the same nodes leave in the order of writing.
 #pragma once
 
 #include <vector>

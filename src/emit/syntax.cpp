@@ -12,22 +12,32 @@ std::size_t wordLength(std::string_view text) {
                                   text.begin());
 }
 
+std::size_t digitsLength(std::string_view text) {
+  return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), isDigit) -
+                                  text.begin());
+}
+
 // 12, 1.5, .5, 1e-3, 2u
 std::size_t numberLength(std::string_view text) {
-  std::size_t i = 0;
-  while (i < text.size() && (isWordPart(text[i]) || text[i] == '.')) {
-    const bool exponent = text[i] == 'e' || text[i] == 'E';
-    ++i;
-    if (exponent && i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
+  std::size_t length = digitsLength(text);
+  if (text.substr(length).starts_with('.')) length += 1 + digitsLength(text.substr(length + 1));
+  std::string_view rest = text.substr(length);
+  if (!rest.empty() && (rest[0] == 'e' || rest[0] == 'E')) {
+    const bool hasSign = rest.size() > 1 && (rest[1] == '+' || rest[1] == '-');
+    const std::size_t digits = digitsLength(rest.substr(hasSign ? 2 : 1));
+    if (digits > 0) length += (hasSign ? 2 : 1) + digits;
   }
-  return i;
+  rest = text.substr(length);
+  if (!rest.empty() && (rest[0] == 'u' || rest[0] == 'f')) ++length;
+  return length;
 }
 
 // Reads an expression from left to right. Operands and operators take turns, and every bracket and
 // every question mark waits for its partner.
 class Reader {
  public:
-  explicit Reader(std::string_view text) : rest_(text) {}
+  Reader(std::string_view text, bool hasBitOperators)
+      : rest_(text), hasBitOperators_(hasBitOperators) {}
 
   std::string problem() {
     while (!rest_.empty()) {
@@ -48,8 +58,12 @@ class Reader {
   std::string readToken() {
     const char c = rest_[0];
     const bool isNumber = isDigit(c) || (c == '.' && operandDue_ && isDigit(peek(1)));
-    if (isNumber) return readOperand(numberLength(rest_));
-    if (isWordStart(c)) return readOperand(wordLength(rest_));
+    if (isNumber) {
+      const std::size_t length = numberLength(rest_);
+      if (isWordPart(peek(length))) return operatorMissing;
+      return readOperand(length, false);
+    }
+    if (isWordStart(c)) return readOperand(wordLength(rest_), true);
     switch (c) {
       case '(':
       case '[':
@@ -64,9 +78,10 @@ class Reader {
     }
   }
 
-  std::string readOperand(std::size_t length) {
+  std::string readOperand(std::size_t length, bool isName) {
     if (!operandDue_) return operatorMissing;
     operandDue_ = false;
+    afterName_ = isName;
     rest_.remove_prefix(length);
     return {};
   }
@@ -74,11 +89,13 @@ class Reader {
   std::string readOpening(char c) {
     if (c == '[' && operandDue_) return operandMissing;
     const bool isCall = c == '(' && !operandDue_;
+    if (isCall && !afterName_) return operatorMissing;
     awaited_ += c == '(' ? ')' : ']';
     rest_.remove_prefix(1);
     const std::size_t next = rest_.find_first_not_of(' ');
     const bool isEmptyCall = isCall && next != rest_.npos && rest_[next] == ')';
     operandDue_ = !isEmptyCall;
+    afterName_ = false;
     return {};
   }
 
@@ -88,6 +105,7 @@ class Reader {
       return "the brackets in it do not match at " + quoted({&c, 1});
     awaited_.pop_back();
     rest_.remove_prefix(1);
+    afterName_ = false;
     return {};
   }
 
@@ -95,6 +113,7 @@ class Reader {
     if (operandDue_ || !isWordStart(peek(1))) return operandMissing;
     rest_.remove_prefix(1);
     rest_.remove_prefix(wordLength(rest_));
+    afterName_ = true;
     return {};
   }
 
@@ -105,9 +124,15 @@ class Reader {
     constexpr std::string_view singles = "+-*/%<>!&|^~?:,", prefixes = "+-!~";
     const std::string_view two = rest_.substr(0, 2), single = rest_.substr(0, 1);
 
+    constexpr std::string_view bits = "%&|^~";
+    const bool isLogical = two == "&&" || two == "||" || two == "^^";
+    const bool isBitOperator =
+        two == "<<" || two == ">>" || (!isLogical && bits.find(single) != bits.npos);
+    if (isBitOperator && !hasBitOperators_) return quoted(single) + " cannot stand in it";
     if (std::find(forbidden.begin(), forbidden.end(), two) != forbidden.end())
       return quoted(two) + " cannot stand in it";
     const bool isPair = std::find(pairs.begin(), pairs.end(), two) != pairs.end();
+    if (single[0] < ' ' || single[0] > '~') return "only letters from a to z can stand in it";
     if (!isPair && singles.find(single) == singles.npos)
       return quoted(single) + " cannot stand in it";
     if (operandDue_ && (isPair || prefixes.find(single) == prefixes.npos)) return operandMissing;
@@ -129,11 +154,15 @@ class Reader {
 
   std::string_view rest_;
   std::string awaited_;
+  bool hasBitOperators_;
   bool operandDue_ = true;
+  bool afterName_ = false;
 };
 
 }  // namespace
 
-std::string syntaxProblem(std::string_view text) { return Reader(text).problem(); }
+std::string syntaxProblem(std::string_view text, bool hasBitOperators) {
+  return Reader(text, hasBitOperators).problem();
+}
 
 }  // namespace warpjet

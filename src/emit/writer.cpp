@@ -1,6 +1,7 @@
 #include "emit/writer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "emit/literal.hpp"
 
@@ -19,7 +20,9 @@ void Writer::name(NodeId id, std::string name) {
 
 void Writer::writeLeaf(std::string& text, NodeId id) {
   if (graph_.isConstant(id)) {
-    text += literal(graph_.value(id));
+    const std::string number = literal(graph_.value(id));
+    if (number[0] == '-' && text.ends_with('-')) text += ' ';  // "--" is a decrement
+    text += number;
     return;
   }
   const auto [input, component, unused] = graph_.node(id).operands;

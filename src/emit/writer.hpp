@@ -1,8 +1,11 @@
 // Writes expressions: a node enters, its text is appended with no more parentheses than it needs.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "graph/graph.hpp"

@@ -13,8 +13,6 @@ namespace {
 // Enough for most warps, so that they never rehash; 16 KB.
 constexpr std::size_t initialTableSize = 4096;
 
-constexpr std::uint32_t noMaker = std::numeric_limits<std::uint32_t>::max();
-
 std::size_t hash(const Node& node) {
   // Multiply and xor-shift, as in Steele and Vigna's splitmix64.
   std::uint64_t h = node.operands[0] | std::uint64_t{node.operands[1]} << 32;
@@ -40,8 +38,7 @@ bool fitsFloat32(double value) {
 
 }  // namespace
 
-Graph::Graph(std::size_t capacity)
-    : table_(initialTableSize), maker_(noMaker), capacity_(capacity) {}
+Graph::Graph(std::size_t capacity) : table_(initialTableSize), capacity_(capacity) {}
 
 std::size_t Graph::slotOf(const Node& node) const {
   const std::size_t mask = table_.size() - 1;
@@ -57,7 +54,7 @@ NodeId Graph::intern(const Node& node) {
 
   const auto id = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
-  origins_.push_back(maker_ == noMaker ? id : maker_);
+  origins_.push_back(origin_.value_or(NodeId{id}));
   table_[slot] = id + 1;
   if (nodes_.size() * 2 > table_.size()) growTable();
   return NodeId{id};

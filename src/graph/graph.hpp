@@ -80,17 +80,18 @@ class Graph {
   bool isLeaf(NodeId id) const { return isConstant(id) || isInput(id); }
   bool is(NodeId id, Op op) const { return node(id).op == op; }
   double value(NodeId constant) const;
-  // The value of a constant, or 1 or 0 for a condition that is always true or false.
+  // The value of a constant, or 1 or 0 for a condition that is always true or false, which is the
+  // node `bool(constant)`.
   std::optional<double> known(NodeId id) const;
   ops::Type type(NodeId id) const;
   int arity(NodeId id) const { return arities[static_cast<std::size_t>(node(id).op)]; }
   NodeId operand(NodeId id, int i) const { return NodeId{node(id).operands[i]}; }
 
-  // The node that a node was made for: itself, or while `makingFor` is set, the value that a
-  // derivative belongs to. The order of emission keeps the two together.
-  NodeId origin(NodeId id) const { return static_cast<NodeId>(origins_[index(id)]); }
+  // The value that a node belongs to: itself, or that of the OriginScope it was made in. The order
+  // of emission keeps the two together.
+  NodeId origin(NodeId id) const { return origins_[index(id)]; }
 
-  class MakingFor;
+  class OriginScope;
 
  private:
   // The slot that holds an equal node, or the empty one where it belongs.
@@ -101,26 +102,26 @@ class Graph {
   std::optional<NodeId> fold(Op op, const Operands& operands);
 
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> origins_;
+  std::vector<NodeId> origins_;
   std::vector<std::uint32_t> table_;  // open addressing; an entry is a node's index plus one
   std::vector<Input> inputs_;
-  std::uint32_t maker_;
+  std::optional<NodeId> origin_;
   std::size_t capacity_;
 };
 
 // While it lives, new nodes of the graph belong to `value`.
-class Graph::MakingFor {
+class Graph::OriginScope {
  public:
-  MakingFor(Graph& graph, NodeId value) : graph_(graph), previous_(graph.maker_) {
-    graph.maker_ = graph.origins_[index(value)];
+  OriginScope(Graph& graph, NodeId value) : graph_(graph), previous_(graph.origin_) {
+    graph.origin_ = graph.origin(value);
   }
-  ~MakingFor() { graph_.maker_ = previous_; }
-  MakingFor(const MakingFor&) = delete;
-  MakingFor& operator=(const MakingFor&) = delete;
+  ~OriginScope() { graph_.origin_ = previous_; }
+  OriginScope(const OriginScope&) = delete;
+  OriginScope& operator=(const OriginScope&) = delete;
 
  private:
   Graph& graph_;
-  std::uint32_t previous_;
+  std::optional<NodeId> previous_;
 };
 
 }  // namespace warpjet

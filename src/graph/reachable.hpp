@@ -1,7 +1,8 @@
-// Which nodes a result needs.
+// Which nodes a result needs: roots enter, all that they are computed from leaves, operands first.
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,16 +11,16 @@
 namespace warpjet {
 
 // The nodes that `roots` need, in ascending order, hence operands before users. The search does not
-// enter a node for which `known(id)` holds.
-template <class Known>
-std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots, Known known) {
+// enter a node for which `skip(id)` holds.
+template <class Skip>
+std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots, Skip skip) {
   std::vector<NodeId> pending(roots.begin(), roots.end());
   std::vector<bool> needed(graph.size());
   std::uint32_t end = 0;
   while (!pending.empty()) {
     const NodeId id = pending.back();
     pending.pop_back();
-    if (needed[index(id)] || known(id)) continue;
+    if (needed[index(id)] || skip(id)) continue;
     needed[index(id)] = true;
     end = std::max(end, index(id) + 1);
     for (int i = 0; i < graph.arity(id); ++i) pending.push_back(graph.operand(id, i));

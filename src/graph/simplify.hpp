@@ -9,9 +9,9 @@ namespace warpjet {
 
 // A simpler node of the same value, or nothing; may put the constant of a sum or product last.
 //
-// Ignored on purpose: that x may be infinite or NaN in x * 0 = 0, x - x = 0 and 0 / x = 0; the sign
-// of a zero; and the rounding of a product of constants, (x * a) * b = x * (a * b), which is
-// rounded once instead of twice. Every other identity is exact in floating point.
+// Ignored on purpose: that x may be infinite or NaN in x * 0 = 0, x - x = 0, 0 / x = 0 and at the
+// ends of mix; and the sign of a zero. Rounded in another order, by an ulp or two: (x * a) * b =
+// x * (a * b) for constants, x * (1 / y) = x / y, and whole powers as products. All else is exact.
 std::optional<NodeId> simplify(Graph& graph, Op op, Operands& operands);
 
 }  // namespace warpjet

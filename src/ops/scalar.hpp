@@ -5,7 +5,6 @@
 // lookup. Definitions follow the GLSL ES 3.00 specification, chapter 8.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 namespace warpjet::ops {
@@ -35,6 +34,5 @@ inline bool logicalOr(bool x, bool y) { return x || y; }
 inline bool logicalNot(bool x) { return !x; }
 
 inline double ifElse(bool condition, double yes, double no) { return condition ? yes : no; }
-inline bool ifElse(bool condition, bool yes, bool no) { return condition ? yes : no; }
 
 }  // namespace warpjet::ops

@@ -1,12 +1,17 @@
-// THE table: one row an operation, and nothing about an operation anywhere else.
-//
-// A row gives name, types, spelling, the domain on which tests sample it, value, and one partial
-// derivative an operand. `v` is the operation's own result, so that exp, sqrt or tan can share it.
+// THE table: one row an operation. A row gives name, types, spelling, the domain on which tests
+// sample it, value, and one partial derivative an operand; `v` is the operation's own result, so
+// that exp, sqrt or tan can share it. A new row needs besides itself only a value function in
+// scalar.hpp (if the standard library has none), one in graph/expression.hpp if a formula here
+// calls it, and its type in types.ts.
 //
 // Kinks: d|x| = sign(x). floor, sign, step and comparisons have derivative 0; fract has 1; mod(x,
 // y) has 1 by x and -floor(x/y) by y. min, max, clamp and ifElse take the branch that the value
-// takes. sqrt(0) has derivative 0 instead of infinity, so that length, dist and normalize are safe
-// at zero.
+// takes. At and beyond the edge of its domain an operation has derivative 0 instead of infinity or
+// 0/0: sqrt(0), pow(x, y) for x <= 0 (whole powers are products and never come here), asin and acos
+// of 1 and -1, atan(0, 0). So length, dist and normalize are safe at zero. log, inversesqrt and 1/x
+// are not guarded: where they are infinite, so is the position.
+//
+// A lone `//` keeps clang-format from joining two lines.
 #pragma once
 
 #include <tuple>

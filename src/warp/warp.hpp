@@ -15,7 +15,9 @@ using Vec3 = std::array<NodeId, 3>;
 Vec3 warpedPosition(Graph& graph, const Vec3& position, const Vec3& offset);
 
 // The unit normal of the moved surface, or zero where the warp collapses the surface so that it has
-// none. `position` must be three components of inputs.
+// none; a cof(M) n outside of 1e-19 ... 1e19 counts as collapsed, since float32 cannot hold its
+// square. `position` must be the three components of one input. All other inputs, normal and uv
+// among them, count as constant over the surface.
 //
 // With M = I + J, where J is the Jacobian of the offset by the position, tangents u and v of the
 // surface become M u and M v, and (M u) x (M v) = cof(M) (u x v): the cofactor matrix, whose

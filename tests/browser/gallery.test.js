@@ -50,9 +50,9 @@ describe('the gallery of npm start', () => {
       test(`shows ${name}`, async () => {
         const card = page.locator(`#${name}`)
         const frame = await playing(page, name)
+        await card.getByText(/^frame \d+ · [\d.]+ fps$/).waitFor(patience)
+        await frame.evaluate('noLoop()')
         assertPicture(await statistics(frame))
-
-        await card.getByText(/^frame \d+ · \d+ fps$/).waitFor(patience)
         assert.match(await card.locator('code').textContent(), /^\/\/ /)
         await card.getByRole('button', { name: 'GLSL' }).click()
         assert.match(await card.locator('code').textContent(), /\b(vec3 offset|float height)\b/)

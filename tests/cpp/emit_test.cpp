@@ -43,6 +43,7 @@ TEST_F(EmitTest, ParenthesesStandOnlyWhereTheyMatter) {
   EXPECT_EQ(body(-(x * y)), "-x * y");
   EXPECT_EQ(body(-(x + y)), "-(x + y)");
   EXPECT_EQ(body(x + (y + z)), "x + (y + z)");
+  EXPECT_EQ(body(-(-2.0 / x)), "- -2.0 / x");
   EXPECT_EQ(body(x * -2.0), "x * -2.0");
   EXPECT_EQ(body(ifElse(lt(x, y), x, y * 2.0)), "x < y ? x : y * 2.0");
   EXPECT_EQ(body(ifElse(lt(x, y), x, z) * 2.0), "(x < y ? x : z) * 2.0");

@@ -1,9 +1,8 @@
-// What the tests of several rooms need: a graph with inputs, and an evaluator written apart from
-// the library's folding, so that a test compares with something else than the code under test.
+// What the tests of several rooms need: a graph with inputs, and an evaluator of whole graphs in
+// double. It takes each operation's value from the table, which ops_test checks by itself.
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,8 +24,6 @@ inline std::array<Expression, 3> vector3(Graph& graph, const std::string& name) 
           Expression{&graph, graph.component(input, 1)},
           Expression{&graph, graph.component(input, 2)}};
 }
-
-inline Expression apply(Op op, Expression x) { return build(op, x); }
 
 // The statements for one scalar result named `y`.
 inline std::string code(Expression y, int maxDepth = 8) {

@@ -153,6 +153,41 @@ test('scalars broadcast beside vectors, on either side', () => {
   assert.match(code, /b = vec3\(v\.x \* 2\.0/)
 })
 
+test('the builder’s functions can be taken out of it', () => {
+  const { code } = compileWarp(({ glsl: { vec3, sin }, millis }) => vec3(sin(millis), 0, 0))
+  assert.match(code, /sin\(millis\)/)
+})
+
+test('a component by its name is the component', () => {
+  const { code } = compileWarp(({ glsl }) => glsl.vec3(0, glsl.param('position.x').sin(), 0))
+  assert.match(code, /cos\(position\.x\)/)
+})
+
+test('normalize of zero is zero', () => {
+  const { code } = compile((glsl) => ({ n: glsl.vec3(0, 0, 0).normalize() }))
+  assert.match(code, /n = vec3\(0\.0\)/)
+})
+
+test('a condition as an offset counts as 0 or 1', () => {
+  const { code } = compileWarp(({ position }) => position.gt(0))
+  assert.match(code, /^vec3 offset/)
+  assert.match(code, /offset = vec3\(float\(position\.x > 0\.0\)/)
+})
+
+test('no two signs meet, and a zero keeps its sign to itself', () => {
+  const { code } = compile((glsl) => {
+    const x = glsl.param('x')
+    return { a: glsl.val(-2).div(x).neg(), b: glsl.val(-0).add(glsl.val(0).atan(x)) }
+  })
+  assert.match(code, /a = - -2\.0 \/ x;/)
+  assert.match(code, /atan\(0\.0, x\)/)
+})
+
+test('results may be left to their defaults one by one', () => {
+  const { code } = compileWarp(wave, { outputs: { offset: undefined, position: 'moved' } })
+  assert.match(code, /^vec3 offset, moved, warpedNormal;/)
+})
+
 test('numbers are exact', () => {
   for (const [number, text] of [
     [1e21, '1e21'],

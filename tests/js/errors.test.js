@@ -54,6 +54,8 @@ test('what is no offset function', () => {
   refuses(() => compileWarp('x'), /a function was expected, but the text "x"/)
   refuses(() => compile(7), /compile: a function was expected/)
   refuses(() => gen({}), /gen: a function was expected/)
+  refuses(() => gen(async () => {}), /gen: the function must be a plain one/)
+  refuses(() => compile(async () => ({})), /compile: the function must return an object of named/)
 })
 
 test('operands', () => {
@@ -63,6 +65,7 @@ test('operands', () => {
   refuses(with_({ x: 1 }), /add: argument 1 .* an object/)
   refuses(with_([1, 2]), /add: argument 1 .* an array of 2/)
   refuses(with_(NaN), /add: argument 1 is NaN/)
+  refuses(with_(1e-60), /add: argument 1 is 1e-60, too close to zero/)
   refuses(with_(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/)
   refuses(
     offset(({ millis }) => millis.add()),
@@ -136,6 +139,17 @@ test('constants without a finite result', () => {
   )
 })
 
+test('what a division by zero, and sizes inside of a composition, say', () => {
+  refuses(
+    offset(({ position }) => position.div(0)),
+    /div: the result/,
+  )
+  refuses(
+    offset(({ uv, position }) => uv.dot(position)),
+    /dot: a vec2 and a vec3 do not fit/,
+  )
+})
+
 test('expressions of another warp', () => {
   let stolen
   compileWarp(({ glsl, position }) => ((stolen = position), glsl.vec3(0, 0, 0)))
@@ -154,6 +168,7 @@ test('options', () => {
   refuses(() => compileWarp(still, { target: 'hlsl' }), /glsl300, glsl100, but is the text "hlsl"/)
   refuses(() => compileWarp(still, { traget: 'glsl300' }), /no option "traget"/)
   refuses(() => compileWarp(still, 5), /options must be an object/)
+  refuses(() => compileWarp(still, { normals: 'no' }), /"normals" must be true or false/)
   refuses(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
   refuses(() => compileWarp(still, { names: { position: 5 } }), /names\.position: .* the number 5/)
   refuses(() => gen(() => {}, { maxDepthPerVariable: 0 }), /maxDepthPerVariable .* at least 1/)
@@ -169,6 +184,8 @@ test('names of results', () => {
   refuses(named({ offset: 'position' }), /"position" has the name of a variable/)
   refuses(() => compile((glsl) => ({ 'a b': glsl.val(1) })), /"a b" cannot name a result/)
   refuses(() => compile(() => 5), /must return an object of named expressions/)
+  refuses(() => compile(() => []), /must return an object of named expressions.*an array of 0/)
+  refuses(() => compile((glsl) => ({ cos: glsl.param('x').cos() })), /"cos" cannot name a result/)
   refuses(() => gen((ad) => ad.param('z').sin().output('z')), /"z" has the name of a variable/)
 })
 
@@ -181,6 +198,14 @@ test('names of parameters', () => {
   refuses(param('x +'), /an operand is missing/)
   refuses(param('(x'), /"\)" is missing/)
   refuses(param(''), /it is empty/)
+  refuses(param('sin'), /"sin" is a function of GLSL/)
+  refuses(param('float'), /"float" is a word of GLSL/)
+  refuses(
+    offset(({ glsl }) => glsl.vec3Param('a').mult(glsl.param('a'))),
+    /"a" was read as a vec3 before, and now as a single number/,
+  )
+  refuses(param('é'), /only letters from a to z/)
+  refuses(param('a'.repeat(300)), /longer than 256 letters/)
   refuses(param(undefined), /the name of a shader variable was expected, but undefined/)
 })
 
@@ -201,6 +226,17 @@ test('derivatives', () => {
   refuses(
     by(() => 3),
     /by an input/,
+  )
+})
+
+test('constants that only a derivative brings together', () => {
+  refuses(
+    () =>
+      compile((glsl) => {
+        const x = glsl.param('x')
+        return { d: glsl.derivative(x.mult(1e30).mult(1e30), x) }
+      }),
+    /A result or its derivative: the result of these constants is not a finite number/,
   )
 })
 
