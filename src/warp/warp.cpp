@@ -1,5 +1,7 @@
 #include "warp/warp.hpp"
 
+#include <optional>
+
 #include "graph/expression.hpp"
 
 namespace warpjet {
@@ -19,12 +21,26 @@ Vector normalizeOrZero(const Vector& v) {
   return {v[0] * scale, v[1] * scale, v[2] * scale};
 }
 
-// x + 1. An offset is often "moved - position", whose derivative ends in - 1.
-Expression plusOne(Expression x) {
+// x + 1 if x is a sum with the term -1 within a few levels. An offset is often "moved - position",
+// and its derivative such a sum; adding 1 to it would cost digits where the rest is small.
+std::optional<Expression> cancelMinusOne(Expression x, int levels = 4) {
   Graph& graph = *x.graph;
-  const bool endsInMinusOne =
-      graph.is(x.id, ops::find("sub")) && graph.isConstant(graph.operand(x.id, 1), 1);
-  return endsInMinusOne ? Expression{&graph, graph.operand(x.id, 0)} : x + 1.0;
+  if (graph.isConstant(x.id, -1)) return Expression{&graph, graph.constant(0)};
+  const bool isSum = graph.is(x.id, ops::find("add")),
+             isDifference = graph.is(x.id, ops::find("sub"));
+  if (levels == 0 || !(isSum || isDifference)) return {};
+  const Expression left{&graph, graph.operand(x.id, 0)}, right{&graph, graph.operand(x.id, 1)};
+  if (isDifference && graph.isConstant(right.id, 1)) return left;
+  if (const auto rest = cancelMinusOne(left, levels - 1))
+    return isSum ? *rest + right : *rest - right;
+  if (!isSum) return {};
+  if (const auto rest = cancelMinusOne(right, levels - 1)) return left + *rest;
+  return {};
+}
+
+Expression plusOne(Expression x) {
+  if (const auto rest = cancelMinusOne(x)) return *rest;
+  return x + 1.0;
 }
 
 // The columns of I + J.

@@ -67,6 +67,14 @@ TEST_F(WarpTest, AMirrorFlipsTheNormal) {
   expectNear(normalOf({p[0] * -2.0, zero, zero}, {0, 0, 0}, {0, 1, 0}), {0, -1, 0});
 }
 
+// x -> 0.5 x and y -> x: moved - position, where the ones of I + J cancel.
+TEST_F(WarpTest, AMovedPositionMinusThePositionCancels) {
+  const std::array<Expression, 3> offset{p[0] * 0.5 - p[0], p[0] + (p[1] * 0.25 - p[1]), zero};
+  expectNear(normalOf(offset, {1, 2, 3}, {1, 0, 0}), {1, 0, 0});
+  const double length = std::hypot(1.0, 0.5);
+  expectNear(normalOf(offset, {1, 2, 3}, {0, 1, 0}), {-1 / length, 0.5 / length, 0});
+}
+
 TEST_F(WarpTest, PositionIsTheSum) {
   const Vec3 moved = warpedPosition(graph, ids(p), ids({p[1], zero, zero}));
   EXPECT_EQ(moved[0], (p[0] + p[1]).id);
