@@ -40,7 +40,7 @@ async function buildAll() {
 
   await step('Core as JavaScript', {
     inputs: [...scripts, 'package.json', '.build/wasm/core.mjs', '.build/wasm/core.wasm'],
-    outputs: ['core', 'core-wasm', 'version'].map((name) => `${generated}/${name}.js`),
+    outputs: ['core.js', 'core-wasm.js', 'version.ts'].map((name) => `${generated}/${name}`),
     work: generateModules,
   })
 
@@ -81,8 +81,7 @@ function generateModules() {
   write('core-wasm.d.ts', 'declare const base64: string\nexport default base64\n')
 
   const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
-  write('version.js', `export const version = '${version}'\n`)
-  write('version.d.ts', 'export declare const version: string\n')
+  write('version.ts', `export const version: string = '${version}'\n`)
 }
 
 async function bundle() {

@@ -21,7 +21,13 @@ export function createBuilder(compilation: Compilation): Builder {
   }
   const params = { param: 1, vec2Param: 2, vec3Param: 3, vec4Param: 4 }
   for (const [name, size] of Object.entries(params))
-    builder[name] = (label) => compilation.input(label, size, name)
+    builder[name] = (label, ...others) => {
+      if (others.length > 0)
+        throw new WarpError(
+          `${name}: it takes only a name; there are param, vec2Param, vec3Param and vec4Param.`,
+        )
+      return compilation.input(label, size, name)
+    }
   for (const size of [2, 3, 4])
     builder[`vec${size}`] = (...parts) => construct(compilation, size, parts)
   for (const name of operationNames())

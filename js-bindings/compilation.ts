@@ -2,7 +2,7 @@
 // pass through here, and it is closed when the callback is over, whatever happened.
 import { type Core, type Emitted, type Session, getCore, graphFull, notFinite } from './core.js'
 import { WarpError, describe, shorten } from './errors.js'
-import { Expression, sizeName } from './expression.js'
+import { Expression, placeName, sizeName } from './expression.js'
 import { callerOutside } from './source-lines.js'
 
 const largestFloat32 = 3.4028234663852886e38
@@ -69,15 +69,15 @@ export class Compilation {
     )
   }
 
-  constant(value: number, method: string, place: string): number {
+  constant(value: number, method: string, place: string | number): number {
     const session = this.open(method)
     if (!(Math.abs(value) <= largestFloat32))
       throw new WarpError(
-        `${method}: ${place} is ${value}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`,
+        `${method}: ${placeName(place)} is ${value}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`,
       )
     if (value !== 0 && Math.fround(value) === 0)
       throw new WarpError(
-        `${method}: ${place} is ${value}, too close to zero for a shader to hold; use 0 instead.`,
+        `${method}: ${placeName(place)} is ${value}, too close to zero for a shader to hold; use 0 instead.`,
       )
     let id = this.constants.get(value)
     if (id === undefined || Object.is(value, -0)) {

@@ -174,6 +174,10 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
     const returned: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (isUnfinished(returned))
       throw new WarpError('gen: the function must be a plain one, not async and no generator.')
+    if (returned !== undefined && compilation.outputs.length === 0)
+      throw new WarpError(
+        'gen: no result was asked for; call .output(name) on an expression instead of returning it.',
+      )
     return toCompiled(compilation, maxDepthPerVariable).code
   })
 }

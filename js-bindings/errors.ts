@@ -10,7 +10,8 @@ export function describe(value: unknown): string {
   if (typeof value === 'number') return `the number ${value}`
   if (typeof value === 'function') return 'a function'
   if (Array.isArray(value)) return `an array of ${value.length}`
-  return typeof value === 'object' ? 'an object' : `the ${typeof value} ${shorten(String(value))}`
+  if (typeof value === 'object') return 'then' in value ? 'a promise' : 'an object'
+  return `the ${typeof value} ${shorten(String(value))}`
 }
 
 /** A text from outside, on one line and not too long. */

@@ -56,8 +56,8 @@ export function call(
   receiver?: Expression,
 ): Expression {
   const operands = receiver ? [receiver] : []
-  for (const [i, operand] of given.entries())
-    operands.push(toExpression(compilation, name, operand, `argument ${i + 1}`))
+  for (let i = 0; i < given.length; i++)
+    operands.push(toExpression(compilation, name, given[i], i + 1))
   const operation = operations().get(name === 'atan' && operands.length === 2 ? 'atan2' : name)!
   if (operation.chained && given.length > 0)
     return operands.reduce((sum, operand) => apply(compilation, operation, name, sum, operand))

@@ -5,7 +5,7 @@ import { hookStyleOf, namesFor, results, weave } from './hooks.js'
 import { type Canvas, type Shader, materialOf, webglOf } from './host.js'
 import { type CreateWarpOptions, type WarpSettings, type WarpType, readOptions } from './options.js'
 import type { OffsetFunction } from '../types.js'
-import { type WarpUniforms, setInputs, setUniforms } from './uniforms.js'
+import { type WarpUniforms, refuseUndeclared, setInputs, setUniforms } from './uniforms.js'
 
 /** Puts the warp on what is drawn next, and turns strokes off, which p5 would draw unwarped. */
 export type Distort = (uniforms?: WarpUniforms) => void
@@ -63,6 +63,7 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
     names: namesFor(style),
     outputs: results,
   })
+  refuseUndeclared(warp.uniforms, material, settings.defs)
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {
     renderer,

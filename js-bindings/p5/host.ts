@@ -6,6 +6,7 @@
 export interface Shader {
   readonly hooks: { readonly vertex: Record<string, string> }
   readonly uniforms: Record<string, { readonly isArray?: boolean } | undefined>
+  vertSrc(): string
   modify(hooks: Record<string, string>): Shader
   setUniform(name: string, value: unknown): unknown
 }

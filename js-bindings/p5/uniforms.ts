@@ -48,6 +48,17 @@ export const uniformDeclarations = (names: string[]) =>
     .map(({ type, uniform }) => `uniform ${type} ${uniform};`)
     .join('\n')
 
+/** A parameter that neither p5 nor `defs` declares would break the shader, and p5 would print all of it. */
+export function refuseUndeclared(parameters: string[], shader: Shader, defs: string) {
+  const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
+  for (const name of parameters) {
+    if (/^(?!gl_)[A-Za-z_]\w*$/.test(name) && !(name in inputs) && !declared.has(name))
+      throw new WarpError(
+        `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform float ${name};" }.`,
+      )
+  }
+}
+
 export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
   for (const { uniform, read } of inputsAmong(names)) shader.setUniform(uniform, read(canvas))
 }
@@ -65,7 +76,8 @@ export function setUniforms(shader: Shader, uniforms: WarpUniforms, defs: string
 }
 
 function readValue(name: string, value: unknown, isList = false): unknown {
-  const wrong = value === undefined || value === null || Number.isNaN(value)
+  const wrong =
+    value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
   if (wrong || (isList && typeof value !== 'object'))
     throw new WarpError(
       `The warp's uniform "${name}" must be ${isList ? 'an array of numbers' : 'a number'}, but is ${describe(value)}.`,

@@ -49,6 +49,17 @@ test('what the offset function returns', () => {
   )
 })
 
+test('operators of JavaScript', () => {
+  refuses(
+    offset(({ position }) => position.x() * 2),
+    /own \+ - \* \/ .* do not work on expressions/,
+  )
+  refuses(
+    offset(({ position }) => (position.x() > 0 ? position : position.neg())),
+    /do not work on expressions/,
+  )
+})
+
 test('what is no offset function', () => {
   refuses(() => compileWarp(), /a function was expected, but undefined/)
   refuses(() => compileWarp('x'), /a function was expected, but the text "x"/)
