@@ -23,7 +23,6 @@ export class Compilation {
   readonly outputs: Output[] = []
   private readonly names = new Set<string>()
   private session: Session | 0
-  private readonly constants = new Map<number, number>()
   private readonly inputComponents = new Set<number>()
   private readonly inputLabels: string[] = []
   private readonly inputs = new Map<string, Expression>()
@@ -79,12 +78,8 @@ export class Compilation {
       throw new WarpError(
         `${method}: ${placeName(place)} is ${value}, too close to zero for a shader to hold; use 0 instead.`,
       )
-    let id = this.constants.get(value)
-    if (id === undefined || Object.is(value, -0)) {
-      id = this.core._constant(session, value)
-      if (id === graphFull) this.refuse(id, method)
-      if (!Object.is(value, -0)) this.constants.set(value, id)
-    }
+    const id = this.core._constant(session, value)
+    if (id === graphFull) this.refuse(id, method)
     return id
   }
 

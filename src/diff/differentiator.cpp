@@ -1,5 +1,7 @@
 #include "diff/differentiator.hpp"
 
+#include <optional>
+
 #include "graph/expression.hpp"
 #include "graph/reachable.hpp"
 
@@ -46,13 +48,15 @@ NodeId Differentiator::chainRule(NodeId id, const Tangents& tangents) {
   std::array<Expression, ops::maxArity> x{};
   for (int i = 0; i < arity; ++i) x[i] = {&graph_, graph_.operand(id, i)};
 
-  Expression sum{&graph_, graph_.constant(0)};
+  std::optional<Expression> sum;
   for (int i = 0; i < arity; ++i) {
     const Expression tangent{&graph_, tangents[index(x[i].id)]};
     if (rowPartials[i] == nullptr || graph_.isConstant(tangent.id, 0)) continue;
-    sum = sum + Expression{&graph_, rowPartials[i](graph_, x, {&graph_, id})} * tangent;
+    const Expression partial{&graph_, rowPartials[i](graph_, x, {&graph_, id})};
+    const Expression term = partial * tangent;
+    sum = sum ? *sum + term : term;
   }
-  return sum.id;
+  return sum ? sum->id : graph_.constant(0);
 }
 
 NodeId Differentiator::derivative(NodeId root, NodeId input) {

@@ -40,7 +40,8 @@ Decimal shortest(float value) {
   const int magnitude = static_cast<int>(std::floor(std::log10(value)));
 
   Decimal decimal{};
-  for (int digits = 1; digits <= mostDigits; ++digits) {
+  // Trailing zeros are dropped later, so six digits find all the shorter decimals too.
+  for (int digits = 6; digits <= mostDigits; ++digits) {
     decimal.exponent = magnitude - digits + 1;
     decimal.digits = std::llround(scaled(exact, -decimal.exponent));
     const double read = scaled(static_cast<double>(decimal.digits), decimal.exponent);
