@@ -11,11 +11,11 @@ export type Builder = Record<string, (...operands: unknown[]) => Expression>
 export function createBuilder(compilation: Compilation): Builder {
   installMethods()
   const builder: Builder = {
-    val: (value) => toExpression(compilation, 'val', value, 'argument 1'),
+    val: (value) => toExpression(compilation, 'val', value, 1),
     derivative: (value, input) =>
       compilation.derivative(
-        toExpression(compilation, 'derivative', value, 'argument 1'),
-        toExpression(compilation, 'derivative', input, 'argument 2'),
+        toExpression(compilation, 'derivative', value, 1),
+        toExpression(compilation, 'derivative', input, 2),
         'derivative',
       ),
   }
@@ -44,7 +44,7 @@ const results = {
   },
   outputDeriv(this: Expression, name: unknown, input: unknown) {
     const { compilation } = this
-    const by = toExpression(compilation, 'outputDeriv', input, 'argument 2')
+    const by = toExpression(compilation, 'outputDeriv', input, 2)
     compilation.output(name, compilation.derivative(this, by, 'outputDeriv'), 'outputDeriv')
   },
   adjustNormal(this: Expression, normal: unknown, position: unknown) {

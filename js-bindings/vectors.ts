@@ -87,9 +87,7 @@ export function compose(
     throw new WarpError(
       `${name}: the number of arguments must be ${operands.length - receivers}, but is ${given.length}.`,
     )
-  const expressions = given.map((operand, i) =>
-    toExpression(compilation, name, operand, `argument ${i + 1}`),
-  )
+  const expressions = given.map((operand, i) => toExpression(compilation, name, operand, i + 1))
   if (receiver) expressions.unshift(receiver)
   for (const [i, { ids }] of expressions.entries()) {
     const place = i < receivers ? 'what it is called on' : `argument ${i + 1 - receivers}`
@@ -109,7 +107,7 @@ export function compose(
 /** `vec3(x, y, z)`, `vec3(xy, z)`, `vec3(x)`. */
 export function construct(compilation: Compilation, size: number, given: readonly unknown[]) {
   const name = `vec${size}`
-  const parts = given.map((part, i) => toExpression(compilation, name, part, `argument ${i + 1}`))
+  const parts = given.map((part, i) => toExpression(compilation, name, part, i + 1))
   // A condition becomes 0 or 1 here, as it does in any sum.
   const all = parts.flatMap((part) => components(add(part, 0)))
   if (all.length === 1) return vector(new Array<Expression>(size).fill(all[0]!))

@@ -16,7 +16,7 @@ struct Decimal {
 // Nine digits tell any two float32 apart; the largest one needs ten not to be rounded up.
 constexpr int mostDigits = 10;
 
-// 10^0 to 10^63; a float32 with nine digits needs 10^53.
+// 10^0 to 10^63; the smallest float32, 1e-45, with ten digits needs 10^54.
 constexpr auto powersOfTen = [] {
   std::array<double, 64> powers{1};
   for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
@@ -29,8 +29,7 @@ double scaled(double x, int exponent) {
 
 // The shortest decimal close enough to a positive `value` to read back as it: nearer than half the
 // gap to the next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are
-// right to 1e-14 of it, so the margin leaves no doubt; inside the margin there is just one more
-// digit.
+// right to 1e-14 of it, so the margin leaves no doubt; inside it there is just one more digit.
 Decimal shortest(float value) {
   constexpr double margin = 1e-5;
   const double exact = value;

@@ -12,9 +12,8 @@ namespace warpjet {
 // The identifiers in a text. Members behind a dot are not among them.
 std::vector<std::string_view> identifiers(std::string_view text);
 
-// What is wrong with a host's expression such as `aPosition` or `(uModel *
-// vec4(aPosition, 1.0)).xyz`, or nothing. It must be one balanced expression without statements,
-// comments or reserved words.
+// What is wrong with a host's expression, such as `aPosition` or `(m * vec4(p, 1.0)).xyz`, or
+// nothing. It must be one balanced expression without statements, comments or reserved words.
 std::string inputProblem(const Dialect& dialect, std::string_view text);
 
 // What is wrong with the name of a result, or nothing.

@@ -69,7 +69,7 @@ test('compile gives any named expressions and their derivatives', () => {
     code,
     'float y, slope;\nbool below;\nvec2 both;\n{\n' +
       '  y = x * x * 3.0;\n' +
-      '  slope = 3.0 * (x + x);\n'.replace('3.0 * (x + x)', '(x + x) * 3.0') +
+      '  slope = (x + x) * 3.0;\n' +
       '  below = y < 1.0;\n' +
       '  both = vec2(x, y);\n}\n',
   )
