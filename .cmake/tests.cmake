@@ -1,4 +1,4 @@
-# Native build: one GoogleTest program from all of tests/cpp.
+# Native build: one GoogleTest program from all of tests/cpp, and the printer of the tables.
 find_package(GTest REQUIRED)
 include(GoogleTest)
 enable_testing()
@@ -9,3 +9,7 @@ target_include_directories(warpjet_tests PRIVATE tests/cpp)
 target_link_libraries(warpjet_tests PRIVATE warpjet_core GTest::gtest_main)
 # PRE_TEST: the list of tests is asked for by ctest, so a crash at start-up is a failing test, not a failing build.
 gtest_discover_tests(warpjet_tests DISCOVERY_MODE PRE_TEST)
+
+# What `npm run reference` makes the types and the reference of operations from.
+add_executable(warpjet_table EXCLUDE_FROM_ALL .scripts/reference/table.cpp)
+target_link_libraries(warpjet_table PRIVATE warpjet_core)

@@ -1,13 +1,20 @@
 # WebAssembly build: core.mjs (a factory function) and core.wasm, which .scripts/build.mjs inlines.
 add_executable(warpjet_wasm js-bindings/bindings.cpp)
 target_link_libraries(warpjet_wasm PRIVATE warpjet_core)
-set_target_properties(warpjet_wasm PROPERTIES OUTPUT_NAME core SUFFIX .mjs)
+set_target_properties(warpjet_wasm PROPERTIES OUTPUT_NAME core SUFFIX .mjs
+  LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/embind.js)
 
 # What runs once per warp, or per name in it, is compiled for size; what runs per node stays at -O3
 # (-Os everywhere made a warp of 3,000 nodes six times slower).
 set_source_files_properties(js-bindings/bindings.cpp PROPERTIES COMPILE_OPTIONS -Oz)
-set_source_files_properties(src/emit/names.cpp src/emit/syntax.cpp src/ops/ops.cpp src/warp/warp.cpp
+set_source_files_properties(
+  src/algebra/derivatives.cpp src/algebra/matrices.cpp src/algebra/vectors.cpp src/builder/call.cpp src/builder/construct.cpp
+  src/builder/host.cpp src/builder/results.cpp src/builder/sentences.cpp src/diff/partials.cpp src/emit/dialect.cpp src/emit/literal.cpp src/emit/lower.cpp src/emit/names.cpp
+  src/emit/syntax.cpp src/eval/program.cpp src/ops/ops.cpp src/warp/warp.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
+
+# Or clang would make exp2 of pow(2, x), which JavaScript's Math lacks.
+set_property(SOURCE src/ops/ops.cpp TARGET_DIRECTORY warpjet_core APPEND PROPERTY COMPILE_OPTIONS -fno-builtin)
 
 # emcc renamed the setting in 3.1.25. No recursion over nodes (see DESIGN), so the stack can be small.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)
@@ -19,6 +26,7 @@ endif()
 target_link_options(warpjet_wasm PRIVATE
   -flto                                 # see CMakeLists.txt
   --bind                                # embind for the few rich calls
+  --js-library ${PROJECT_SOURCE_DIR}/.cmake/embind.js  # without the types that no call has
   --no-entry                            # a library: there is no main()
   -fno-exceptions                       # no exception crosses the border: a throw that is left in the code does not link
   -sMODULARIZE                          # a factory: nothing happens at import, nothing global
@@ -31,6 +39,9 @@ target_link_options(warpjet_wasm PRIVATE
   -sMEMORY_GROWTH_GEOMETRIC_STEP=1.0    # doubles, since each growth detaches every view of the heap
   -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
   -s${stack_setting}=262144
+  -sJS_MATH                             # sin, pow and others from JavaScript, for folding constants: 16 KB less
   -sMALLOC=emmalloc                     # the smallest allocator that frees
+  -sTEXTDECODER=2                       # every browser has one
+  -sSUPPORT_ERRNO=0                     # nothing reads it
   -sFILESYSTEM=0                        # nothing reads files
   -sASSERTIONS=0)

@@ -31,6 +31,7 @@ async function buildAll() {
       'CMakeLists.txt',
       'CMakePresets.json',
       '.cmake/wasm.cmake',
+      '.cmake/embind.js',
       'src',
       ...sources(/\.[ch]pp$/),
     ],

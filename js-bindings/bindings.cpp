@@ -1,79 +1,126 @@
 // The border to JavaScript. What happens once per operation is plain C with numbers only, since an
-// embind call with objects costs forty times as much; what happens once per warp goes through
+// embind call with texts costs forty times as much; what happens once per warp or name goes through
 // embind. No exception crosses: a problem is a sentence, and the JavaScript side throws it.
 #include <emscripten.h>
 #include <emscripten/bind.h>
 #include <emscripten/emmalloc.h>
 
+#include <cstdint>
+#include <cstdlib>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include "diff/differentiator.hpp"
-#include "emit/dialect.hpp"
-#include "emit/emit.hpp"
-#include "emit/names.hpp"
-#include "graph/graph.hpp"
-#include "graph/reachable.hpp"
-#include "warp/warp.hpp"
+#include "builder/builder.hpp"
 
-using emscripten::val;
 using namespace warpjet;
 
 namespace {
 
-// One compilation: a graph, its derivatives and the language to write.
+// One compilation: a builder, and what it gave.
 struct Session {
-  Graph graph;
-  Differentiator differentiator{graph};
-  const Dialect& dialect;
+  Builder builder;
+  Built built;
+  Program program;
 
-  explicit Session(const Dialect& dialect) : dialect(dialect) {}
+  explicit Session(const Dialect& dialect) : builder(dialect) {}
 };
 
-// Returned instead of a node id.
-constexpr int notFinite = -1;
-constexpr int graphFull = -2;
-
-int toNumber(const Session& session, NodeId id) {
-  return session.graph.full() ? graphFull : static_cast<int>(index(id));
-}
-
 NodeId toNode(int id) { return NodeId{static_cast<std::uint32_t>(id)}; }
-
-Session& toSession(std::uintptr_t session) { return *reinterpret_cast<Session*>(session); }
-
-// An operation on constants that folding left alone, since its result is not a finite float32, or a
-// division by a constant zero.
-bool isUnfolded(const Graph& graph, NodeId id) {
-  if (graph.isLeaf(id) || graph.known(id)) return false;
-  const bool divides = graph.is(id, ops::find("div")) || graph.is(id, ops::find("mod"));
-  if (divides && graph.isConstant(graph.operand(id, 1), 0)) return true;
-  for (int i = 0; i < graph.arity(id); ++i) {
-    if (!graph.known(graph.operand(id, i))) return false;
-  }
-  return true;
-}
 
 }  // namespace
 
 extern "C" {
 
 EMSCRIPTEN_KEEPALIVE int constant(Session* session, double value) {
-  return toNumber(*session, session->graph.constant(value));
+  return session->builder.constant(value);
 }
 
-EMSCRIPTEN_KEEPALIVE int component(Session* session, int input, int component) {
-  return toNumber(*session, session->graph.component(static_cast<std::uint32_t>(input), component));
+EMSCRIPTEN_KEEPALIVE void push(Session* session, int handle) { session->builder.push(handle); }
+
+EMSCRIPTEN_KEEPALIVE int call(Session* session, int operation, int isMethod) {
+  return session->builder.call(operation, isMethod != 0);
 }
 
-EMSCRIPTEN_KEEPALIVE int apply(Session* session, int op, int a, int b, int c) {
-  const NodeId id = session->graph.apply(static_cast<Op>(op), {toNode(a), toNode(b), toNode(c)});
-  return isUnfolded(session->graph, id) ? notFinite : toNumber(*session, id);
+EMSCRIPTEN_KEEPALIVE int callFunction(Session* session, int function) {
+  return session->builder.callFunction(function);
 }
 
-EMSCRIPTEN_KEEPALIVE int derivative(Session* session, int root, int input) {
-  return toNumber(*session, session->differentiator.derivative(toNode(root), toNode(input)));
+EMSCRIPTEN_KEEPALIVE int swizzle(Session* session, int handle, int count, int indices) {
+  return session->builder.swizzle(handle, count, static_cast<unsigned>(indices));
 }
+
+// The calls whose partial derivatives are needed, by their place.
+EMSCRIPTEN_KEEPALIVE int pendingCount(Session* session) {
+  return static_cast<int>(session->builder.pendingCalls().size());
+}
+
+EMSCRIPTEN_KEEPALIVE int pendingCall(Session* session, int place) {
+  return static_cast<int>(index(session->builder.pendingCalls()[place]));
+}
+
+EMSCRIPTEN_KEEPALIVE int functionOfCall(Session* session, int call) {
+  return session->builder.functionOfCall(toNode(call));
+}
+
+EMSCRIPTEN_KEEPALIVE int argumentOfCall(Session* session, int call, int i) {
+  return session->builder.argumentOfCall(toNode(call), i);
+}
+
+EMSCRIPTEN_KEEPALIVE int setPartials(Session* session, int call) {
+  return session->builder.setPartials(toNode(call));
+}
+
+// Columns and rows, four bits each.
+EMSCRIPTEN_KEEPALIVE int shapeOf(Session* session, int handle) {
+  const Shape shape = session->builder.shape(handle);
+  return shape.columns << 4 | shape.rows;
+}
+
+EMSCRIPTEN_KEEPALIVE int nodeCount(Session* session) {
+  return static_cast<int>(session->built.emitted.nodes);
+}
+
+EMSCRIPTEN_KEEPALIVE int operationCount(Session* session) {
+  return static_cast<int>(session->built.emitted.operations);
+}
+
+EMSCRIPTEN_KEEPALIVE int temporaryCount(Session* session) {
+  return static_cast<int>(session->built.emitted.temporaries);
+}
+
+// Makes the program of what was built. Whether there can be one.
+EMSCRIPTEN_KEEPALIVE int makeProgram(Session* session) {
+  auto program = session->builder.program(session->built.emitted.inputs);
+  if (program) session->program = std::move(*program);
+  return program.has_value();
+}
+
+EMSCRIPTEN_KEEPALIVE const std::uint32_t* programWords(Session* session) {
+  return session->program.words.data();
+}
+
+EMSCRIPTEN_KEEPALIVE int programSize(Session* session) {
+  return static_cast<int>(session->program.words.size());
+}
+
+EMSCRIPTEN_KEEPALIVE int instructionCount(Session* session) {
+  return static_cast<int>(session->program.instructions);
+}
+
+// Runs a program that the caller laid into memory.
+EMSCRIPTEN_KEEPALIVE void run(const std::uint32_t* words, int size, int instructions,
+                              const double* inputs, int inputCount, double* results,
+                              int resultCount) {
+  evaluate({words, static_cast<std::size_t>(size)}, static_cast<std::uint32_t>(instructions),
+           {inputs, static_cast<std::size_t>(inputCount)},
+           {results, static_cast<std::size_t>(resultCount)});
+}
+
+EMSCRIPTEN_KEEPALIVE void* allocate(int bytes) {
+  return std::malloc(static_cast<std::size_t>(bytes));
+}
+
+EMSCRIPTEN_KEEPALIVE void release(void* memory) { std::free(memory); }
 
 EMSCRIPTEN_KEEPALIVE void closeSession(Session* session) { delete session; }
 
@@ -86,116 +133,95 @@ EMSCRIPTEN_KEEPALIVE int memoryInUse() {
 
 namespace {
 
-// The rows of the table, in their order.
-val operations() {
-  val rows = val::array();
-  for (const ops::Info& info : ops::infos) {
-    val row = val::object();
-    row.set("name", std::string(info.name));
-    row.set("arity", info.arity);
-    rows.call<void>("push", row);
+using Address = std::uintptr_t;
+
+Session& at(Address session) { return *reinterpret_cast<Session*>(session); }
+
+// The names of all operations in the order of their numbers; of constructors with a `+` before it.
+std::string operationNames() {
+  std::string names;
+  for (const Operation& operation : operations) {
+    if (!names.empty()) names += ' ';
+    if (operation.isConstructor()) names += '+';
+    names += operation.name;
   }
-  return rows;
+  return names;
 }
 
 // A session, or 0 if there is no such dialect.
-std::uintptr_t open(const std::string& target) {
+Address open(const std::string& target) {
   const Dialect* dialect = findDialect(target);
-  return dialect ? reinterpret_cast<std::uintptr_t>(new Session(*dialect)) : 0;
+  return dialect ? reinterpret_cast<Address>(new Session(*dialect)) : 0;
 }
 
-// What is wrong with a host's expression, or nothing.
-std::string inputProblemOf(std::uintptr_t session, const std::string& expression) {
-  return inputProblem(toSession(session).dialect, expression);
+std::string problem(Address session) { return at(session).builder.problem(); }
+
+int input(Address session, const std::string& method, const std::string& label, int columns,
+          int rows) {
+  return at(session).builder.input(method, label, matrixOf(columns, rows));
 }
 
-std::string outputProblemOf(std::uintptr_t session, const std::string& name) {
-  return outputProblem(toSession(session).dialect, name);
+int addFunction(Address session, const std::string& name, const std::string& source, int arity) {
+  return at(session).builder.addFunction(name, source, arity);
 }
 
-int input(std::uintptr_t session, const std::string& expression, int size) {
-  return static_cast<int>(toSession(session).graph.input(expression, size));
+void comment(Address session, const std::string& text) { at(session).builder.comment(text); }
+
+bool output(Address session, const std::string& method, const std::string& name, int handle) {
+  return at(session).builder.output(method, name, handle);
 }
 
-Vec3 toVec3(const val& ids) {
-  return {toNode(ids[0].as<int>()), toNode(ids[1].as<int>()), toNode(ids[2].as<int>())};
+bool outputSum(Address session, const std::string& method, const std::string& name, int handle,
+               int input, int term) {
+  return at(session).builder.outputSum(method, name, handle, input, term);
 }
 
-val toArray(const Vec3& ids) {
-  val array = val::array();
-  for (const NodeId id : ids) array.call<void>("push", static_cast<int>(index(id)));
-  return array;
+// Whether there is a text.
+bool buildText(Address session, int maxDepth) {
+  auto built = at(session).builder.build(maxDepth);
+  if (built) at(session).built = std::move(*built);
+  return built.has_value();
 }
 
-val positionOf(std::uintptr_t session, const val& position, const val& offset) {
-  return toArray(warpedPosition(toSession(session).graph, toVec3(position), toVec3(offset)));
+std::string code(Address session) { return at(session).built.emitted.code; }
+std::string declarations(Address session) { return at(session).built.declarations; }
+
+// Columns, rows and name.
+std::string line(Shape shape, const std::string& name) {
+  return std::to_string(shape.columns) + std::to_string(shape.rows) + name + '\n';
 }
 
-val normalOf(std::uintptr_t session, const val& position, const val& normal, const val& offset) {
-  Session& at = toSession(session);
-  return toArray(
-      warpedNormal(at.differentiator, at.graph, toVec3(position), toVec3(normal), toVec3(offset)));
-}
-
-// From { name, ids, sum?: { input, output } }.
-Output toOutput(const val& from) {
-  Output output{from["name"].as<std::string>(), {}};
-  const int size = from["ids"]["length"].as<int>();
-  for (int i = 0; i < size; ++i) output.components.push_back(toNode(from["ids"][i].as<int>()));
-  if (const val sum = from["sum"]; !sum.isUndefined())
-    output.sum = {sum["input"].as<std::uint32_t>(), sum["output"].as<unsigned>()};
-  return output;
-}
-
-// A derivative can need an operation on constants that `apply` never saw.
-int problemOf(const Graph& graph, const std::vector<Output>& outputs) {
-  if (graph.full()) return graphFull;
-  std::vector<NodeId> roots;
-  for (const Output& output : outputs)
-    roots.insert(roots.end(), output.components.begin(), output.components.end());
-  for (const NodeId id : reachable(graph, roots)) {
-    if (isUnfolded(graph, id)) return notFinite;
+// The host's expressions that the text reads, a line each.
+std::string inputLines(Address session) {
+  std::string lines;
+  for (const std::uint32_t i : at(session).built.emitted.inputs) {
+    const Input& input = at(session).builder.graph().input(i);
+    lines += line(input.shape, input.label);
   }
-  return 0;
+  return lines;
 }
 
-// `comments` holds pairs of a node and a line, in the order of the nodes.
-val emitCode(std::uintptr_t session, const val& outputs, int maxDepth, const val& comments) {
-  const Session& at = toSession(session);
-  val result = val::object();
-  std::vector<Output> roots;
-  const int count = outputs["length"].as<int>();
-  for (int i = 0; i < count; ++i) roots.push_back(toOutput(outputs[i]));
-  EmitOptions options{maxDepth};
-  const int lines = comments["length"].as<int>();
-  for (int i = 0; i < lines; ++i)
-    options.comments.emplace_back(toNode(comments[i][0].as<int>()),
-                                  comments[i][1].as<std::string>());
-
-  if (const int problem = problemOf(at.graph, roots); problem != 0) {
-    result.set("problem", problem);
-    return result;
-  }
-  const Emitted emitted = emit(at.graph, roots, options);
-  val inputs = val::array();
-  for (const std::uint32_t input : emitted.inputs) inputs.call<void>("push", input);
-  result.set("code", emitted.code);
-  result.set("inputs", inputs);
-  result.set("nodes", emitted.nodes);
-  result.set("operations", emitted.operations);
-  result.set("temporaries", emitted.temporaries);
-  return result;
+std::string outputLines(Address session) {
+  std::string lines;
+  for (const Output& output : at(session).builder.outputs())
+    lines += line(output.shape, output.name);
+  return lines;
 }
 
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(warpjet) {
-  emscripten::function("operations", &operations);
+  emscripten::function("operationNames", &operationNames);
   emscripten::function("open", &open);
+  emscripten::function("problem", &problem);
   emscripten::function("input", &input);
-  emscripten::function("inputProblem", &inputProblemOf);
-  emscripten::function("outputProblem", &outputProblemOf);
-  emscripten::function("warpedPosition", &positionOf);
-  emscripten::function("warpedNormal", &normalOf);
-  emscripten::function("emit", &emitCode);
+  emscripten::function("addFunction", &addFunction);
+  emscripten::function("comment", &comment);
+  emscripten::function("output", &output);
+  emscripten::function("outputSum", &outputSum);
+  emscripten::function("build", &buildText);
+  emscripten::function("code", &code);
+  emscripten::function("declarations", &declarations);
+  emscripten::function("inputLines", &inputLines);
+  emscripten::function("outputLines", &outputLines);
 }

@@ -1,39 +1,71 @@
-// `glsl`, as a sketch gets it: makes inputs and constants, and has every operation as a function.
-import type { Compilation } from './compilation.js'
-import { Expression, toExpression } from './expression.js'
-import { call, operationNames } from './operations.js'
-import { compose, compositions, construct, swizzle, swizzles } from './vectors.js'
+// `glsl`, as a sketch gets it: makes inputs and constants, and has every operation as a function. Operations are also
+// methods of expressions.
+import type { Compilation, Shape } from './compilation.js'
+import { getCore } from './core.js'
 import { WarpError } from './errors.js'
+import { Expression, toExpression } from './expression.js'
+import { declareFunction } from './functions.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>
+
+interface Operation {
+  name: string
+  /** In the wasm. */
+  number: number
+  /** Vectors and matrices are made by functions only. */
+  isConstructor: boolean
+}
+
+let operations: Operation[] | undefined
+
+/** The names are in the wasm, which so starts with the first warp. */
+function getOperations(): Operation[] {
+  return (operations ??= getCore()
+    .operationNames()
+    .split(' ')
+    .map((name, number) => ({
+      name: name.replace('+', ''),
+      number,
+      isConstructor: name[0] === '+',
+    })))
+}
+
+/** The number of the operation of that name. */
+export const operationNumber = (name: string): number =>
+  getOperations().find((operation) => operation.name === name)!.number
+
+const params: Record<string, Shape> = {
+  param: [1, 1],
+  vec2Param: [1, 2],
+  vec3Param: [1, 3],
+  vec4Param: [1, 4],
+  mat2Param: [2, 2],
+  mat3Param: [3, 3],
+  mat4Param: [4, 4],
+}
 
 /** Functions that need no `this`, so that `const { vec3, sin } = glsl` works. */
 export function createBuilder(compilation: Compilation): Builder {
   installMethods()
   const builder: Builder = {
     val: (value) => toExpression(compilation, 'val', value, 1),
-    derivative: (value, input) =>
-      compilation.derivative(
-        toExpression(compilation, 'derivative', value, 1),
-        toExpression(compilation, 'derivative', input, 2),
-        'derivative',
-      ),
+    fn: ((options: unknown) => declareFunction(compilation, options)) as never,
   }
-  const params = { param: 1, vec2Param: 2, vec3Param: 3, vec4Param: 4 }
-  for (const [name, size] of Object.entries(params))
+  for (const [name, shape] of Object.entries(params))
     builder[name] = (label, ...others) => {
       if (others.length > 0)
         throw new WarpError(
-          `${name}: it takes only a name; there are param, vec2Param, vec3Param and vec4Param.`,
+          `${name}: it takes only a name; there are ${Object.keys(params).join(', ')}.`,
         )
-      return compilation.input(label, size, name)
+      return compilation.input(label, shape, name)
     }
-  for (const size of [2, 3, 4])
-    builder[`vec${size}`] = (...parts) => construct(compilation, size, parts)
-  for (const name of operationNames())
-    builder[name] = (...operands) => call(compilation, name, operands)
-  for (const name of Object.keys(compositions))
-    builder[name] = (...operands) => compose(compilation, name, operands)
+  for (const { name, number } of getOperations())
+    builder[name] = (...operands) =>
+      compilation.call(
+        number,
+        name,
+        operands.map((operand, i) => toExpression(compilation, name, operand, i + 1)),
+      )
   return builder
 }
 
@@ -45,38 +77,43 @@ const results = {
   outputDeriv(this: Expression, name: unknown, input: unknown) {
     const { compilation } = this
     const by = toExpression(compilation, 'outputDeriv', input, 2)
-    compilation.output(name, compilation.derivative(this, by, 'outputDeriv'), 'outputDeriv')
+    compilation.output(
+      name,
+      compilation.call(operationNumber('derivative'), 'outputDeriv', [this, by]),
+      'outputDeriv',
+    )
   },
-  adjustNormal(this: Expression, normal: unknown, position: unknown) {
-    const { compilation } = this
-    const vectors = [this, normal, position].map((operand, i) => {
-      const place = i === 0 ? 'the offset' : `argument ${i}`
-      const vector = toExpression(compilation, 'adjustNormal', operand, place)
-      if (vector.ids.length === 3) return vector
-      throw new WarpError(`adjustNormal: ${place} must be a vec3.`)
-    }) as [Expression, Expression, Expression]
-    return compilation.warpedNormal(vectors[2], vectors[1], vectors[0], 'adjustNormal')
-  },
+}
+
+/** All selections of components: `x`, `xy`, `zyx`, `rgba`, `st`, `uv`, with their indices. */
+function* swizzles(): Generator<[name: string, indices: number[]]> {
+  for (const letters of ['xyzw', 'rgba', 'stpq', 'uv']) {
+    let names: [string, number[]][] = [['', []]]
+    for (let length = 1; length <= 4; length++) {
+      names = names.flatMap(([name, indices]) =>
+        [...letters].map((letter, i): [string, number[]] => [name + letter, [...indices, i]]),
+      )
+      yield* names
+    }
+  }
 }
 
 let installed = false
 
-/** Puts every operation on expressions. The table is in the wasm, so this waits for the first warp. */
 function installMethods() {
   if (installed) return
   installed = true
-  for (const name of operationNames())
-    define(name, function (...operands) {
-      return call(this.compilation, name, operands, this)
-    })
-  for (const name of Object.keys(compositions))
-    define(name, function (...operands) {
-      return compose(this.compilation, name, operands, this)
-    })
   for (const [name, indices] of swizzles())
     define(name, function () {
-      return swizzle(this, name, indices)
+      return this.compilation.swizzle(name, this, indices)
     })
+  for (const { name, number, isConstructor } of getOperations())
+    if (!isConstructor)
+      define(name, function (...given) {
+        const { compilation } = this
+        const operands = given.map((operand, i) => toExpression(compilation, name, operand, i + 1))
+        return compilation.call(number, name, [this, ...operands], true)
+      })
   for (const [name, method] of Object.entries(results)) define(name, method)
 }
 

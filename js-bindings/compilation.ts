@@ -1,40 +1,53 @@
-// One compilation: the session in the wasm, and what a sketch asked for so far. All node numbers
-// pass through here, and it is closed when the callback is over, whatever happened.
-import { type Core, type Emitted, type Session, getCore, graphFull, notFinite } from './core.js'
-import { WarpError, describe, shorten } from './errors.js'
-import { Expression, placeName, sizeName } from './expression.js'
+// One compilation: the session in the wasm, which holds all that a sketch built so far. It is closed when the callback
+// is over, whatever happened.
+import { type Core, type Session, failed, getCore, needsPartials } from './core.js'
+import { WarpError, describe } from './errors.js'
+import { Expression, toExpression } from './expression.js'
+import type { Program } from './evaluate.js'
+import type { HostFunction } from './functions.js'
 import { callerOutside } from './source-lines.js'
 
-const largestFloat32 = 3.4028234663852886e38
+export const targets = ['glsl300', 'glsl100', 'wgsl'] as const
 
-export const targets = ['glsl300', 'glsl100'] as const
-
-/** A shading language. */
+/** A shading language: GLSL ES 3.00 (WebGL 2), GLSL ES 1.00 (WebGL 1), or WGSL (WebGPU). */
 export type Target = (typeof targets)[number]
 
-export interface Output {
+/** Columns and rows; a number has one of each, a vector one column. */
+export type Shape = readonly [columns: number, rows: number]
+
+/** A variable or expression of the host. */
+export interface Variable {
   name: string
-  value: Expression
-  sum?: { input: number; output: number }
+  shape: Shape
+}
+
+export interface Emitted {
+  code: string
+  declarations: string
+  /** The host's expressions that the text reads. */
+  inputs: Variable[]
+  outputs: Variable[]
+  stats: { nodes: number; operations: number; temporaries: number }
 }
 
 export class Compilation {
-  readonly core: Core = getCore()
-  readonly outputs: Output[] = []
-  private readonly names = new Set<string>()
+  readonly target: Target
+  /** The functions of the host, by their number. */
+  readonly functions: HostFunction[] = []
+  private readonly core: Core = getCore()
   private session: Session | 0
-  private readonly inputComponents = new Set<number>()
-  private readonly inputLabels: string[] = []
-  private readonly inputs = new Map<string, Expression>()
-  private readonly comments: Map<number, string> | undefined
+  private readonly debug: boolean
+  /** How many functions' derivatives are being asked for at this moment. */
+  private nesting = 0
 
   constructor(target: unknown, debug = false) {
     if (!targets.includes(target as Target))
       throw new WarpError(
         `The option "target" must be one of ${targets.join(', ')}, but is ${describe(target)}.`,
       )
-    this.session = this.core.open(target as Target)
-    this.comments = debug ? new Map() : undefined
+    this.target = target as Target
+    this.session = this.core.open(this.target)
+    this.debug = debug
   }
 
   close() {
@@ -50,152 +63,152 @@ export class Compilation {
     return this.session
   }
 
-  /** A node of the operation number `operation`; `method` names it in messages. */
-  node(operation: number, a: number, b: number, c: number, method: string): number {
-    const id = this.core._apply(this.open(method), operation, a, b, c)
-    if (id < 0) this.refuse(id, method)
-    if (this.comments && !this.comments.has(id)) this.comments.set(id, callerOutside())
-    return id
+  private refuse(): never {
+    throw new WarpError(this.core.problem(this.open('problem')))
   }
 
-  private refuse(id: number, method: string): never {
-    if (id === notFinite)
-      throw new WarpError(
-        `${method}: the result of these constants is not a finite number that a shader can hold.`,
-      )
-    throw new WarpError(
-      `${method}: this warp has more than four million operations; does a loop never end?`,
-    )
+  private expression(handle: number): Expression {
+    if (handle === failed) this.refuse()
+    if (this.debug) this.core.comment(this.open('debug'), callerOutside())
+    return new Expression(this, handle)
   }
 
-  constant(value: number, method: string, place: string | number): number {
-    const session = this.open(method)
-    if (!(Math.abs(value) <= largestFloat32))
-      throw new WarpError(
-        `${method}: ${placeName(place)} is ${value}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`,
-      )
-    if (value !== 0 && Math.fround(value) === 0)
-      throw new WarpError(
-        `${method}: ${placeName(place)} is ${value}, too close to zero for a shader to hold; use 0 instead.`,
-      )
-    const id = this.core._constant(session, value)
-    if (id === graphFull) this.refuse(id, method)
-    return id
+  shapeOf(value: Expression): Shape {
+    const shape = this.core._shapeOf(this.open('shape'), value.handle)
+    return [shape >> 4, shape & 15]
+  }
+
+  /** A number that float32 can hold; see `toExpression`. */
+  constant(value: number, method: string): Expression {
+    return this.expression(this.core._constant(this.open(method), value))
   }
 
   /** A variable of the host, by the expression that reads it there. */
-  input(label: unknown, size: number, method: string): Expression {
+  input(label: unknown, [columns, rows]: Shape, method: string): Expression {
     const session = this.open(method)
     if (typeof label !== 'string')
       throw new WarpError(
         `${method}: the name of a shader variable was expected, but ${describe(label)} came.`,
       )
-    const problem = this.core.inputProblem(session, label)
-    if (problem)
-      throw new WarpError(`${method}: "${shorten(label)}" cannot be read in a shader: ${problem}.`)
-    const known = this.inputs.get(label) ?? (size === 1 ? this.componentOf(label) : undefined)
-    if (known?.ids.length === size) return known
-    if (known)
-      throw new WarpError(
-        `${method}: "${label}" was read as ${sizeName(known.ids.length)} before, and now as ${sizeName(size)}.`,
-      )
-    const input = this.core.input(session, label, size)
-    this.inputLabels[input] = label
-    const ids = Array.from({ length: size }, (_, i) => this.core._component(session, input, i))
-    for (const id of ids) {
-      if (id < 0) this.refuse(id, method)
-      this.inputComponents.add(id)
+    return this.expression(this.core.input(session, method, label, columns, rows))
+  }
+
+  /** An operation by its number; a method's first operand is what it is called on. */
+  call(operation: number, method: string, operands: readonly Expression[], isMethod = false) {
+    const session = this.open(method)
+    for (;;) {
+      for (const { handle } of operands) this.core._push(session, handle)
+      const result = this.core._call(session, operation, isMethod)
+      if (result !== needsPartials) return this.expression(result)
+      this.givePartials(session)
     }
-    const expression = new Expression(this, ids)
-    this.inputs.set(label, expression)
-    return expression
   }
 
-  /** `position.x` of an input `position`, so that derivatives know that they are the same. */
-  private componentOf(label: string): Expression | undefined {
-    const [, vector, letter] = /^(.*)\.([xyzw])$/.exec(label) ?? []
-    const id = this.inputs.get(vector ?? '')?.ids['xyzw'.indexOf(letter ?? '')]
-    return id === undefined ? undefined : new Expression(this, [id])
+  swizzle(name: string, value: Expression, indices: readonly number[]): Expression {
+    const session = this.open(name)
+    const packed = indices.reduce((bits, index, i) => bits | (index << (2 * i)), 0)
+    const result = this.core._swizzle(session, value.handle, indices.length, packed)
+    if (result === failed) throw new WarpError(`${name}: ${this.core.problem(session)}`)
+    return this.expression(result)
   }
 
-  /** The partial derivative of each component by a scalar input, or one component of a vector. */
-  derivative(value: Expression, input: Expression, method: string): Expression {
-    const session = this.open(method)
-    if (input.ids.length !== 1)
+  addFunction(hostFunction: HostFunction, source: string): number {
+    const { name, arity } = hostFunction
+    const number = this.core.addFunction(this.open('fn'), name, source, arity)
+    if (number === failed) this.refuse()
+    this.functions[number] = hostFunction
+    return number
+  }
+
+  callFunction(number: number, name: string, operands: readonly Expression[]): Expression {
+    const session = this.open(name)
+    for (const { handle } of operands) this.core._push(session, handle)
+    return this.expression(this.core._callFunction(session, number))
+  }
+
+  /** A derivative meets calls of the host's functions: the sketch says what their partial derivatives are there. */
+  private givePartials(session: Session) {
+    const calls = Array.from({ length: this.core._pendingCount(session) }, (_, place) =>
+      this.core._pendingCall(session, place),
+    )
+    for (const call of calls) this.givePartialsOf(session, call)
+  }
+
+  private givePartialsOf(session: Session, call: number) {
+    const { name, arity, derivatives } = this.functions[this.core._functionOfCall(session, call)]!
+    if (!derivatives)
       throw new WarpError(
-        `${method}: a derivative is taken by a single number; choose a component of the vector, such as position.x().`,
+        `${name}: its derivatives are needed here; give glsl.fn the option "derivatives", one for each argument.`,
       )
-    this.requireInput(input, method)
-    const ids = value.ids.map((id) => this.core._derivative(session, id, input.ids[0]!))
-    for (const id of ids) if (id < 0) this.refuse(id, method)
-    return new Expression(this, ids)
-  }
-
-  private requireInput(expression: Expression, method: string) {
-    if (!expression.ids.every((id) => this.inputComponents.has(id)))
+    if (++this.nesting > 100)
       throw new WarpError(
-        `${method}: a derivative is taken by an input such as millis or position.x(), not by something computed.`,
+        `${name}: its derivative needs a derivative of itself; write it with calls of functions instead.`,
       )
-  }
-
-  warpedPosition(position: Expression, offset: Expression): Expression {
-    const ids = this.core.warpedPosition(this.open('warp'), position.ids, offset.ids)
-    return new Expression(this, ids)
-  }
-
-  warpedNormal(position: Expression, normal: Expression, offset: Expression, method: string) {
-    const session = this.open(method)
-    this.requireInput(position, method)
-    if (new Set(position.ids).size !== 3)
-      throw new WarpError(`${method}: the position must have three different components.`)
-    const ids = this.core.warpedNormal(session, position.ids, normal.ids, offset.ids)
-    return new Expression(this, ids)
+    const operands = Array.from(
+      { length: arity },
+      (_, i) => new Expression(this, this.core._argumentOfCall(session, call, i)),
+    )
+    const partials = Array.from(derivatives, (given, i) =>
+      toExpression(
+        this,
+        name,
+        typeof given === 'function' ? given(...operands) : given,
+        `derivative ${i + 1}`,
+      ),
+    )
+    this.nesting--
+    for (const { handle } of partials) this.core._push(session, handle)
+    if (!this.core._setPartials(session, call)) this.refuse()
   }
 
   /** Asks for a result under a name. */
-  output(name: unknown, value: Expression, method: string, sum?: Output['sum']) {
+  output(name: unknown, value: Expression, method: string) {
     const session = this.open(method)
-    if (typeof name !== 'string')
-      throw new WarpError(
-        `${method}: the name of a result must be a text, but is ${describe(name)}.`,
-      )
-    const problem = this.core.outputProblem(session, name)
-    if (problem)
-      throw new WarpError(`${method}: "${shorten(name)}" cannot name a result: ${problem}.`)
-    if (this.names.has(name))
-      throw new WarpError(`${method}: there are two results named "${name}"; rename one.`)
-    this.names.add(name)
-    this.outputs.push({ name, value, sum })
+    if (!this.core.output(session, method, resultName(name, method), value.handle)) this.refuse()
   }
 
-  /** A result that is also the sum of an input and the earlier output number `output`. */
-  outputAsSum(name: unknown, value: Expression, label: string, output: number, method: string) {
-    this.output(name, value, method, { input: this.inputLabels.indexOf(label), output })
+  /** A result that is also the sum of an input and the earlier output number `term`, for shorter text. */
+  outputSum(name: unknown, value: Expression, input: Expression, term: number, method: string) {
+    const session = this.open(method)
+    const text = resultName(name, method)
+    if (!this.core.outputSum(session, method, text, value.handle, input.handle, term)) this.refuse()
   }
 
-  emit(maxDepth = 8): Emitted & { code: string; labels: string[] } {
-    const outputs = this.outputs.map(({ name, value, sum }) => ({ name, ids: value.ids, sum }))
-    const comments = [...(this.comments ?? [])].sort(([a], [b]) => a - b)
-    const emitted = this.core.emit(
-      this.open('emit'),
-      outputs,
-      Math.min(maxDepth, 2 ** 30),
-      comments,
-    )
-    if (emitted.code === undefined) this.refuse(emitted.problem!, 'A result or its derivative')
-    const labels = emitted.inputs.map((input) => this.inputLabels[input]!)
-    this.refuseShadowing(labels)
-    return { ...emitted, code: emitted.code, labels }
-  }
-
-  /** A result named like a variable that the text reads would hide it. */
-  private refuseShadowing(labels: string[]) {
-    for (const label of labels) {
-      const hidden = label.match(/(?<![.\w])[A-Za-z_]\w*/g)?.find((word) => this.names.has(word))
-      if (hidden !== undefined)
-        throw new WarpError(
-          `The result "${hidden}" has the name of a variable that is read for it ("${shorten(label)}"); rename the result.`,
-        )
+  /** What was built, for the CPU; nothing if it calls a function of the host. */
+  program(): Program | undefined {
+    const session = this.open('program')
+    if (!this.core._makeProgram(session)) return undefined
+    const at = this.core._programWords(session) / 4
+    return {
+      words: this.core.HEAPU32.slice(at, at + this.core._programSize(session)),
+      instructions: this.core._instructionCount(session),
     }
   }
+
+  build(maxDepth = 8): Emitted {
+    const session = this.open('build')
+    if (!this.core.build(session, Math.min(maxDepth, 2 ** 30))) this.refuse()
+    return {
+      code: this.core.code(session),
+      declarations: this.core.declarations(session),
+      inputs: readLines(this.core.inputLines(session)),
+      outputs: readLines(this.core.outputLines(session)),
+      stats: {
+        nodes: this.core._nodeCount(session),
+        operations: this.core._operationCount(session),
+        temporaries: this.core._temporaryCount(session),
+      },
+    }
+  }
+}
+
+const readLines = (lines: string): Variable[] =>
+  lines
+    .split('\n')
+    .slice(0, -1)
+    .map((line) => ({ name: line.slice(2), shape: [Number(line[0]), Number(line[1])] }))
+
+function resultName(name: unknown, method: string): string {
+  if (typeof name === 'string') return name
+  throw new WarpError(`${method}: the name of a result must be a text, but is ${describe(name)}.`)
 }

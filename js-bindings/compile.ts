@@ -1,9 +1,9 @@
 // From a callback to shader text: builds the graph, asks for results, and closes the compilation.
-import { createBuilder } from './builder.js'
+import { createBuilder, operationNumber } from './builder.js'
 import { Compilation, type Target } from './compilation.js'
 import { WarpError, describe } from './errors.js'
-import { Expression, sizeName, toExpression } from './expression.js'
-import { call } from './operations.js'
+import { type Numbers, evaluate } from './evaluate.js'
+import { Expression, toExpression } from './expression.js'
 import { checkCallback, checkOptions } from './options.js'
 import type { Expression as AnyExpression, Glsl, OffsetFunction, WarpInputs } from './types.js'
 
@@ -19,7 +19,7 @@ export interface Stats {
 export interface Compiled {
   /** Statements for the inside of a function; they declare and assign the results. */
   code: string
-  /** Functions that `code` calls, for above `main`; no operation needs any so far, so it is empty. */
+  /** Functions that `code` calls, for above `main`: the sources of `glsl.fn`, each once. */
   declarations: string
   /** The host's variables and expressions that the statements really read. */
   uniforms: string[]
@@ -86,7 +86,7 @@ export function compileWarpFor(
     const inputs: Record<string, Expression> = {}
     for (const [name, size] of Object.entries(inputSizes)) {
       labels[name] = options.names?.[name as InputName] ?? name
-      inputs[name] = compilation.input(labels[name], size, `${method} names.${name}`)
+      inputs[name] = compilation.input(labels[name], [1, size], `${method} names.${name}`)
     }
     const { position, normal } = inputs as { position: Expression; normal: Expression }
     const value = checkOffset(compilation, method, offset(warpInputs(compilation, inputs)))
@@ -97,31 +97,37 @@ export function compileWarpFor(
       normal: normalName = 'warpedNormal',
     } = options.outputs ?? {}
     const place = `${method} outputs`
-    const first = compilation.outputs.length
     compilation.output(offsetName, value, place)
-    compilation.outputAsSum(
-      positionName,
-      compilation.warpedPosition(position, value),
-      labels['position']!,
-      first,
-      place,
-    )
+    const moved = operate(compilation, 'add', position, value)
+    compilation.outputSum(positionName, moved, position, 0, place)
     if (normals)
       compilation.output(
         normalName,
-        compilation.warpedNormal(position, normal, value, method),
+        operate(compilation, 'adjustNormal', value, normal, position),
         place,
       )
 
-    const { labels: used, ...compiled } = toCompiled(compilation)
+    const { code, declarations, stats, inputs: read } = compilation.build()
+    const used = read.map(({ name }) => name)
     const isRead = (name: string) => used.includes(labels[name]!)
     const isOwn = (label: string) => !Object.values(labels).includes(label)
     return {
-      ...compiled,
+      code,
+      declarations,
+      stats,
       uniforms: [...Object.keys(drawInputs).filter(isRead), ...used.filter(isOwn)],
       attributes: Object.keys(vertexInputs).filter(isRead),
     }
   })
+}
+
+export interface CompiledExpressions extends Compiled {
+  /**
+   * The expressions on the CPU, in double, from the values of the host's variables by name: a number each, or an array
+   * for a vector or, column by column, a matrix. Conditions are 1 and 0. Throws a `WarpError` if a value is missing or
+   * of the wrong size, or if a `glsl.fn` is called, which only the GPU can run.
+   */
+  evaluate(inputs?: Readonly<Record<string, Numbers>>): Record<string, number | number[]>
 }
 
 /**
@@ -131,14 +137,14 @@ export function compileWarpFor(
 export function compile(
   callback: (glsl: Glsl) => Record<string, AnyExpression | number>,
   options: CompileOptions = {},
-): Compiled {
+): CompiledExpressions {
   checkCallback('compile', callback)
   checkOptions('compile', options, ['target'])
   return withCompilation(options.target, false, (compilation) => {
     const results: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (typeof results !== 'object' || results === null || isNoRecord(results))
       throw new WarpError(
-        `compile: the function must return an object of named expressions, but returned ${describe(results)}.`,
+        `compile: the function must return an object of named expressions, such as { height: x.sin() }, but returned ${describeResult(results)}.`,
       )
     for (const [name, value] of Object.entries(results))
       compilation.output(
@@ -146,8 +152,15 @@ export function compile(
         toExpression(compilation, 'compile', value, `the result "${name}"`),
         'compile',
       )
-    const { labels, ...compiled } = toCompiled(compilation)
-    return { ...compiled, uniforms: labels }
+    const { code, declarations, stats, inputs, outputs } = compilation.build()
+    const program = compilation.program()
+    return {
+      code,
+      declarations,
+      stats,
+      uniforms: inputs.map(({ name }) => name),
+      evaluate: (given = {}) => evaluate(program, inputs, outputs, given),
+    }
   })
 }
 
@@ -160,7 +173,8 @@ export interface GenSettings extends CompileOptions {
 
 /**
  * glsl-autodiff's `gen`: the callback asks for results with `.output(name)` and
- * `.outputDeriv(name, input)`, and the statements come back. Throws a `WarpError`.
+ * `.outputDeriv(name, input)`, and the statements come back. The source of a `glsl.fn` is not among
+ * them; put it above `main`. Throws a `WarpError`.
  */
 export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): string {
   checkCallback('gen', callback)
@@ -174,17 +188,24 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
     const returned: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (isUnfinished(returned))
       throw new WarpError('gen: the function must be a plain one, not async and no generator.')
-    if (returned !== undefined && compilation.outputs.length === 0)
+    const { code } = compilation.build(maxDepthPerVariable)
+    if (returned !== undefined && code === '')
       throw new WarpError(
         'gen: no result was asked for; call .output(name) on an expression instead of returning it.',
       )
-    return toCompiled(compilation, maxDepthPerVariable).code
+    return code
   })
 }
 
 /** What an async function or a generator returns at once. */
 const isUnfinished = (returned: unknown) =>
   typeof returned === 'object' && returned !== null && ('then' in returned || 'next' in returned)
+
+function describeResult(results: unknown): string {
+  if (results instanceof Expression) return 'a single expression'
+  if (isUnfinished(results)) return 'before it was finished; it must be a plain function'
+  return describe(results)
+}
 
 const isNoRecord = (results: object) =>
   results instanceof Expression || Array.isArray(results) || Object.keys(results).length === 0
@@ -203,7 +224,7 @@ function withCompilation<Result>(
 }
 
 function warpInputs(compilation: Compilation, inputs: Record<string, Expression>): WarpInputs {
-  const part = (name: string, i: number) => new Expression(compilation, [inputs[name]!.ids[i]!])
+  const part = (name: string, i: number) => compilation.swizzle('xy'[i]!, inputs[name]!, [i])
   return {
     glsl: createBuilder(compilation),
     ...inputs,
@@ -218,13 +239,15 @@ function checkOffset(compilation: Compilation, method: string, offset: unknown):
   const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
   if (!(offset instanceof Expression))
     throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
-  if (offset.ids.length !== 3)
-    throw new WarpError(`${method}: ${expected}, but returned ${sizeName(offset.ids.length)}.`)
+  toExpression(compilation, method, offset, 'the offset')
+  const [columns, rows] = compilation.shapeOf(offset)
+  const size = columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'
+  if (columns !== 1 || rows !== 3)
+    throw new WarpError(`${method}: ${expected}, but returned ${size}.`)
   // A condition becomes 0 or 1 here, as it does in any sum.
-  return call(compilation, 'add', [offset, 0])
+  return operate(compilation, 'add', offset, compilation.constant(0, method))
 }
 
-function toCompiled(compilation: Compilation, maxDepth?: number) {
-  const { code, labels, nodes, operations, temporaries } = compilation.emit(maxDepth)
-  return { code, declarations: '', labels, stats: { nodes, operations, temporaries } }
+function operate(compilation: Compilation, name: string, ...operands: Expression[]): Expression {
+  return compilation.call(operationNumber(name), name, operands)
 }

@@ -7,54 +7,70 @@ import base64 from './generated/core-wasm.js'
 /** A compilation inside the wasm: an address, to be closed. */
 export type Session = number & { readonly session: unique symbol }
 
-export interface EmittedOutput {
-  name: string
-  ids: readonly number[]
-  /** The output as a sum of an input and an earlier output, for shorter text. */
-  sum?: { input: number; output: number }
-}
-
-export interface Emitted {
-  /** Missing where there is a problem: `notFinite` or `graphFull`. */
-  code?: string
-  problem?: number
-  inputs: number[]
-  nodes: number
-  operations: number
-  temporaries: number
-}
-
-/** js-bindings/bindings.cpp. Ids are non-negative; `notFinite` and `graphFull` stand in their place. */
+/**
+ * js-bindings/bindings.cpp. Handles stand for values, numbers, vectors and matrices alike; `failed` stands in the place
+ * of one that there cannot be, and then `problem` says why.
+ */
 export interface Core {
   _constant(session: Session, value: number): number
-  _component(session: Session, input: number, component: number): number
-  _apply(session: Session, op: number, a: number, b: number, c: number): number
-  _derivative(session: Session, root: number, input: number): number
+  _push(session: Session, handle: number): void
+  _call(session: Session, operation: number, isMethod: boolean): number
+  _callFunction(session: Session, hostFunction: number): number
+  _swizzle(session: Session, handle: number, count: number, indices: number): number
+  _pendingCount(session: Session): number
+  _pendingCall(session: Session, place: number): number
+  _functionOfCall(session: Session, call: number): number
+  _argumentOfCall(session: Session, call: number, i: number): number
+  _setPartials(session: Session, call: number): number
+  _shapeOf(session: Session, handle: number): number
+  _nodeCount(session: Session): number
+  _operationCount(session: Session): number
+  _temporaryCount(session: Session): number
+  _makeProgram(session: Session): number
+  _programWords(session: Session): number
+  _programSize(session: Session): number
+  _instructionCount(session: Session): number
+  _run(
+    words: number,
+    size: number,
+    instructions: number,
+    inputs: number,
+    inputCount: number,
+    results: number,
+    resultCount: number,
+  ): void
+  _allocate(bytes: number): number
+  _release(memory: number): void
   _closeSession(session: Session): void
-
-  operations(): { name: string; arity: number }[]
-  open(target: string): Session | 0
-  input(session: Session, expression: string, size: number): number
-  inputProblem(session: Session, expression: string): string
-  outputProblem(session: Session, name: string): string
-  warpedPosition(session: Session, position: readonly number[], offset: readonly number[]): number[]
-  warpedNormal(
-    session: Session,
-    position: readonly number[],
-    normal: readonly number[],
-    offset: readonly number[],
-  ): number[]
-  emit(
-    session: Session,
-    outputs: EmittedOutput[],
-    maxDepth: number,
-    comments: [number, string][],
-  ): Emitted
   _memoryInUse(): number
+
+  operationNames(): string
+  open(target: string): Session | 0
+  problem(session: Session): string
+  input(session: Session, method: string, label: string, columns: number, rows: number): number
+  addFunction(session: Session, name: string, source: string, arity: number): number
+  comment(session: Session, text: string): void
+  output(session: Session, method: string, name: string, handle: number): boolean
+  outputSum(
+    session: Session,
+    method: string,
+    name: string,
+    handle: number,
+    input: number,
+    term: number,
+  ): boolean
+  build(session: Session, maxDepth: number): boolean
+  code(session: Session): string
+  declarations(session: Session): string
+  inputLines(session: Session): string
+  outputLines(session: Session): string
+
+  readonly HEAPU32: Uint32Array
+  readonly HEAPF64: Float64Array
 }
 
-export const notFinite = -1
-export const graphFull = -2
+export const failed = -1
+export const needsPartials = -2
 
 let core: Core | undefined
 

@@ -1,12 +1,14 @@
-// What a sketch holds while it writes an offset: the numbers of some nodes. A scalar has one, a
-// vector two to four. Its methods come from `operations.ts` and `vectors.ts`; `types.ts` names them.
+// What a sketch holds while it writes an offset: the handle of a number, vector or matrix in the wasm. Its methods come
+// from `builder.ts`; `types.ts` names them.
 import type { Compilation } from './compilation.js'
 import { WarpError, describe } from './errors.js'
+
+const largestFloat32 = 3.4028234663852886e38
 
 export class Expression {
   constructor(
     readonly compilation: Compilation,
-    readonly ids: readonly number[],
+    readonly handle: number,
   ) {}
 
   /** JavaScript asks for this where an operator of its own meets an expression. */
@@ -17,20 +19,9 @@ export class Expression {
   }
 }
 
-/** What a method was given: numbers or expressions, if the sketch is right. */
-export type Operand = Expression | number
-
-export const placeName = (place: string | number) =>
-  typeof place === 'number' ? `argument ${place}` : place
-
-/** How the size of an expression is called in messages. */
-export function sizeName(size: number): string {
-  return size === 1 ? 'a single number' : `a vec${size}`
-}
-
 /**
- * An operand of `method` as an expression of this compilation. `place` is its name in messages, or the
- * number of the argument.
+ * An operand of `method` as an expression of this compilation. `place` is its name in messages, or the number of the
+ * argument.
  */
 export function toExpression(
   compilation: Compilation,
@@ -38,15 +29,23 @@ export function toExpression(
   operand: unknown,
   place: string | number,
 ): Expression {
-  if (typeof operand === 'number')
-    return new Expression(compilation, [compilation.constant(operand, method, place)])
-  if (!(operand instanceof Expression))
+  const refuse = (why: string): never => {
     throw new WarpError(
-      `${method}: ${placeName(place)} must be a number or an expression, but is ${describe(operand)}.`,
+      `${method}: ${typeof place === 'number' ? `argument ${place}` : place} ${why}`,
     )
+  }
+  if (typeof operand === 'number') {
+    if (!(Math.abs(operand) <= largestFloat32))
+      refuse(`is ${operand}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`)
+    if (operand !== 0 && Math.fround(operand) === 0)
+      refuse(`is ${operand}, too close to zero for a shader to hold; use 0 instead.`)
+    return compilation.constant(operand, method)
+  }
+  if (!(operand instanceof Expression))
+    return refuse(`must be a number or an expression, but is ${describe(operand)}.`)
   if (operand.compilation !== compilation)
-    throw new WarpError(
-      `${method}: ${placeName(place)} comes from another warp; an expression can only be used inside the function that made it.`,
+    refuse(
+      'comes from another warp; an expression can only be used inside the function that made it.',
     )
   return operand
 }

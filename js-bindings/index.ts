@@ -2,6 +2,7 @@
 export { compile, compileWarp, gen } from './compile.js'
 export type {
   Compiled,
+  CompiledExpressions,
   CompiledWarp,
   CompileOptions,
   GenSettings,
@@ -10,6 +11,7 @@ export type {
   WarpOptions,
 } from './compile.js'
 export { targets, type Target } from './compilation.js'
+export type { Numbers } from './evaluate.js'
 export { memoryInUse } from './core.js'
 export { WarpError } from './errors.js'
 export { version } from './generated/version.js'

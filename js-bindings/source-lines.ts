@@ -7,7 +7,7 @@ function stackLines(): string[] {
 const fileOf = (line: string) =>
   line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at )(?=\S*$)/, '')
 
-/** The bundle that this code is part of, found when it is first needed. */
+/** The file that this code is in, a bundle or this one, found when it is first needed. */
 let ownFile: string | undefined
 
 /** The first line of the stack that is not ours, such as `setup (sketch.js:12:5)`. */

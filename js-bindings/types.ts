@@ -1,37 +1,45 @@
-// The types that a sketch sees. At run time every expression is one class; see expression.ts.
+// The types that a sketch sees. At run time every expression is one class; see expression.ts. Operations come from the
+// tables, by way of methods.ts; what is no operation is here.
 //
-// Every method throws a `WarpError` for an argument that is no finite number or expression of the same
-// warp, for vectors of different sizes, and where constants give no finite result.
-//
-// Derivatives at kinks: that of abs at 0 is 0; floor, sign, step and comparisons have 0; fract has 1;
-// min, max, clamp and ifElse have that of the branch taken; sqrt, length, dist and normalize have 0 at 0,
-// as have pow at 0, asin and acos at 1 and -1, and atan at the origin.
+// Every method throws a `WarpError` for an argument that is no finite number or expression of the same warp, for vectors
+// of different sizes, and where constants give no finite result.
+// What derivatives are at kinks is said at the top of src/ops/table.hpp, and for artists in web/docs/operations.md.
+import type {
+  Functions,
+  MatrixMethods,
+  ScalarMethods,
+  SquareMethods,
+  Vec3Methods,
+  VectorMethods,
+} from './methods.js'
+import type { ByComponent, MatrixOf, Shape, Size, VectorOf } from './signatures.js'
 
-/** An expression of one number a vertex. A vector beside it gives a vector. */
-export interface Scalar extends Methods<Scalar, Operand, ScalarChain>, Results {
-  /** Without an argument the arc tangent; with one the angle of the point (x, this), in radians. */
-  atan(x?: Operand): Scalar
-  mix: ScalarMix
-  /** One of two values; a number other than 0 counts as true. */
-  ifElse<Value extends Expression = Scalar>(yes: Value | number, no: Value | number): Value
-  vecIfElse<Value extends Vector>(yes: Value, no: Value): Value
-  and(...conditions: Scalar[]): Scalar
-  or(...conditions: Scalar[]): Scalar
-  not(): Scalar
+/** An expression of one number a vertex. A condition is one too: 1 or 0 where it is used as a number. */
+export interface Scalar extends Shape<1, 1>, ScalarMethods, Results {}
+
+export interface Vec2 extends Shape<1, 2>, VectorMethods<Vec2>, Results, XY, RG, ST, UV {}
+
+export interface Vec3
+  extends Shape<1, 3>, VectorMethods<Vec3>, Vec3Methods, Results, XYZ, RGB, STP, UV {}
+
+export interface Vec4 extends Shape<1, 4>, VectorMethods<Vec4>, Results, XYZW, RGBA, STPQ, UV {}
+
+/** Of different numbers of columns and rows, as some Jacobians are; GLSL's matCxR. WebGL 1 has none. */
+export interface Matrix<Columns extends Size, Rows extends Size>
+  extends Shape<Columns, Rows>, MatrixMethods<MatrixOf<Columns, Rows>>, Results {
+  /** The column of this number, from 0. */
+  column(index: number): VectorOf<Rows>
+  /** The row of this number, from 0. */
+  row(index: number): VectorOf<Columns>
 }
 
-export interface Vec2 extends VectorMethods<Vec2>, XY, RG, ST {}
-
-export interface Vec3 extends VectorMethods<Vec3>, XYZ, RGB, STP {
-  cross(other: Vec3): Vec3
-  /** The unit normal after the warp of `position` by this offset; zero where there is none. */
-  adjustNormal(normal: Vec3, position: Vec3): Vec3
-}
-
-export interface Vec4 extends VectorMethods<Vec4>, XYZW, RGBA, STPQ {}
+export interface Mat2 extends Matrix<2, 2>, SquareMethods<Mat2> {}
+export interface Mat3 extends Matrix<3, 3>, SquareMethods<Mat3> {}
+export interface Mat4 extends Matrix<4, 4>, SquareMethods<Mat4> {}
 
 export type Vector = Vec2 | Vec3 | Vec4
-export type Expression = Scalar | Vector
+export type AnyMatrix = MatrixOf<Size, Size>
+export type Expression = Scalar | Vector | AnyMatrix
 export type Operand = Scalar | number
 
 interface Results {
@@ -40,77 +48,6 @@ interface Results {
   /** Writes the partial derivative by an input, such as `x` or `position.y()`. */
   outputDeriv(name: string, input: Scalar): void
 }
-
-interface ScalarChain {
-  (...others: Operand[]): Scalar
-  <Value extends Vector>(...others: (Value | Operand)[]): Value
-}
-
-interface ScalarMix {
-  (other: Operand, amount: Operand): Scalar
-  <Value extends Vector>(other: Value, amount: Value | Operand): Value
-}
-
-/** Methods of scalars, and of vectors by component. Angles are in radians. */
-interface Methods<Self, Other, Chain> {
-  neg(): Self
-  add: Chain
-  sub: Chain
-  mult: Chain
-  div: Chain
-  min: Chain
-  max: Chain
-  /** this - divisor * floor(this / divisor): has the sign of the divisor. */
-  mod(divisor: Other): Self
-  /** A whole exponent from -16 to 16 is a product, right for negative numbers too; with any other
-   * exponent this must not be negative. */
-  pow(exponent: Other): Self
-  sqrt(): Self
-  inversesqrt(): Self
-  exp(): Self
-  /** The natural logarithm, of what is greater than 0. */
-  log(): Self
-  sin(): Self
-  cos(): Self
-  tan(): Self
-  asin(): Self
-  acos(): Self
-  atan(): Self
-  abs(): Self
-  /** -1, 0 or 1. */
-  sign(): Self
-  floor(): Self
-  fract(): Self
-  /** `low` must not be above `high`. */
-  clamp(low: Other, high: Other): Self
-  /** 0 where `x` is below this edge, otherwise 1. */
-  step(x: Other): Self
-  /** From 0 where `x` is at this edge, smoothly to 1 where it is at `high`, a different number. */
-  smoothstep(high: Other, x: Other): Self
-  radians(): Self
-  degrees(): Self
-  /** Comparisons are conditions for `ifElse`; as numbers they are 1 and 0. */
-  lt(other: Other): Self
-  le(other: Other): Self
-  gt(other: Other): Self
-  ge(other: Other): Self
-  eq(other: Other): Self
-  ne(other: Other): Self
-}
-
-interface VectorMethods<Self> extends Methods<Self, Self | Operand, VectorChain<Self>>, Results {
-  mix(other: Self | Operand, amount: Self | Operand): Self
-  /** The product with a single number. */
-  scale(factor: Operand): Self
-  dot(other: Self): Scalar
-  length(): Scalar
-  dist(other: Self): Scalar
-  distance(other: Self): Scalar
-  /** Length 1, or 0 where this is zero. */
-  normalize(): Self
-}
-
-type VectorChain<Self> = (...others: (Self | Operand)[]) => Self
 
 /** All selections of one to four components, such as `x()`, `zy()` and `xxx()`. */
 type Swizzles<Letter extends string> = { [Name in Letter]: () => Scalar } & {
@@ -122,6 +59,7 @@ type Swizzles<Letter extends string> = { [Name in Letter]: () => Scalar } & {
 interface XY extends Swizzles<'x' | 'y'> {}
 interface RG extends Swizzles<'r' | 'g'> {}
 interface ST extends Swizzles<'s' | 't'> {}
+interface UV extends Swizzles<'u' | 'v'> {}
 interface XYZ extends Swizzles<'x' | 'y' | 'z'> {}
 interface RGB extends Swizzles<'r' | 'g' | 'b'> {}
 interface STP extends Swizzles<'s' | 't' | 'p'> {}
@@ -129,103 +67,75 @@ interface XYZW extends Swizzles<'x' | 'y' | 'z' | 'w'> {}
 interface RGBA extends Swizzles<'r' | 'g' | 'b' | 'a'> {}
 interface STPQ extends Swizzles<'s' | 't' | 'p' | 'q'> {}
 
-type Parts = (Expression | number)[]
+type Parts = (Scalar | Vector | number)[]
+
+/** From columns or rows of its size, from as many numbers, or from one number for the diagonal. */
+interface Rows<Self, Vectors> {
+  (...numbers: Operand[]): Self
+  (...vectors: Vectors[]): Self
+}
+
+/** The same; or a matrix of another size, cut off or filled up with ones on the diagonal. */
+interface Columns<Self, Vectors> extends Rows<Self, Vectors> {
+  (matrix: AnyMatrix): Self
+}
 
 /** `glsl`: inputs, constants, and every operation as a function. */
-export interface Glsl {
+export interface Glsl extends Functions {
   /** A float of the shader, by its name or the expression that reads it there. */
   param(name: string): Scalar
   vec2Param(name: string): Vec2
   vec3Param(name: string): Vec3
   vec4Param(name: string): Vec4
+  mat2Param(name: string): Mat2
+  mat3Param(name: string): Mat3
+  mat4Param(name: string): Mat4
   val(value: number): Scalar
   /** From numbers and smaller vectors, or from one number for all components. */
   vec2(...parts: Parts): Vec2
   vec3(...parts: Parts): Vec3
   vec4(...parts: Parts): Vec4
-  /** The exact partial derivative of each component by an input, such as `millis` or `position.x()`. */
-  derivative<Value extends Expression>(value: Value, input: Scalar): Value
-
-  neg: Unary
-  sqrt: Unary
-  inversesqrt: Unary
-  exp: Unary
-  log: Unary
-  sin: Unary
-  cos: Unary
-  tan: Unary
-  asin: Unary
-  acos: Unary
-  abs: Unary
-  sign: Unary
-  floor: Unary
-  fract: Unary
-  radians: Unary
-  degrees: Unary
-  atan(y: Operand, x?: Operand): Scalar
-  add: Chain
-  sub: Chain
-  mult: Chain
-  div: Chain
-  min: Chain
-  max: Chain
-  sum: Chain
-  prod: Chain
-  pow: Binary
-  mod: Binary
-  step: Binary
-  lt: Binary
-  le: Binary
-  gt: Binary
-  ge: Binary
-  eq: Binary
-  ne: Binary
-  clamp: Ternary
-  mix: Ternary
-  smoothstep: Ternary
-  and(...conditions: Scalar[]): Scalar
-  or(...conditions: Scalar[]): Scalar
-  not(condition: Scalar): Scalar
-  ifElse<Value extends Expression>(
-    condition: Operand,
-    yes: Value | number,
-    no: Value | number,
-  ): Value
-  vecIfElse<Value extends Vector>(condition: Operand, yes: Value, no: Value): Value
-  vecSum<Value extends Vector>(...vectors: Value[]): Value
-  vecProd<Value extends Vector>(...vectors: Value[]): Value
-  vecMin<Value extends Vector>(...vectors: Value[]): Value
-  vecMax<Value extends Vector>(...vectors: Value[]): Value
-  vecMix<Value extends Vector>(from: Value, to: Value, amount: Operand): Value
-  vecClamp<Value extends Vector>(value: Value, low: Value, high: Value): Value
-  scale<Value extends Vector>(vector: Value, factor: Operand): Value
-  dot<Value extends Vector>(a: Value, b: Value): Scalar
-  length(vector: Vector): Scalar
-  dist<Value extends Vector>(a: Value, b: Value): Scalar
-  distance<Value extends Vector>(a: Value, b: Value): Scalar
-  normalize<Value extends Vector>(vector: Value): Value
-  cross(a: Vec3, b: Vec3): Vec3
+  /** From columns; numbers go down the columns. */
+  mat2: Columns<Mat2, Vec2>
+  mat3: Columns<Mat3, Vec3>
+  mat4: Columns<Mat4, Vec4>
+  /** From rows; numbers go along the rows. */
+  mat2Rows: Rows<Mat2, Vec2>
+  mat3Rows: Rows<Mat3, Vec3>
+  mat4Rows: Rows<Mat4, Vec4>
+  /** The columns and rows of a matrix, by number from 0. */
+  column<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<R>
+  row<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<C>
+  /** A function of your own, in the shader's language; used like a built-in one. */
+  fn<Arity extends FunctionArity>(options: FunctionOptions<Arity>): OwnFunction<Arity>
 }
 
-interface Unary {
-  (x: Operand): Scalar
-  <Value extends Vector>(x: Value): Value
+export type FunctionArity = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 | 10 | 11 | 12 | 13 | 14 | 15 | 16
+
+/** What `glsl.fn` takes. */
+export interface FunctionOptions<Arity extends FunctionArity> {
+  /** As the source has it. */
+  name: string
+  /** The text of the function, from floats to a float, with all that it calls. An object if the same sketch is compiled
+   * for both languages. */
+  source: string | { glsl?: string; wgsl?: string }
+  /** How many floats the function takes. */
+  arity: Arity
+  /** The partial derivatives, one by each argument. Only needed where something is derived, as a warp's normal is. */
+  derivatives?: Readonly<Arguments<FunctionDerivative<Arity>, Arity>>
 }
 
-interface Binary {
-  (x: Operand, y: Operand): Scalar
-  <Value extends Vector>(x: Value | Operand, y: Value | Operand): Value
-}
+/** What `glsl.fn` gives. TypeScript wants it written out where a derivative calls the function itself:
+ * `const bump: OwnFunction<1> = glsl.fn({ … })`. */
+export type OwnFunction<Arity extends FunctionArity> = ByComponent<Arguments<Operand, Arity>>
 
-interface Ternary {
-  (x: Operand, y: Operand, z: Operand): Scalar
-  <Value extends Vector>(x: Value | Operand, y: Value | Operand, z: Value | Operand): Value
-}
+/** A number, an expression, or a function of all arguments that gives one, such as another `glsl.fn`. */
+export type FunctionDerivative<Arity extends FunctionArity> =
+  Operand | ((...numbers: Arguments<Scalar, Arity>) => Operand)
 
-interface Chain {
-  (...operands: Operand[]): Scalar
-  <Value extends Vector>(...operands: (Value | Operand)[]): Value
-}
+type Arguments<Item, Arity, List extends Item[] = []> = List['length'] extends Arity
+  ? List
+  : Arguments<Item, Arity, [...List, Item]>
 
 /** What an offset function is given. */
 export interface WarpInputs {

@@ -1,6 +1,7 @@
 // The steps of `npm test`, each ends well or throws.
-import { path, walk } from './files.mjs'
 import { availableParallelism } from 'node:os'
+import { staleFiles } from '../reference.mjs'
+import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
@@ -9,7 +10,7 @@ const node = (...args) => run(process.execPath, args)
 const binary = (name) => path('node_modules', name)
 
 export const cppFiles = () =>
-  ['src', 'js-bindings', 'tests'].flatMap((folder) => walk(folder, /\.[ch]pp$/))
+  ['src', 'js-bindings', 'tests', '.scripts'].flatMap((folder) => walk(folder, /\.[ch]pp$/))
 
 const prettier = (mode) => [binary('prettier/bin/prettier.cjs'), mode, '--log-level', 'warn', '.']
 
@@ -22,6 +23,12 @@ async function checkFormat() {
   const cpp = ['clang-format', ['--dry-run', '-Werror', ...cppFiles()]]
   const failures = [await exitCode(...cpp), await exitCode(process.execPath, prettier('--check'))]
   if (failures.some(Boolean)) throw new Stop('`npm run format` puts this right.')
+}
+
+async function checkReference() {
+  const stale = (await staleFiles()).map(({ file }) => file)
+  if (stale.length)
+    throw new Stop(`Stale: ${stale.join(', ')}; \`npm run reference\` puts this right.`)
 }
 
 async function cpp(preset) {
@@ -49,6 +56,7 @@ export const checks = [
     title: 'Types',
     work: () => node(binary('typescript/bin/tsc'), '--project', 'tsconfig.json'),
   },
+  { group: 'reference', title: 'Types and reference of operations', work: checkReference },
   { group: 'cpp', title: 'C++ tests', work: () => cpp('native') },
   { group: 'cpp', title: 'C++ tests under ASan and UBSan', work: () => cpp('sanitize') },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },

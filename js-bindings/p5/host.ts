@@ -3,9 +3,15 @@
  * 1.11 ships none, and nobody should need p5's types to use warpjet.
  */
 
+export interface Uniform {
+  readonly isArray?: boolean
+  /** WebGL's number of the type. */
+  readonly type?: number
+}
+
 export interface Shader {
   readonly hooks: { readonly vertex: Record<string, string> }
-  readonly uniforms: Record<string, { readonly isArray?: boolean } | undefined>
+  readonly uniforms: Record<string, Uniform | undefined>
   vertSrc(): string
   modify(hooks: Record<string, string>): Shader
   setUniform(name: string, value: unknown): unknown

@@ -1,6 +1,6 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
 import { WarpError, describe } from '../errors.js'
-import { type Canvas, type Shader, sketchOf } from './host.js'
+import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
 
 /** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
 export type WarpUniforms = Record<string, unknown>
@@ -67,7 +67,7 @@ export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
 export function setUniforms(shader: Shader, uniforms: WarpUniforms, defs: string) {
   for (const [name, value] of Object.entries(uniforms)) {
     const uniform = shader.uniforms[name]
-    if (uniform) shader.setUniform(name, readValue(name, value, uniform.isArray))
+    if (uniform) shader.setUniform(name, readValue(name, value, uniform))
     else if (!defs.match(/\w+/g)?.includes(name))
       throw new WarpError(
         `The warp has no uniform "${name}"; createWarp's option "defs" must declare it: { defs: "uniform float ${name};" }.`,
@@ -75,7 +75,14 @@ export function setUniforms(shader: Shader, uniforms: WarpUniforms, defs: string
   }
 }
 
-function readValue(name: string, value: unknown, isList = false): unknown {
+/** WebGL's number. */
+const mat2 = 0x8b5a
+
+function readValue(name: string, value: unknown, { type, isArray: isList = false }: Uniform) {
+  if (type === mat2 && !isList)
+    throw new WarpError(
+      `The warp's uniform "${name}" is a mat2, which this p5 cannot set; declare a mat3, or use p5 2.`,
+    )
   const wrong =
     value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
   if (wrong || (isList && typeof value !== 'object'))

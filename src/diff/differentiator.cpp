@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "diff/partials.hpp"
 #include "graph/expression.hpp"
 #include "graph/reachable.hpp"
 
@@ -9,29 +10,24 @@ namespace warpjet {
 
 namespace {
 
-// The k-th partial derivative of the operation `v` as the table gives it, a node.
-template <std::size_t Row, std::size_t K>
-NodeId partial(Graph& graph, const std::array<Expression, ops::maxArity>& x, Expression v) {
-  constexpr auto& row = std::get<Row>(ops::table);
-  constexpr auto& function = std::get<K>(row.partials);
-  return toNode(graph, ops::spread<ops::infos[Row].arity>(function, x.data(), v));
-}
+// The sum of the products, without those whose factor is zero.
+class Sum {
+ public:
+  explicit Sum(Graph& graph) : graph_(graph) {}
 
-using Partial = NodeId (*)(Graph&, const std::array<Expression, ops::maxArity>&, Expression);
-using Partials = std::array<Partial, ops::maxArity>;
+  template <class Partial>
+  void add(NodeId tangent, Partial partial) {
+    if (graph_.isConstant(tangent, 0)) return;
+    const Expression term = Expression{&graph_, partial()} * Expression{&graph_, tangent};
+    sum_ = sum_ ? *sum_ + term : term;
+  }
 
-template <std::size_t Row>
-constexpr Partials partialsOfRow() {
-  using Functions = decltype(std::get<Row>(ops::table).partials);
-  return []<std::size_t... K>(std::index_sequence<K...>) { return Partials{&partial<Row, K>...}; }
-  (std::make_index_sequence<std::tuple_size_v<Functions>>{});
-}
+  NodeId total() const { return sum_ ? sum_->id : graph_.constant(0); }
 
-// Null where an operation is locally constant.
-constexpr auto partials = []<std::size_t... Row>(std::index_sequence<Row...>) {
-  return std::array{partialsOfRow<Row>()...};
-}
-(std::make_index_sequence<ops::count>{});
+ private:
+  Graph& graph_;
+  std::optional<Expression> sum_;
+};
 
 }  // namespace
 
@@ -42,21 +38,31 @@ Differentiator::Tangents& Differentiator::tangentsBy(NodeId input) {
   return tangents_.emplace_back(input, Tangents{}).second;
 }
 
+NodeId Differentiator::chainRuleOfCall(NodeId call, const Tangents& tangents) {
+  const std::vector<NodeId> by = graph_.arguments(call), given = graph_.partials(call);
+  Sum sum(graph_);
+  for (std::size_t i = 0; i < by.size(); ++i)
+    sum.add(tangents[index(by[i])], [&] { return given[i]; });
+  return sum.total();
+}
+
+NodeId Differentiator::tangentOf(NodeId id, const Tangents& tangents) {
+  if (graph_.isList(id)) return id;  // not zero; the call asks for that of each argument
+  return graph_.isCall(id) ? chainRuleOfCall(id, tangents) : chainRule(id, tangents);
+}
+
 NodeId Differentiator::chainRule(NodeId id, const Tangents& tangents) {
   const int arity = graph_.arity(id);
-  const Partials& rowPartials = partials[static_cast<std::size_t>(graph_.node(id).op)];
-  std::array<Expression, ops::maxArity> x{};
+  const Partials& rowPartials = partialsOf(graph_.node(id).op);
+  Arguments x{};
   for (int i = 0; i < arity; ++i) x[i] = {&graph_, graph_.operand(id, i)};
 
-  std::optional<Expression> sum;
+  Sum sum(graph_);
   for (int i = 0; i < arity; ++i) {
-    const Expression tangent{&graph_, tangents[index(x[i].id)]};
-    if (rowPartials[i] == nullptr || graph_.isConstant(tangent.id, 0)) continue;
-    const Expression partial{&graph_, rowPartials[i](graph_, x, {&graph_, id})};
-    const Expression term = partial * tangent;
-    sum = sum ? *sum + term : term;
+    if (rowPartials[i] == nullptr) continue;
+    sum.add(tangents[index(x[i].id)], [&] { return rowPartials[i](graph_, x, {&graph_, id}); });
   }
-  return sum ? sum->id : graph_.constant(0);
+  return sum.total();
 }
 
 NodeId Differentiator::derivative(NodeId root, NodeId input) {
@@ -77,7 +83,7 @@ NodeId Differentiator::derivative(NodeId root, NodeId input) {
       tangent = one;
     } else if (dependsOnInput(id)) {
       const Graph::OriginScope scope(graph_, id);
-      tangent = chainRule(id, tangents);
+      tangent = tangentOf(id, tangents);
     }
     tangents[index(id)] = tangent;
   }

@@ -16,6 +16,7 @@ class Differentiator {
   explicit Differentiator(Graph& graph) : graph_(graph) {}
 
   // d root / d input, where `input` is a component of an input. Other inputs are held constant.
+  // Calls of the host's functions on the way must have their partials.
   NodeId derivative(NodeId root, NodeId input);
 
  private:
@@ -24,7 +25,9 @@ class Differentiator {
   static constexpr NodeId unknown{~std::uint32_t{0}};
 
   Tangents& tangentsBy(NodeId input);
+  NodeId tangentOf(NodeId id, const Tangents& tangents);
   NodeId chainRule(NodeId id, const Tangents& tangents);
+  NodeId chainRuleOfCall(NodeId call, const Tangents& tangents);
 
   Graph& graph_;
   std::vector<std::pair<NodeId, Tangents>> tangents_;  // by input; there are few

@@ -13,12 +13,14 @@ namespace {
 
 class Emitter {
  public:
-  Emitter(const Graph& graph, std::span<const Output> outputs, const EmitOptions& options)
+  Emitter(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
+          const EmitOptions& options)
       : graph_(graph),
+        dialect_(dialect),
         outputs_(outputs),
         options_(options),
         nodes_(reachable(graph, roots(outputs))),
-        writer_(graph) {}
+        writer_(graph, dialect) {}
 
   Emitted run() {
     constexpr std::size_t usualLength = 24;
@@ -30,12 +32,14 @@ class Emitter {
     writeStatements();
     result_.nodes = nodes_.size();
     result_.operations = static_cast<std::size_t>(
-        std::count_if(nodes_.begin(), nodes_.end(), [&](NodeId id) { return !graph_.isLeaf(id); }));
+        std::count_if(nodes_.begin(), nodes_.end(), [&](NodeId id) { return computes(id); }));
     result_.code = assemble();
     return std::move(result_);
   }
 
  private:
+  bool computes(NodeId id) const { return !graph_.isLeaf(id) && !graph_.isList(id); }
+
   static std::vector<NodeId> roots(std::span<const Output> outputs) {
     std::vector<NodeId> roots;
     for (const Output& output : outputs) {
@@ -46,9 +50,10 @@ class Emitter {
   }
 
   void reserveNames() {
-    std::vector<bool> used(graph_.inputCount());
+    std::vector<bool> used(graph_.inputCount()), called(graph_.functionCount());
     for (const NodeId id : nodes_) {
       if (graph_.isInput(id)) used[graph_.node(id).operands[0]] = true;
+      if (graph_.isCall(id)) called[graph_.node(id).operands[1]] = true;
     }
     for (const Output& output : outputs_) {
       if (output.sum) used[output.sum->input] = true;
@@ -58,6 +63,11 @@ class Emitter {
       if (!used[i]) continue;
       result_.inputs.push_back(i);
       temporaries_.reserve(graph_.input(i).label);
+    }
+    for (std::uint32_t i = 0; i < called.size(); ++i) {
+      if (!called[i]) continue;
+      result_.functions.push_back(i);
+      temporaries_.reserve(graph_.function(i).name);
     }
   }
 
@@ -70,19 +80,23 @@ class Emitter {
         continue;
       }
       const std::string name = temporaries_.next();
-      statements_ +=
-          "  " + typeName(ops::Type::Float, input.size) + ' ' + name + " = " + input.label + ";\n";
+      define(dialect_.typeName(ops::Type::Float, input.shape), name);
+      statements_ += input.label + ";\n";
       writer_.nameInput(i, name);
       ++result_.temporaries;
     }
+  }
+
+  // The beginning of a statement.
+  void define(const std::string& type, const std::string& name) {
+    statements_ += "  " + dialect_.definition(type, name);
   }
 
   // A scalar result is its own temporary.
   void bindScalarOutputs() {
     for (const Output& output : outputs_) {
       const NodeId id = output.components[0];
-      if (!output.sum && output.components.size() == 1 && !graph_.isLeaf(id) &&
-          !writer_.isNamed(id))
+      if (!output.sum && output.shape.isNumber() && !graph_.isLeaf(id) && !writer_.isNamed(id))
         writer_.name(id, output.name);
     }
   }
@@ -101,6 +115,7 @@ class Emitter {
       int& depth = depths[index(id)];
       for (int i = 0; i < graph_.arity(id); ++i)
         depth = std::max(depth, depths[index(graph_.operand(id, i))]);
+      if (graph_.isList(id)) continue;
       ++depth;
       const bool shared = uses[index(id)] > 1 && !isCheap(id);
       const bool isOutput = writer_.isNamed(id);
@@ -117,13 +132,12 @@ class Emitter {
 
   void writeTemporary(NodeId id, bool isOutput) {
     writeComment(id);
-    statements_ += "  ";
     if (isOutput) {
-      statements_ += writer_.nameOf(id) + " = ";
+      statements_ += "  " + writer_.nameOf(id) + " = ";
       writer_.writeOperation(statements_, id);
     } else {
       const std::string name = temporaries_.next();
-      statements_ += typeName(graph_.type(id), 1) + ' ' + name + " = ";
+      define(dialect_.typeName(graph_.type(id), oneNumber), name);
       writer_.writeOperation(statements_, id);
       writer_.name(id, name);
       ++result_.temporaries;
@@ -135,22 +149,21 @@ class Emitter {
     const auto& comments = options_.comments;
     const auto at =
         std::lower_bound(comments.begin(), comments.end(), id,
-                         [](const auto& comment, NodeId node) { return comment.first < node; });
-    if (at != comments.end() && at->first == id) statements_ += "  // " + at->second + '\n';
+                         [](const Comment& comment, NodeId node) { return comment.end <= node; });
+    if (at != comments.end() && at->first <= id) statements_ += "  // " + at->text + '\n';
   }
 
   void writeStatements() {
     for (const Output& output : outputs_) {
       const NodeId first = output.components[0];
-      if (output.components.size() == 1 && writer_.isNamed(first) &&
-          writer_.nameOf(first) == output.name)
+      if (output.shape.isNumber() && writer_.isNamed(first) && writer_.nameOf(first) == output.name)
         continue;
       statements_ += "  " + output.name + " = ";
       if (output.sum) {
         statements_ +=
             writer_.inputName(output.sum->input) + " + " + outputs_[output.sum->output].name;
       } else {
-        writer_.writeVector(statements_, output.components);
+        writer_.writeValue(statements_, output.shape, output.components);
       }
       statements_ += ";\n";
     }
@@ -162,16 +175,19 @@ class Emitter {
     std::string code;
     std::string group;
     for (const Output& output : outputs_) {
-      const std::string type =
-          typeName(graph_.type(output.components[0]), static_cast<int>(output.components.size()));
-      if (type != group) code += (group.empty() ? "" : ";\n") + type + ' ' + output.name;
-      if (type == group) code += ", " + output.name;
+      const std::string type = dialect_.typeName(graph_.type(output.components[0]), output.shape);
+      if (type == group && !dialect_.declaresWithVar) {
+        code += ", " + output.name;
+      } else {
+        code += (group.empty() ? "" : ";\n") + dialect_.declaration(type, output.name);
+      }
       group = type;
     }
     return code + ";\n{\n" + statements_ + "}\n";
   }
 
   const Graph& graph_;
+  const Dialect& dialect_;
   std::span<const Output> outputs_;
   const EmitOptions& options_;
   std::vector<NodeId> nodes_;
@@ -183,9 +199,10 @@ class Emitter {
 
 }  // namespace
 
-Emitted emit(const Graph& graph, std::span<const Output> outputs, const EmitOptions& options) {
+Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
+             const EmitOptions& options) {
   if (outputs.empty()) return {};
-  return Emitter(graph, outputs, options).run();
+  return Emitter(graph, dialect, outputs, options).run();
 }
 
 }  // namespace warpjet

@@ -1,7 +1,8 @@
 // Emission: roots of a graph enter, the statements that compute them leave.
 //
 // A node that is used once is written where it is used; a node that is used more often becomes a
-// temporary. Nothing here recurses, so depth is no limit. Emission knows nothing of warps.
+// temporary, and so does one that would nest deeper than `maxDepth`. Nothing here recurses, so
+// depth is no limit. Emission knows nothing of warps.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "emit/dialect.hpp"
 #include "graph/graph.hpp"
 
 namespace warpjet {
 
-// A variable that the statements declare and assign: a float or bool, or a vector of up to four.
+// A variable that the statements declare and assign.
 struct Output {
   // The variable as the sum of an input and an earlier output, where it happens to be one. It only
   // makes the text shorter: `position + offset` instead of three sums.
@@ -25,26 +27,35 @@ struct Output {
   };
 
   std::string name;
+  Shape shape;
   std::vector<NodeId> components;
   std::optional<Sum> sum = {};
+};
+
+// A line for above the statements of the nodes from `first` to before `end`.
+struct Comment {
+  NodeId first, end;
+  std::string text;
 };
 
 struct EmitOptions {
   // The number of nested operations at which an expression becomes a temporary.
   int maxDepth = 8;
-  // Comments to put before the statement that computes a node, sorted by node.
-  std::vector<std::pair<NodeId, std::string>> comments = {};
+  std::vector<Comment> comments = {};  // in the order of the nodes
 };
 
 struct Emitted {
   std::string code;
-  std::vector<std::uint32_t> inputs;  // the inputs that the statements read, ascending
-  std::size_t nodes = 0;              // graph nodes that the outputs need, leaves included
-  std::size_t operations = 0;         // those of them that compute something
+  std::vector<std::uint32_t> inputs;     // the inputs that the statements read, ascending
+  std::vector<std::uint32_t> functions;  // the functions of the host that they call, ascending
+  std::size_t nodes = 0;                 // graph nodes that the outputs need, leaves included
+  std::size_t operations = 0;            // those of them that compute something
   std::size_t temporaries = 0;
 };
 
-// Names must have passed `inputProblem` and `outputProblem`, and be distinct.
-Emitted emit(const Graph& graph, std::span<const Output> outputs, const EmitOptions& options);
+// Names must have passed `inputProblem` and `outputProblem`, and be distinct. The outputs must have
+// been lowered to what the dialect has.
+Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
+             const EmitOptions& options);
 
 }  // namespace warpjet

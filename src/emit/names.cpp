@@ -13,22 +13,26 @@ namespace {
 constexpr std::size_t longestName = 256;
 
 // Whether our statements call a function of that name, such as `sin($0)`.
-bool isCalledByUs(std::string_view word) {
+bool isCalledByUs(const Dialect& dialect, std::string_view word) {
   return std::any_of(ops::infos.begin(), ops::infos.end(), [&](const ops::Info& info) {
-    const std::string_view text = info.glsl.text;
+    const std::string_view text = info.spellings.in(dialect.language).text;
     return text.starts_with(word) && text.substr(word.size()).starts_with('(');
   });
 }
 
 std::string reservedProblem(const Dialect& dialect, std::string_view word) {
   if (word.size() > longestName) return "it is longer than 256 letters";
-  if (Dialect::holds(dialect.keywords, word)) return quoted(word) + " is a word of GLSL itself";
-  if (word.starts_with("gl_") || word.starts_with("GL_") || word.starts_with("webgl_") ||
-      word.starts_with("_webgl_"))
-    return "names that start with gl_ or webgl_ belong to GLSL, as " + quoted(word) + " does";
+  const std::string language(dialect.family);
+  if (Dialect::holds(dialect.keywords, word))
+    return quoted(word) + " is a word of " + language + " itself";
+  for (const std::string_view prefix : {"gl_", "GL_", "webgl_", "_webgl_"}) {
+    if (word.starts_with(prefix))
+      return "names that start with gl_ or webgl_ belong to GLSL, as " + quoted(word) + " does";
+  }
   if (word.find("__") != std::string_view::npos)
-    return "names with two underscores in a row belong to GLSL, as " + quoted(word) + " does";
-  if (isCalledByUs(word)) return quoted(word) + " is a function of GLSL";
+    return "names with two underscores in a row belong to " + language + ", as " + quoted(word) +
+           " does";
+  if (isCalledByUs(dialect, word)) return quoted(word) + " is a function of " + language;
   return {};
 }
 
@@ -52,11 +56,15 @@ std::vector<std::string_view> identifiers(std::string_view text) {
 
 std::string inputProblem(const Dialect& dialect, std::string_view text) {
   if (text.find_first_not_of(' ') == std::string_view::npos) return "it is empty";
-  if (auto problem = syntaxProblem(text, dialect.hasBitOperators); !problem.empty()) return problem;
+  if (auto problem = syntaxProblem(text, dialect.operators); !problem.empty()) return problem;
+  if (Dialect::holds(dialect.otherTypes, text))
+    return "it is no float; write float(" + std::string(text) + ')';
   for (const std::string_view word : identifiers(text)) {
     const std::size_t end = text.find_first_not_of(' ', word.data() - text.data() + word.size());
-    const bool isCall = end != text.npos && text[end] == '(';
-    if (isCall && (Dialect::holds(dialect.constructors, word) || isCalledByUs(word))) continue;
+    const char next = end == text.npos ? ' ' : text[end];
+    const bool isTemplate = dialect.language == ops::Language::Wgsl && (next == '<' || next == '>');
+    if ((next == '(' || isTemplate) && Dialect::holds(dialect.constructors, word)) continue;
+    if (next == '(' && isCalledByUs(dialect, word)) continue;
     if (Dialect::holds(dialect.builtIns, word)) continue;
     if (auto problem = reservedProblem(dialect, word); !problem.empty()) return problem;
   }
@@ -81,7 +89,10 @@ bool isPlainVariable(std::string_view text) {
 }
 
 void Temporaries::reserve(std::string_view text) {
-  for (const std::string_view name : identifiers(text)) used_.emplace_back(name);
+  for (const std::string_view name : identifiers(text)) {
+    const bool isLikeOurs = name.size() > 1 && name[0] == 't' && isDigit(name[1]);
+    if (isLikeOurs) used_.emplace_back(name);
+  }
 }
 
 std::string Temporaries::next() {

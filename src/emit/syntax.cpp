@@ -36,8 +36,7 @@ std::size_t numberLength(std::string_view text) {
 // every question mark waits for its partner.
 class Reader {
  public:
-  Reader(std::string_view text, bool hasBitOperators)
-      : rest_(text), hasBitOperators_(hasBitOperators) {}
+  Reader(std::string_view text, std::string_view operators) : rest_(text), operators_(operators) {}
 
   std::string problem() {
     while (!rest_.empty()) {
@@ -60,7 +59,7 @@ class Reader {
     const bool isNumber = isDigit(c) || (c == '.' && operandDue_ && isDigit(peek(1)));
     if (isNumber) {
       const std::size_t length = numberLength(rest_);
-      if (isWordPart(peek(length))) return operatorMissing;
+      if (isWordPart(peek(length)) || peek(length) == '.') return operatorMissing;
       return readOperand(length, false);
     }
     if (isWordStart(c)) return readOperand(wordLength(rest_), true);
@@ -124,11 +123,13 @@ class Reader {
     constexpr std::string_view singles = "+-*/%<>!&|^~?:,", prefixes = "+-!~";
     const std::string_view two = rest_.substr(0, 2), single = rest_.substr(0, 1);
 
-    constexpr std::string_view bits = "%&|^~";
+    constexpr std::string_view optional = "%&|^~?:";
     const bool isLogical = two == "&&" || two == "||" || two == "^^";
-    const bool isBitOperator =
-        two == "<<" || two == ">>" || (!isLogical && bits.find(single) != bits.npos);
-    if (isBitOperator && !hasBitOperators_) return quoted(single) + " cannot stand in it";
+    const bool isShift = two == "<<" || two == ">>";
+    // Only GLSL has ^^, as it alone has ?:
+    const std::string_view needed = two == "^^" ? "?" : isShift ? "&" : isLogical ? "" : single;
+    if (optional.find(needed) != optional.npos && operators_.find(needed) == operators_.npos)
+      return quoted(single) + " cannot stand in it";
     if (std::find(forbidden.begin(), forbidden.end(), two) != forbidden.end())
       return quoted(two) + " cannot stand in it";
     const bool isPair = std::find(pairs.begin(), pairs.end(), two) != pairs.end();
@@ -154,15 +155,15 @@ class Reader {
 
   std::string_view rest_;
   std::string awaited_;
-  bool hasBitOperators_;
+  std::string_view operators_;
   bool operandDue_ = true;
   bool afterName_ = false;
 };
 
 }  // namespace
 
-std::string syntaxProblem(std::string_view text, bool hasBitOperators) {
-  return Reader(text, hasBitOperators).problem();
+std::string syntaxProblem(std::string_view text, std::string_view operators) {
+  return Reader(text, operators).problem();
 }
 
 }  // namespace warpjet

@@ -15,8 +15,8 @@ constexpr bool isWordPart(char c) { return isWordStart(c) || isDigit(c); }
 
 inline std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-// Why a text is not one complete expression, or nothing. GLSL ES 1.00 has no operators on the bits
-// of integers, nor `%`.
-std::string syntaxProblem(std::string_view text, bool hasBitOperators);
+// Why a text is not one complete expression, or nothing. `operators` are those of `%&|^~?:` that
+// the language has; << and >> go with &.
+std::string syntaxProblem(std::string_view text, std::string_view operators);
 
 }  // namespace warpjet

@@ -7,10 +7,28 @@
 
 namespace warpjet {
 
-std::string typeName(ops::Type type, int size) {
-  const bool isFloat = type == ops::Type::Float;
-  if (size == 1) return isFloat ? "float" : "bool";
-  return (isFloat ? "vec" : "bvec") + std::to_string(size);
+namespace {
+
+constexpr ops::Spelling list{"$0, $1"};
+
+}  // namespace
+
+Writer::Writer(const Graph& graph, const Dialect& dialect)
+    : graph_(graph),
+      dialect_(dialect),
+      names_(graph.size(), unnamed),
+      inputNames_(graph.inputCount()) {
+  callTexts_.reserve(graph.functionCount());
+  for (std::uint32_t i = 0; i < graph.functionCount(); ++i) {
+    callTexts_.push_back(graph.function(i).name + "($0)");
+    callSpellings_.push_back({callTexts_.back()});
+  }
+}
+
+const ops::Spelling& Writer::spellingOf(NodeId id) const {
+  if (graph_.isList(id)) return list;
+  if (graph_.isCall(id)) return callSpellings_[graph_.node(id).operands[1]];
+  return ops::info(graph_.node(id).op).spellings.in(dialect_.language);
 }
 
 void Writer::name(NodeId id, std::string name) {
@@ -23,11 +41,14 @@ void Writer::writeLeaf(std::string& text, NodeId id) {
     const std::string number = literal(graph_.value(id));
     if (number[0] == '-' && text.ends_with('-')) text += ' ';  // "--" is a decrement
     text += number;
+    text += dialect_.numberSuffix;
     return;
   }
   const auto [input, component, unused] = graph_.node(id).operands;
+  const Shape shape = graph_.input(input).shape;
   text += inputNames_[input];
-  if (graph_.input(input).size > 1) text += {'.', "xyzw"[component]};
+  if (shape.isMatrix()) text += '[' + std::to_string(component / shape.rows) + ']';
+  if (!shape.isNumber()) text += {'.', "xyzw"[component % shape.rows]};
 }
 
 void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
@@ -36,7 +57,7 @@ void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
   } else if (graph_.isLeaf(id)) {
     writeLeaf(text, id);
   } else {
-    const ops::Spelling& spelling = ops::info(graph_.node(id).op).glsl;
+    const ops::Spelling& spelling = spellingOf(id);
     const bool parenthesized = spelling.result < loosest;
     if (parenthesized) text += '(';
     frames_.push_back({id, spelling.text, parenthesized});
@@ -56,7 +77,7 @@ void Writer::finish(std::string& text) {
     }
     const int operand = frame.rest[dollar + 1] - '0';
     frame.rest.remove_prefix(dollar + 2);
-    const ops::Spelling& spelling = ops::info(graph_.node(frame.id).op).glsl;
+    const ops::Spelling& spelling = spellingOf(frame.id);
     open(text, graph_.operand(frame.id, operand), spelling.operands[operand]);
   }
 }
@@ -67,29 +88,31 @@ void Writer::write(std::string& text, NodeId id) {
 }
 
 void Writer::writeOperation(std::string& text, NodeId id) {
-  frames_.push_back({id, ops::info(graph_.node(id).op).glsl.text, false});
+  frames_.push_back({id, spellingOf(id).text, false});
   finish(text);
 }
 
-bool Writer::isWholeInput(std::span<const NodeId> components) const {
+bool Writer::isWholeInput(Shape shape, std::span<const NodeId> components) const {
   for (std::size_t i = 0; i < components.size(); ++i) {
     if (!graph_.isInput(components[i])) return false;
     const auto [input, component, unused] = graph_.node(components[i]).operands;
     if (input != graph_.node(components[0]).operands[0] || component != i) return false;
-    if (graph_.input(input).size != static_cast<int>(components.size())) return false;
+    if (graph_.input(input).shape != shape) return false;
   }
   return true;
 }
 
-void Writer::writeVector(std::string& text, std::span<const NodeId> components) {
-  if (components.size() == 1) return write(text, components[0]);
-  if (isWholeInput(components)) {
+void Writer::writeValue(std::string& text, Shape shape, std::span<const NodeId> components) {
+  if (shape.isNumber()) return write(text, components[0]);
+  if (isWholeInput(shape, components)) {
     text += inputNames_[graph_.node(components[0]).operands[0]];
     return;
   }
-  const bool allEqual = std::all_of(components.begin(), components.end(),
-                                    [&](NodeId id) { return id == components[0]; });
-  text += typeName(graph_.type(components[0]), static_cast<int>(components.size())) + '(';
+  // One number in the place of all is the diagonal of a matrix.
+  const bool allEqual =
+      shape.isVector() && std::all_of(components.begin(), components.end(),
+                                      [&](NodeId id) { return id == components[0]; });
+  text += dialect_.typeName(graph_.type(components[0]), shape) + '(';
   for (std::size_t i = 0; i < (allEqual ? 1 : components.size()); ++i) {
     if (i > 0) text += ", ";
     write(text, components[i]);

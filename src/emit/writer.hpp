@@ -8,17 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "emit/dialect.hpp"
 #include "graph/graph.hpp"
 
 namespace warpjet {
 
-// `float`, `bool`, `vec3`, `bvec2`.
-std::string typeName(ops::Type type, int size);
-
 class Writer {
  public:
-  explicit Writer(const Graph& graph)
-      : graph_(graph), names_(graph.size(), unnamed), inputNames_(graph.inputCount()) {}
+  Writer(const Graph& graph, const Dialect& dialect);
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
 
   // From now on the node, or the input, is written as this variable.
   void name(NodeId id, std::string name);
@@ -30,7 +29,8 @@ class Writer {
 
   // The operation itself, even if the node has a name.
   void writeOperation(std::string& text, NodeId id);
-  void writeVector(std::string& text, std::span<const NodeId> components);
+  // A number, a vector or a matrix.
+  void writeValue(std::string& text, Shape shape, std::span<const NodeId> components);
 
  private:
   static constexpr std::uint32_t unnamed = ~std::uint32_t{0};
@@ -46,12 +46,16 @@ class Writer {
   void open(std::string& text, NodeId id, ops::Precedence loosest);
   void writeLeaf(std::string& text, NodeId id);
   void finish(std::string& text);
-  bool isWholeInput(std::span<const NodeId> components) const;
+  const ops::Spelling& spellingOf(NodeId id) const;
+  bool isWholeInput(Shape shape, std::span<const NodeId> components) const;
 
   const Graph& graph_;
+  const Dialect& dialect_;
   std::vector<std::uint32_t> names_;  // by node index, an index into texts_
   std::vector<std::string> texts_;
   std::vector<std::string> inputNames_;
+  std::vector<std::string> callTexts_;        // by function of the host: `noise($0)`
+  std::vector<ops::Spelling> callSpellings_;  // with those texts
   std::vector<Frame> frames_;
 };
 

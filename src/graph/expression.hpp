@@ -66,6 +66,10 @@ inline Expression asin(Expression x) { return build(ops::find("asin"), x); }
 
 inline Expression acos(Expression x) { return build(ops::find("acos"), x); }
 
+inline Expression sinh(Expression x) { return build(ops::find("sinh"), x); }
+
+inline Expression cosh(Expression x) { return build(ops::find("cosh"), x); }
+
 inline Expression exp(Expression x) { return build(ops::find("exp"), x); }
 
 inline Expression log(Expression x) { return build(ops::find("log"), x); }
@@ -94,6 +98,9 @@ requires SomeExpression<X, Y> Expression min(X x, Y y) { return build(ops::find(
 
 template <class X, class Y>
 requires SomeExpression<X, Y> Expression max(X x, Y y) { return build(ops::find("max"), x, y); }
+
+template <class X, class Y>
+requires SomeExpression<X, Y> Expression step(X x, Y y) { return build(ops::find("step"), x, y); }
 
 template <class X, class Y>
 requires SomeExpression<X, Y> Expression lt(X x, Y y) { return build(ops::find("lt"), x, y); }

@@ -10,6 +10,8 @@ namespace warpjet {
 
 namespace {
 
+constexpr NodeId none{~std::uint32_t{0}};
+
 // Enough for most warps, so that they never rehash; 16 KB.
 constexpr std::size_t initialTableSize = 4096;
 
@@ -38,7 +40,8 @@ bool fitsFloat32(double value) {
 
 }  // namespace
 
-Graph::Graph(std::size_t capacity) : table_(initialTableSize), capacity_(capacity) {}
+Graph::Graph(std::size_t capacity, Simplification simplification)
+    : table_(initialTableSize), capacity_(capacity), simplification_(simplification) {}
 
 std::size_t Graph::slotOf(const Node& node) const {
   const std::size_t mask = table_.size() - 1;
@@ -55,6 +58,7 @@ NodeId Graph::intern(const Node& node) {
   const auto id = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
   origins_.push_back(origin_.value_or(NodeId{id}));
+  has_[index(node.op)] = true;
   table_[slot] = id + 1;
   if (nodes_.size() * 2 > table_.size()) growTable();
   return NodeId{id};
@@ -80,11 +84,11 @@ bool Graph::isConstant(NodeId id, double value) const {
   return isConstant(id) && this->value(id) == value;
 }
 
-std::uint32_t Graph::input(std::string_view label, int size) {
+std::uint32_t Graph::input(std::string_view label, Shape shape) {
   for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
-    if (inputs_[i].label == label && inputs_[i].size == size) return i;
+    if (inputs_[i].label == label && inputs_[i].shape == shape) return i;
   }
-  inputs_.push_back({std::string(label), size});
+  inputs_.push_back({std::string(label), shape});
   return static_cast<std::uint32_t>(inputs_.size() - 1);
 }
 
@@ -92,8 +96,41 @@ NodeId Graph::component(std::uint32_t input, int component) {
   return intern(Node{{input, static_cast<std::uint32_t>(component)}, inputOp});
 }
 
+std::uint32_t Graph::addFunction(std::string_view name, int arity) {
+  functions_.push_back({std::string(name), arity});
+  return static_cast<std::uint32_t>(functions_.size() - 1);
+}
+
+NodeId Graph::call(std::uint32_t function, std::span<const NodeId> arguments) {
+  std::vector<NodeId> floats;
+  for (const NodeId argument : arguments) floats.push_back(convert(argument, ops::Type::Float));
+  return intern(Node{{index(makeList(floats)), function}, callOp});
+}
+
+NodeId Graph::makeList(std::span<const NodeId> items) {
+  NodeId all = items[0];
+  for (const NodeId item : items.subspan(1)) all = intern(Node{{index(all), index(item)}, listOp});
+  return all;
+}
+
+std::vector<NodeId> Graph::list(NodeId id) const {
+  std::vector<NodeId> items;
+  for (; isList(id); id = operand(id, 0)) items.push_back(operand(id, 1));
+  items.push_back(id);
+  return {items.rbegin(), items.rend()};
+}
+
+void Graph::setPartials(NodeId call, std::span<const NodeId> partials) {
+  if (partials_.size() <= index(call)) partials_.resize(index(call) + 1, none);
+  partials_[index(call)] = makeList(partials);
+}
+
+bool Graph::hasPartials(NodeId call) const {
+  return index(call) < partials_.size() && partials_[index(call)] != none;
+}
+
 ops::Type Graph::type(NodeId id) const {
-  return isLeaf(id) ? ops::Type::Float : ops::info(node(id).op).signature.result;
+  return isOperation(id) ? ops::info(node(id).op).signature.result : ops::Type::Float;
 }
 
 NodeId Graph::convert(NodeId id, ops::Type wanted) {
@@ -128,11 +165,15 @@ NodeId Graph::apply(Op op, Operands operands) {
   const ops::Info& info = ops::info(op);
   for (int i = 0; i < info.arity; ++i)
     operands[i] = convert(operands[i], info.signature.operands[i]);
-  if (const auto folded = fold(op, operands)) return *folded;
-  if (const auto simpler = simplify(*this, op, operands)) return *simpler;
+  const bool simplifies = simplification_ == Simplification::On;
+  if (simplifies) {
+    if (const auto folded = fold(op, operands)) return *folded;
+    if (const auto simpler = simplify(*this, op, operands)) return *simpler;
+  }
 
   Node node{{}, op};
   for (int i = 0; i < info.arity; ++i) node.operands[i] = index(operands[i]);
+  if (!simplifies) return intern(node);
   // x + y and y + x are one node, in the order that came first.
   if (op == ops::find("add") || op == ops::find("mult")) {
     const std::size_t slot = slotOf({{node.operands[1], node.operands[0]}, op});

@@ -2,17 +2,20 @@
 //
 // Every node is one float or one bool; a vec3 is three ids, held by whoever wants a vector. Equal
 // nodes are one node, so a value and its derivatives share their work. Operands always have smaller
-// ids than their users, so ascending ids are a topological order and nothing here recurses. The
-// graph knows nothing of shaders: an input is a label and a component.
+// ids than their users, so ascending ids are a topological order and nothing recurses by depth. The
+// graph knows nothing of shaders: an input is a label and a component, a function of the host is a
+// name.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "graph/shape.hpp"
 #include "ops/ops.hpp"
 
 namespace warpjet {
@@ -20,21 +23,28 @@ namespace warpjet {
 enum class NodeId : std::uint32_t {};
 
 constexpr std::uint32_t index(NodeId id) { return static_cast<std::uint32_t>(id); }
+constexpr std::size_t index(Op op) { return static_cast<std::size_t>(op); }
 
-// The two kinds of leaves, numbered after the rows of the table.
+// The kinds of nodes that are no rows of the table, numbered after them: two kinds of leaves, and a
+// call of a function of the host, whose arguments are a list.
 inline constexpr Op constantOp{static_cast<std::uint8_t>(ops::count)};
 inline constexpr Op inputOp{static_cast<std::uint8_t>(ops::count + 1)};
+inline constexpr Op callOp{static_cast<std::uint8_t>(ops::count + 2)};
+inline constexpr Op listOp{static_cast<std::uint8_t>(ops::count + 3)};
 
-// By operation, leaves included.
+// How many operands are nodes, by operation.
 inline constexpr auto arities = [] {
-  std::array<std::uint8_t, ops::count + 2> all{};
+  std::array<std::uint8_t, ops::count + 4> all{};
   for (std::size_t i = 0; i < ops::count; ++i)
     all[i] = static_cast<std::uint8_t>(ops::infos[i].arity);
+  all[index(callOp)] = 1;
+  all[index(listOp)] = 2;
   return all;
 }();
 
 // Sixteen bytes. A constant keeps the bits of its double in the first two operands, an input its
-// number and its component.
+// number and its component. A call has its arguments first and then the number of its function;
+// several arguments are a list of all but the last, and the last.
 struct Node {
   std::array<std::uint32_t, ops::maxArity> operands{};
   Op op{};
@@ -42,10 +52,16 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
-// A variable of the host: a float, or a vector of up to four.
+// A variable of the host.
 struct Input {
   std::string label;
-  int size = 1;
+  Shape shape;
+};
+
+// A function of the host from floats to a float.
+struct Function {
+  std::string name;
+  int arity;
 };
 
 using Operands = std::array<NodeId, ops::maxArity>;
@@ -56,16 +72,28 @@ class Graph {
   // memory. Past it every new node is the last one, valid but meaningless.
   static constexpr std::size_t maxNodes = std::size_t{1} << 22;
 
-  explicit Graph(std::size_t capacity = maxNodes);
+  enum class Simplification : bool { Off, On };
+
+  explicit Graph(std::size_t capacity = maxNodes,
+                 Simplification simplification = Simplification::On);
 
   NodeId constant(double value);
 
-  // The number of the input with this label; asking twice gives the same one.
-  std::uint32_t input(std::string_view label, int size);
+  // The number of the input with this label and shape; asking twice gives the same one.
+  std::uint32_t input(std::string_view label, Shape shape);
   NodeId component(std::uint32_t input, int component);
+
+  std::uint32_t addFunction(std::string_view name, int arity);
+  NodeId call(std::uint32_t function, std::span<const NodeId> arguments);
+  // What the derivatives of a call by its arguments are, one node each.
+  void setPartials(NodeId call, std::span<const NodeId> partials);
+  bool hasPartials(NodeId call) const;
+  std::vector<NodeId> partials(NodeId call) const { return list(partials_[index(call)]); }
+  std::vector<NodeId> arguments(NodeId call) const { return list(operand(call, 0)); }
 
   // The operation on operands, simplified. Operands of the wrong type are converted. An operation
   // on constants is folded, unless its result is not a finite float32: such a node stays as it is.
+  // With simplification off, which is for tests, it is only interned.
   NodeId apply(Op op, Operands operands);
 
   std::size_t size() const { return nodes_.size(); }
@@ -73,18 +101,26 @@ class Graph {
   const Node& node(NodeId id) const { return nodes_[index(id)]; }
   const Input& input(std::uint32_t number) const { return inputs_[number]; }
   std::size_t inputCount() const { return inputs_.size(); }
+  const Function& function(std::uint32_t number) const { return functions_[number]; }
+  const Function& function(NodeId call) const { return functions_[node(call).operands[1]]; }
+  std::size_t functionCount() const { return functions_.size(); }
 
   bool isConstant(NodeId id) const { return node(id).op == constantOp; }
   bool isConstant(NodeId id, double value) const;
   bool isInput(NodeId id) const { return node(id).op == inputOp; }
   bool isLeaf(NodeId id) const { return isConstant(id) || isInput(id); }
+  bool isCall(NodeId id) const { return node(id).op == callOp; }
+  bool isList(NodeId id) const { return node(id).op == listOp; }
+  bool isOperation(NodeId id) const { return index(node(id).op) < ops::count; }
   bool is(NodeId id, Op op) const { return node(id).op == op; }
   double value(NodeId constant) const;
   // The value of a constant, or 1 or 0 for a condition that is always true or false, which is the
   // node `bool(constant)`.
   std::optional<double> known(NodeId id) const;
   ops::Type type(NodeId id) const;
-  int arity(NodeId id) const { return arities[static_cast<std::size_t>(node(id).op)]; }
+  // Whether any node is of this operation.
+  bool has(Op op) const { return has_[index(op)]; }
+  int arity(NodeId id) const { return arities[index(node(id).op)]; }
   NodeId operand(NodeId id, int i) const { return NodeId{node(id).operands[i]}; }
 
   // The value that a node belongs to: itself, or that of the OriginScope it was made in. The order
@@ -100,13 +136,19 @@ class Graph {
   void growTable();
   NodeId convert(NodeId id, ops::Type type);
   std::optional<NodeId> fold(Op op, const Operands& operands);
+  NodeId makeList(std::span<const NodeId> items);
+  std::vector<NodeId> list(NodeId id) const;
 
   std::vector<Node> nodes_;
+  std::array<bool, arities.size()> has_{};
   std::vector<NodeId> origins_;
   std::vector<std::uint32_t> table_;  // open addressing; an entry is a node's index plus one
   std::vector<Input> inputs_;
+  std::vector<Function> functions_;
+  std::vector<NodeId> partials_;  // by call, a list; as long as there are calls with any
   std::optional<NodeId> origin_;
   std::size_t capacity_;
+  Simplification simplification_;
 };
 
 // While it lives, new nodes of the graph belong to `value`.

@@ -12,7 +12,8 @@ using Simplified = std::optional<NodeId>;
 
 constexpr Op Neg = ops::find("neg"), Add = ops::find("add"), Sub = ops::find("sub"),
              Mult = ops::find("mult"), Div = ops::find("div"), Pow = ops::find("pow"),
-             Not = ops::find("not"), IfElse = ops::find("ifElse");
+             Min = ops::find("min"), Max = ops::find("max"), Not = ops::find("not"),
+             IfElse = ops::find("ifElse");
 
 // The largest exponent whose power is written as products (exact for a negative base).
 constexpr double maxProductExponent = 16;
@@ -134,6 +135,14 @@ Simplified simplifyIfElse(Graph& graph, const Operands& operands) {
   return {};
 }
 
+// Languages leave clamp undefined where its bounds cross, which only constants cannot do unseen.
+Simplified simplifyClamp(Graph& graph, const Operands& operands) {
+  const auto [x, low, high] = operands;
+  if (!graph.isConstant(low) || !graph.isConstant(high))
+    return graph.apply(Min, {graph.apply(Max, {x, low}), high});
+  return graph.value(low) > graph.value(high) ? Simplified(high) : std::nullopt;
+}
+
 Simplified simplifyMix(Graph& graph, const Operands& operands) {
   const auto [x, y, t] = operands;
   if (graph.isConstant(t, 0)) return x;
@@ -161,6 +170,8 @@ Simplified simplify(Graph& graph, Op op, Operands& operands) {
       return simplifyPow(graph, operands);
     case IfElse:
       return simplifyIfElse(graph, operands);
+    case ops::find("clamp"):
+      return simplifyClamp(graph, operands);
     case ops::find("mix"):
       return simplifyMix(graph, operands);
     case Neg:

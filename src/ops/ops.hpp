@@ -16,17 +16,17 @@ enum class Op : std::uint8_t {};
 
 namespace ops {
 
-// A row without its functions.
+// A row without its functions and what people read.
 struct Info {
   std::string_view name;
   int arity;
   Signature signature;
-  Spelling glsl;
+  Spellings spellings;
 };
 
 inline constexpr auto infos = std::apply(
     [](const auto&... row) {
-      return std::array{Info{row.name, row.arity, row.signature, row.glsl}...};
+      return std::array{Info{row.title.name, row.arity, row.signature, row.spellings}...};
     },
     table);
 

@@ -25,11 +25,10 @@ inline constexpr Signature choice{Type::Float, {Type::Bool, Type::Float, Type::F
 inline constexpr Signature toFloat{Type::Float, {Type::Bool, Type::Bool, Type::Bool}};
 inline constexpr Signature toBool{Type::Bool, {Type::Float, Type::Float, Type::Float}};
 
-// GLSL ES 3.00, section 5.1, from the loosest binding to the tightest.
+// From the loosest binding to the tightest, as in GLSL ES 3.00, section 5.1.
 enum class Precedence : std::uint8_t {
   Ternary,
-  LogicalOr,
-  LogicalAnd,
+  Logical,
   Equality,
   Relational,
   Additive,
@@ -39,32 +38,68 @@ enum class Precedence : std::uint8_t {
 };
 
 // How an operation is written: `$0`, `$1`, `$2` stand for the operands. An operand that binds
-// looser than its `operands` entry gets parentheses.
+// looser than its `operands` entry gets parentheses. Without a text the language lacks it.
 struct Spelling {
   std::string_view text;
   Precedence result = Precedence::Primary;
   std::array<Precedence, maxArity> operands{};
+
+  constexpr bool isMissing() const { return text.empty(); }
 };
 
-constexpr Spelling call(std::string_view text) { return {text}; }
+enum class Language : std::uint8_t { Glsl300, Glsl100, Wgsl };
+
+inline constexpr int languageCount = 3;
+
+// The spelling in each language; most are the same in all.
+struct Spellings {
+  std::array<Spelling, languageCount> byLanguage;
+
+  constexpr Spellings(Spelling spelling) : byLanguage{spelling, spelling, spelling} {}
+
+  constexpr const Spelling& in(Language language) const {
+    return byLanguage[static_cast<std::size_t>(language)];
+  }
+
+  constexpr Spellings with(Language language, std::string_view text) const {
+    Spellings other = *this;
+    other.byLanguage[static_cast<std::size_t>(language)] = {text};
+    return other;
+  }
+
+  // A row with a missing spelling must say what it is lowered to.
+  constexpr Spellings missingIn(Language language) const { return with(language, ""); }
+};
+
+constexpr Spellings call(std::string_view text) { return Spelling{text}; }
+
+// For what built-in functions get wrong: every language has it lowered.
+inline constexpr Spellings nowhere = Spelling{""};
 
 // Left-associative: an equally tight left operand needs no parentheses, a right one does. They
 // matter, since the addition of floats is not associative.
-constexpr Spelling infix(std::string_view text, Precedence level) {
+constexpr Spellings infix(std::string_view text, Precedence level) {
   const auto tighter = static_cast<Precedence>(static_cast<int>(level) + 1);
-  return {text, level, {level, tighter, tighter}};
+  return Spelling{text, level, {level, tighter, tighter}};
+}
+
+// WGSL takes no && beside || without parentheses.
+constexpr Spellings logical(std::string_view text) {
+  return Spelling{text, Precedence::Logical, {Precedence::Equality, Precedence::Equality, {}}};
 }
 
 // `-x * y` is (-x) * y, which is exactly -(x * y), so a negated product needs no parentheses.
-inline constexpr Spelling negation{
-    "-$0", Precedence::Multiplicative, {Precedence::Multiplicative, {}, {}}};
+inline constexpr Spellings negation =
+    Spelling{"-$0", Precedence::Multiplicative, {Precedence::Multiplicative, {}, {}}};
 
-inline constexpr Spelling logicalNegation{"!$0", Precedence::Unary, {Precedence::Unary, {}, {}}};
+inline constexpr Spellings logicalNegation =
+    Spelling{"!$0", Precedence::Unary, {Precedence::Unary, {}, {}}};
 
-inline constexpr Spelling conditional{
-    "$0 ? $1 : $2",
-    Precedence::Ternary,
-    {Precedence::LogicalOr, Precedence::LogicalOr, Precedence::LogicalOr}};
+inline constexpr Spellings conditional =
+    Spellings(Spelling{"$0 ? $1 : $2",
+                       Precedence::Ternary,
+                       {Precedence::Logical, Precedence::Logical, Precedence::Logical}})
+        .with(Language::Wgsl, "select($2, $1, $0)");
 
 struct Interval {
   double low, high;
@@ -78,38 +113,59 @@ inline constexpr Interval positive{0.05, 4};
 inline constexpr Interval negative{-4, -0.05};
 inline constexpr Interval belowRightAngle{-1.4, 1.4};
 inline constexpr Interval unitInterval{-0.98, 0.98};
+inline constexpr Interval aboveOne{1.02, 4};
 
 inline constexpr Domain everywhere{anywhere, anywhere, anywhere};
 
+// What people read of an operation: its name, its operands in order, and what it gives.
+struct Title {
+  std::string_view name;
+  std::string_view operands;
+  std::string_view meaning;
+};
+
+// The formula of an operation that every language has.
+struct NoFormula {};
+
 // `value` maps operands to the result. `partials` holds one function an operand, from the operands
 // and the result to the partial derivative; an operation without partials is locally constant.
-template <class Value, class... Partials>
+// `lowered` says the operation by others, for languages that lack it.
+template <class Value, class Lowered, class... Partials>
 struct Row {
-  std::string_view name;
+  Title title;
   int arity;
   Signature signature;
-  Spelling glsl;
+  Spellings spellings;
   Domain domain;
   Value value;
   std::tuple<Partials...> partials;
+  Lowered lowered;
+
+  template <class Formula>
+  constexpr Row<Value, Formula, Partials...> loweredTo(Formula formula) const {
+    return {title, arity, signature, spellings, domain, value, partials, formula};
+  }
 };
 
 template <class Value, class... Partials>
-constexpr auto unary(std::string_view name, Signature signature, Spelling glsl, Domain domain,
+constexpr auto unary(Title title, Signature signature, Spellings spellings, Domain domain,
                      Value value, Partials... partials) {
-  return Row<Value, Partials...>{name, 1, signature, glsl, domain, value, {partials...}};
+  return Row<Value, NoFormula, Partials...>{title,  1,     signature,     spellings,
+                                            domain, value, {partials...}, {}};
 }
 
 template <class Value, class... Partials>
-constexpr auto binary(std::string_view name, Signature signature, Spelling glsl, Domain domain,
+constexpr auto binary(Title title, Signature signature, Spellings spellings, Domain domain,
                       Value value, Partials... partials) {
-  return Row<Value, Partials...>{name, 2, signature, glsl, domain, value, {partials...}};
+  return Row<Value, NoFormula, Partials...>{title,  2,     signature,     spellings,
+                                            domain, value, {partials...}, {}};
 }
 
 template <class Value, class... Partials>
-constexpr auto ternary(std::string_view name, Signature signature, Spelling glsl, Domain domain,
+constexpr auto ternary(Title title, Signature signature, Spellings spellings, Domain domain,
                        Value value, Partials... partials) {
-  return Row<Value, Partials...>{name, 3, signature, glsl, domain, value, {partials...}};
+  return Row<Value, NoFormula, Partials...>{title,  3,     signature,     spellings,
+                                            domain, value, {partials...}, {}};
 }
 
 }  // namespace warpjet::ops

@@ -9,9 +9,17 @@
 
 namespace warpjet::ops {
 
-using std::abs, std::floor, std::pow, std::sqrt;
+using std::abs, std::ceil, std::floor, std::trunc;
 using std::acos, std::asin, std::atan, std::atan2, std::cos, std::sin, std::tan;
-using std::exp, std::log;
+using std::acosh, std::asinh, std::atanh, std::cosh, std::sinh, std::tanh;
+using std::exp, std::log, std::pow, std::sqrt;
+
+inline constexpr double ln2 = 0.69314718055994530942;
+
+inline double exp2(double x) { return std::pow(2, x); }
+inline double log2(double x) { return std::log(x) / ln2; }
+// A half goes to the even neighbour.
+inline double round(double x) { return std::nearbyint(x); }
 
 inline double inversesqrt(double x) { return 1 / std::sqrt(x); }
 inline double sign(double x) { return (x > 0) - (x < 0); }

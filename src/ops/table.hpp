@@ -1,15 +1,18 @@
-// THE table: one row an operation. A row gives name, types, spelling, the domain on which tests
-// sample it, value, and one partial derivative an operand; `v` is the operation's own result, so
-// that exp, sqrt or tan can share it. A new row needs besides itself only a value function in
-// scalar.hpp (if the standard library has none), one in graph/expression.hpp if a formula here
-// calls it, and its type in types.ts.
+// THE table: one row an operation. A row gives name, operands and meaning for people, then types,
+// spelling, the domain on which tests sample it, value, and one partial derivative an operand; `v`
+// is the operation's own result, so that exp, sqrt or tan can share it. A row that a language lacks
+// also says how it is lowered to others. A new row needs besides itself only a value function in
+// scalar.hpp (if the standard library has none) and one in graph/expression.hpp if a formula here
+// calls it.
 //
-// Kinks: d|x| = sign(x). floor, sign, step and comparisons have derivative 0; fract has 1; mod(x,
-// y) has 1 by x and -floor(x/y) by y. min, max, clamp and ifElse take the branch that the value
-// takes. At and beyond the edge of its domain an operation has derivative 0 instead of infinity or
-// 0/0: sqrt(0), pow(x, y) for x <= 0 (whole powers are products and never come here), asin and acos
-// of 1 and -1, atan(0, 0). So length, dist and normalize are safe at zero. log, inversesqrt and 1/x
-// are not guarded: where they are infinite, so is the position.
+// Kinks: d|x| = sign(x). floor, ceil, round, trunc, sign, step and comparisons have derivative 0;
+// fract has 1; mod(x, y) has 1 by x and -floor(x/y) by y. min, max, clamp and ifElse take the
+// branch that the value takes, min and max the first of equal operands, and clamp(x, low, high) is
+// min(max(x, low), high) even where low is above high. At and beyond the edge of its domain an
+// operation has derivative 0 instead of infinity or 0/0: sqrt(0), pow(x, y) for x <= 0 (whole
+// powers are products and never come here), asin and acos of 1 and -1, acosh(1), atan(0, 0). So
+// length, dist and normalize are safe at zero. log, inversesqrt, atanh and 1/x are not guarded:
+// where they are infinite, so is the position.
 //
 // A lone `//` keeps clang-format from joining two lines.
 #pragma once
@@ -32,94 +35,172 @@ inline constexpr auto inversesqrtOrZero = [](auto x) {
 };
 
 using enum Precedence;
+using enum Language;
 
 inline constexpr std::tuple table{
     // arithmetic
     unary(
-        "neg", floats, negation, everywhere, [](auto x) { return -x; }, minusOne),
+        {"neg", "x", "-x"}, floats, negation, everywhere, [](auto x) { return -x; }, minusOne),
     binary(
-        "add", floats, infix("$0 + $1", Additive), everywhere, [](auto x, auto y) { return x + y; },
-        one, one),
+        {"add", "x, y", "The sum of two or more."}, floats, infix("$0 + $1", Additive), everywhere,
+        [](auto x, auto y) { return x + y; }, one, one),
     binary(
-        "sub", floats, infix("$0 - $1", Additive), everywhere, [](auto x, auto y) { return x - y; },
-        one, minusOne),
+        {"sub", "x, y", "x - y, and minus all that follow."}, floats, infix("$0 - $1", Additive),
+        everywhere, [](auto x, auto y) { return x - y; }, one, minusOne),
     binary(
-        "mult", floats, infix("$0 * $1", Multiplicative), everywhere,
+        {"mult", "x, y", "The product of two or more; with a matrix, that of linear algebra."},
+        floats, infix("$0 * $1", Multiplicative), everywhere,
         [](auto x, auto y) { return x * y; },  //
         [](auto, auto y, auto) { return y; },  //
         [](auto x, auto, auto) { return x; }),
     binary(
-        "div", floats, infix("$0 / $1", Multiplicative), {anywhere, positive, {}},
+        {"div", "x, y", "x / y, and divided by all that follow."}, floats,
+        infix("$0 / $1", Multiplicative), {anywhere, positive, {}},
         [](auto x, auto y) { return x / y; },        //
         [](auto, auto y, auto) { return 1.0 / y; },  //
         [](auto, auto y, auto v) { return -(v / y); }),
 
     // powers
     binary(
-        "pow", floats, call("pow($0, $1)"), {positive, anywhere, {}},
+        {"pow", "x, exponent",
+         "x to the power of the exponent. A whole number from -16 to 16 makes a product, right for "
+         "negative x too; with any other exponent, x must not be negative."},
+        floats, call("pow($0, $1)"), {positive, anywhere, {}},
         [](auto x, auto y) { return pow(x, y); },
         [](auto x, auto y, auto) { return ifElse(gt(x, 0.0), y * pow(x, y - 1.0), 0.0); },
         [](auto x, auto, auto v) { return ifElse(gt(x, 0.0), v * log(x), 0.0); }),
     unary(
-        "sqrt", floats, call("sqrt($0)"), {positive}, [](auto x) { return sqrt(x); },
+        {"sqrt", "x", "The square root; its derivative at 0 counts as 0."}, floats,
+        call("sqrt($0)"), {positive}, [](auto x) { return sqrt(x); },
         [](auto x, auto v) { return ifElse(gt(x, 0.0), 0.5 / v, 0.0); }),
     unary(
-        "inversesqrt", floats, call("inversesqrt($0)"), {positive},
+        {"inversesqrt", "x", "1 / sqrt(x)"}, floats,
+        call("inversesqrt($0)").with(Wgsl, "inverseSqrt($0)"), {positive},
         [](auto x) { return inversesqrt(x); }, [](auto, auto v) { return -0.5 * (v * v * v); }),
     unary(
-        "exp", floats, call("exp($0)"), everywhere, [](auto x) { return exp(x); },
-        [](auto, auto v) { return v; }),
+        {"exp", "x", "e to the power of x."}, floats, call("exp($0)"), everywhere,
+        [](auto x) { return exp(x); }, [](auto, auto v) { return v; }),
     unary(
-        "log", floats, call("log($0)"), {positive}, [](auto x) { return log(x); },
-        [](auto x, auto) { return 1.0 / x; }),
+        {"exp2", "x", "2 to the power of x."}, floats, call("exp2($0)"), everywhere,
+        [](auto x) { return exp2(x); }, [](auto, auto v) { return v * ln2; }),
+    unary(
+        {"log", "x", "The natural logarithm, of what is greater than 0."}, floats, call("log($0)"),
+        {positive}, [](auto x) { return log(x); }, [](auto x, auto) { return 1.0 / x; }),
+    unary(
+        {"log2", "x", "The logarithm to base 2, of what is greater than 0."}, floats,
+        call("log2($0)"), {positive}, [](auto x) { return log2(x); },
+        [](auto x, auto) { return (1 / ln2) / x; }),
 
     // trigonometry, in radians
     unary(
-        "sin", floats, call("sin($0)"), everywhere, [](auto x) { return sin(x); },
-        [](auto x, auto) { return cos(x); }),
+        {"sin", "x", "The sine of an angle in radians."}, floats, call("sin($0)"), everywhere,
+        [](auto x) { return sin(x); }, [](auto x, auto) { return cos(x); }),
     unary(
-        "cos", floats, call("cos($0)"), everywhere, [](auto x) { return cos(x); },
-        [](auto x, auto) { return -sin(x); }),
+        {"cos", "x", "The cosine of an angle in radians."}, floats, call("cos($0)"), everywhere,
+        [](auto x) { return cos(x); }, [](auto x, auto) { return -sin(x); }),
     unary(
-        "tan", floats, call("tan($0)"), {belowRightAngle}, [](auto x) { return tan(x); },
-        [](auto, auto v) { return v * v + 1.0; }),
+        {"tan", "x", "The tangent of an angle in radians."}, floats, call("tan($0)"),
+        {belowRightAngle}, [](auto x) { return tan(x); }, [](auto, auto v) { return v * v + 1.0; }),
     unary(
-        "asin", floats, call("asin($0)"), {unitInterval}, [](auto x) { return asin(x); },
+        {"asin", "x", "The angle from -π/2 to π/2 whose sine is x, which is from -1 to 1."}, floats,
+        call("asin($0)"), {unitInterval}, [](auto x) { return asin(x); },
         [](auto x, auto) { return inversesqrtOrZero(1.0 - x * x); }),
     unary(
-        "acos", floats, call("acos($0)"), {unitInterval}, [](auto x) { return acos(x); },
+        {"acos", "x", "The angle from 0 to π whose cosine is x, which is from -1 to 1."}, floats,
+        call("acos($0)"), {unitInterval}, [](auto x) { return acos(x); },
         [](auto x, auto) { return -inversesqrtOrZero(1.0 - x * x); }),
     unary(
-        "atan", floats, call("atan($0)"), everywhere, [](auto x) { return atan(x); },
+        {"atan", "x", "The angle from -π/2 to π/2 whose tangent is x."}, floats, call("atan($0)"),
+        everywhere, [](auto x) { return atan(x); },
         [](auto x, auto) { return 1.0 / (x * x + 1.0); }),
     binary(
-        "atan2", floats, call("atan($0, $1)"), everywhere,
+        {"atan2", "y, x", "The angle of the point (x, y), from -π to π."}, floats,
+        call("atan($0, $1)").with(Wgsl, "atan2($0, $1)"), everywhere,
         [](auto y, auto x) { return atan2(y, x); },
         [](auto y, auto x, auto) { return divideOrZero(x, x * x + y * y); },
         [](auto y, auto x, auto) { return -divideOrZero(y, x * x + y * y); }),
 
+    // hyperbolic functions
+    unary(
+        {"sinh", "x", "The hyperbolic sine."}, floats, call("sinh($0)").missingIn(Glsl100),
+        everywhere, [](auto x) { return sinh(x); }, [](auto x, auto) { return cosh(x); })
+        .loweredTo([](auto x) { return 0.5 * (exp(x) - exp(-x)); }),
+    unary(
+        {"cosh", "x", "The hyperbolic cosine."}, floats, call("cosh($0)").missingIn(Glsl100),
+        everywhere, [](auto x) { return cosh(x); }, [](auto x, auto) { return sinh(x); })
+        .loweredTo([](auto x) { return 0.5 * (exp(x) + exp(-x)); }),
+    unary(
+        {"tanh", "x", "The hyperbolic tangent, between -1 and 1."}, floats, nowhere, everywhere,
+        [](auto x) { return tanh(x); }, [](auto, auto v) { return 1.0 - v * v; })
+        .loweredTo([](auto x) {
+          // At most 1, where the exp(2x) of built-in ones is infinite and the result not a number.
+          const auto shrink = exp(-2.0 * abs(x));
+          return sign(x) * (1.0 - shrink) / (1.0 + shrink);
+        }),
+    unary(
+        {"asinh", "x", "The number whose hyperbolic sine is x."}, floats, nowhere, everywhere,
+        [](auto x) { return asinh(x); }, [](auto x, auto) { return inversesqrt(x * x + 1.0); })
+        .loweredTo([](auto x) {
+          // By |x|, since built-in ones cancel far below zero: -88 for asinh(-10000), which is
+          // -9.9.
+          return sign(x) * log(abs(x) + sqrt(x * x + 1.0));
+        }),
+    unary(
+        {"acosh", "x", "The number from 0 up whose hyperbolic cosine is x, which is at least 1."},
+        floats, call("acosh($0)").missingIn(Glsl100), {aboveOne}, [](auto x) { return acosh(x); },
+        [](auto x, auto) { return inversesqrtOrZero(x * x - 1.0); })
+        .loweredTo([](auto x) { return log(x + sqrt(x * x - 1.0)); }),
+    unary(
+        {"atanh", "x", "The number whose hyperbolic tangent is x, which is between -1 and 1."},
+        floats, call("atanh($0)").missingIn(Glsl100), {unitInterval},
+        [](auto x) { return atanh(x); }, [](auto x, auto) { return 1.0 / (1.0 - x * x); })
+        .loweredTo([](auto x) { return 0.5 * log((1.0 + x) / (1.0 - x)); }),
+
     // pieces
     unary(
-        "abs", floats, call("abs($0)"), everywhere, [](auto x) { return abs(x); },
-        [](auto x, auto) { return sign(x); }),
-    unary("sign", floats, call("sign($0)"), everywhere, [](auto x) { return sign(x); }),
-    unary("floor", floats, call("floor($0)"), everywhere, [](auto x) { return floor(x); }),
+        {"abs", "x", "x without its sign."}, floats, call("abs($0)"), everywhere,
+        [](auto x) { return abs(x); }, [](auto x, auto) { return sign(x); }),
+    unary({"sign", "x", "-1, 0 or 1."}, floats, call("sign($0)"), everywhere,
+          [](auto x) { return sign(x); }),
+    unary({"floor", "x", "The whole number at or below x."}, floats, call("floor($0)"), everywhere,
+          [](auto x) { return floor(x); }),
+    unary({"ceil", "x", "The whole number at or above x."}, floats, call("ceil($0)"), everywhere,
+          [](auto x) { return ceil(x); }),
+    unary({"round", "x",
+           "The nearest whole number; a half goes to the even one: round(0.5) is 0, round(1.5) 2."},
+          floats, call("roundEven($0)").missingIn(Glsl100).with(Wgsl, "round($0)"), everywhere,
+          [](auto x) { return round(x); })
+        .loweredTo([](auto x) {
+          const auto below = floor(x), rest = x - below;
+          const auto tie = mod(below, 2.0);
+          return below + ifElse(eq(rest, 0.5), tie, step(0.5, rest));
+        }),
+    unary({"trunc", "x", "x without what follows its point."}, floats,
+          call("trunc($0)").missingIn(Glsl100), everywhere, [](auto x) { return trunc(x); })
+        .loweredTo([](auto x) { return sign(x) * floor(abs(x)); }),
     unary(
-        "fract", floats, call("fract($0)"), everywhere, [](auto x) { return fract(x); }, one),
+        {"fract", "x", "x - floor(x)"}, floats, call("fract($0)"), everywhere,
+        [](auto x) { return fract(x); }, one),
     binary(
-        "mod", floats, call("mod($0, $1)"), {anywhere, positive, {}},
+        {"mod", "x, divisor",
+         "x - divisor * floor(x / divisor), which has the sign of the divisor."},
+        floats, call("mod($0, $1)").missingIn(Wgsl), {anywhere, positive, {}},
         [](auto x, auto y) { return mod(x, y); }, one,
-        [](auto x, auto y, auto) { return -floor(x / y); }),
+        [](auto x, auto y, auto) { return -floor(x / y); })
+        .loweredTo([](auto x, auto y) { return x - y * floor(x / y); }),
     binary(
-        "min", floats, call("min($0, $1)"), everywhere, [](auto x, auto y) { return min(x, y); },
+        {"min", "x, y", "The least of two or more."}, floats, call("min($0, $1)"), everywhere,
+        [](auto x, auto y) { return min(x, y); },
         [](auto x, auto y, auto) { return ifElse(lt(y, x), 0.0, 1.0); },
         [](auto x, auto y, auto) { return ifElse(lt(y, x), 1.0, 0.0); }),
     binary(
-        "max", floats, call("max($0, $1)"), everywhere, [](auto x, auto y) { return max(x, y); },
+        {"max", "x, y", "The greatest of two or more."}, floats, call("max($0, $1)"), everywhere,
+        [](auto x, auto y) { return max(x, y); },
         [](auto x, auto y, auto) { return ifElse(lt(x, y), 0.0, 1.0); },
         [](auto x, auto y, auto) { return ifElse(lt(x, y), 1.0, 0.0); }),
     ternary(
-        "clamp", floats, call("clamp($0, $1, $2)"), {anywhere, negative, positive},
+        {"clamp", "x, low, high", "x, but not below low nor above high."}, floats,
+        call("clamp($0, $1, $2)"), {anywhere, negative, positive},
         [](auto x, auto low, auto high) { return min(max(x, low), high); },
         [](auto x, auto low, auto high, auto) {
           return ifElse(logicalOr(lt(x, low), gt(x, high)), 0.0, 1.0);
@@ -129,42 +210,47 @@ inline constexpr std::tuple table{
         },
         [](auto x, auto low, auto high, auto) { return ifElse(gt(max(x, low), high), 1.0, 0.0); }),
     ternary(
-        "mix", floats, call("mix($0, $1, $2)"), everywhere,
+        {"mix", "x, y, amount", "From x where the amount is 0 to y where it is 1, and beyond."},
+        floats, call("mix($0, $1, $2)"), everywhere,
         [](auto x, auto y, auto t) { return mix(x, y, t); },
         [](auto, auto, auto t, auto) { return 1.0 - t; },  //
         [](auto, auto, auto t, auto) { return t; },
         [](auto x, auto y, auto, auto) { return y - x; }),
-    binary("step", floats, call("step($0, $1)"), everywhere,
-           [](auto edge, auto x) { return step(edge, x); }),
+    binary({"step", "edge, x", "0 where x is below the edge, otherwise 1."}, floats,
+           call("step($0, $1)"), everywhere, [](auto edge, auto x) { return step(edge, x); }),
 
     // conditions
-    binary("lt", comparison, infix("$0 < $1", Relational), everywhere,
+    binary({"lt", "x, y", "x < y"}, comparison, infix("$0 < $1", Relational), everywhere,
            [](auto x, auto y) { return lt(x, y); }),
-    binary("le", comparison, infix("$0 <= $1", Relational), everywhere,
+    binary({"le", "x, y", "x <= y"}, comparison, infix("$0 <= $1", Relational), everywhere,
            [](auto x, auto y) { return le(x, y); }),
-    binary("gt", comparison, infix("$0 > $1", Relational), everywhere,
+    binary({"gt", "x, y", "x > y"}, comparison, infix("$0 > $1", Relational), everywhere,
            [](auto x, auto y) { return gt(x, y); }),
-    binary("ge", comparison, infix("$0 >= $1", Relational), everywhere,
+    binary({"ge", "x, y", "x >= y"}, comparison, infix("$0 >= $1", Relational), everywhere,
            [](auto x, auto y) { return ge(x, y); }),
-    binary("eq", comparison, infix("$0 == $1", Equality), everywhere,
+    binary({"eq", "x, y", "x == y"}, comparison, infix("$0 == $1", Equality), everywhere,
            [](auto x, auto y) { return eq(x, y); }),
-    binary("ne", comparison, infix("$0 != $1", Equality), everywhere,
+    binary({"ne", "x, y", "x != y"}, comparison, infix("$0 != $1", Equality), everywhere,
            [](auto x, auto y) { return ne(x, y); }),
-    binary("and", logic, infix("$0 && $1", LogicalAnd), everywhere,
+    binary({"and", "x, y", "Whether all are true."}, logic, logical("$0 && $1"), everywhere,
            [](auto x, auto y) { return logicalAnd(x, y); }),
-    binary("or", logic, infix("$0 || $1", LogicalOr), everywhere,
+    binary({"or", "x, y", "Whether any is true."}, logic, logical("$0 || $1"), everywhere,
            [](auto x, auto y) { return logicalOr(x, y); }),
-    unary("not", logic, logicalNegation, everywhere, [](auto x) { return logicalNot(x); }),
+    unary({"not", "x", "Whether x is false."}, logic, logicalNegation, everywhere,
+          [](auto x) { return logicalNot(x); }),
     ternary(
-        "ifElse", choice, conditional, everywhere,
+        {"ifElse", "condition, yes, no",
+         "One of two values; a number other than 0 counts as true."},
+        choice, conditional, everywhere,
         [](auto condition, auto yes, auto no) { return ifElse(condition, yes, no); }, zero,
         [](auto condition, auto, auto, auto) { return ifElse(condition, 1.0, 0.0); },
         [](auto condition, auto, auto, auto) { return ifElse(condition, 0.0, 1.0); }),
 
     // conversions, inserted where a condition is used as a number or a number as a condition
-    unary("float", toFloat, call("float($0)"), everywhere,
+    unary({"float", "x", "1 or 0."}, toFloat, call("float($0)").with(Wgsl, "f32($0)"), everywhere,
           [](auto x) { return ifElse(x, 1.0, 0.0); }),
-    unary("bool", toBool, call("bool($0)"), everywhere, [](auto x) { return ne(x, 0.0); }),
+    unary({"bool", "x", "Whether x is not 0."}, toBool, call("bool($0)"), everywhere,
+          [](auto x) { return ne(x, 0.0); }),
 };
 
 inline constexpr std::size_t count = std::tuple_size_v<decltype(table)>;

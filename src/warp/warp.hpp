@@ -1,18 +1,11 @@
-// The warp: an offset function enters as a graph, the moved position and the turned normal leave as
-// nodes of the same graph. The only room that knows what a warp is.
+// The warp: an offset function enters as a graph, the turned normal leaves as nodes of the same
+// graph. The only room that knows what a warp is.
 #pragma once
 
-#include <array>
-
+#include "algebra/value.hpp"
 #include "diff/differentiator.hpp"
-#include "graph/graph.hpp"
 
 namespace warpjet {
-
-using Vec3 = std::array<NodeId, 3>;
-
-// position + offset.
-Vec3 warpedPosition(Graph& graph, const Vec3& position, const Vec3& offset);
 
 // The unit normal of the moved surface, or zero where the warp collapses the surface so that it has
 // none; a cof(M) n outside of 1e-19 ... 1e19 counts as collapsed, since float32 cannot hold its
@@ -24,7 +17,7 @@ Vec3 warpedPosition(Graph& graph, const Vec3& position, const Vec3& offset);
 // columns are m2 x m3, m3 x m1 and m1 x m2, turns normals. It equals equation 1 of Pagurek van
 // Mossel's "Vertex Shader Domain Warping with Automatic Differentiation" (2024) for every choice of
 // tangents. Where M collapses a direction (section 5.1 there) cof(M) n can vanish.
-Vec3 warpedNormal(Differentiator& differentiator, Graph& graph, const Vec3& position,
-                  const Vec3& normal, const Vec3& offset);
+Value warpedNormal(Differentiator& differentiator, const Value& offset, const Value& normal,
+                   const Value& position);
 
 }  // namespace warpjet

@@ -187,21 +187,37 @@ for (const [version, p5] of Object.entries(p5Versions)) {
         width: ({ width, height }) => width.add(height).mult(0.1),
         pixelDensity: ({ pixelDensity }) => pixelDensity.mult(40),
         defs: ({ glsl }) => glsl.param('twice(amount)').add(glsl.vec3Param('shift').z()),
+        matrix: ({ glsl }) =>
+          glsl
+            .mat3Param('turn')
+            .mult(glsl.vec3(0, 40, 0))
+            .x(),
+        'own function': ({ glsl, position }) =>
+          glsl
+            .fn({
+              name: 'halved',
+              source: 'float halved(float x) { return 0.5 * x; }',
+              arity: 1,
+              derivatives: [0.5],
+            })(80)
+            .add(position.x().mult(0)),
       }
       const defs = `uniform float amount;
         uniform vec3 shift;
+        uniform mat3 turn;
         float twice(float x) { return 2.0 * x; }`
       const warps = Object.entries(shifts).map(
         ([name, shift]) => `
           const shift = ${shift}
           const offset = (inputs) => inputs.glsl.vec3(shift(inputs), 0, 0)
-          warps.${name} = createWarp(offset, { space: 'world', defs: ${JSON.stringify(defs)} })`,
+          warps['${name}'] = createWarp(offset, { space: 'world', defs: ${JSON.stringify(defs)} })`,
       )
       const shape = `fill('red'); plane(20)`
       const images = await draw({
         setup: warps.map((code) => `{ ${code} }`).join('\n'),
         scenes: {
-          ...mapValues(shifts, (_, name) => `warps.${name}(); ${shape}`),
+          ...mapValues(shifts, (_, name) => `warps['${name}'](); ${shape}`),
+          matrix: `warps.matrix({ turn: [0, -1, 0, 1, 0, 0, 0, 0, 1] }); ${shape}`,
           defs: `warps.defs({ amount: 15, shift: [0, 0, 10] }); ${shape}`,
           'defs again': `warps.defs(); ${shape}`,
           'defs by vector': `warps.defs({ amount: 0, shift: createVector(0, 0, 40) }); ${shape}`,

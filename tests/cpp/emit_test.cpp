@@ -1,7 +1,9 @@
+// Emission: which nodes become statements, in which order, and how they are written.
 #include "emit/emit.hpp"
 
 #include <gtest/gtest.h>
 
+#include "diff/differentiator.hpp"
 #include "support.hpp"
 
 namespace warpjet {
@@ -28,11 +30,6 @@ TEST_F(EmitTest, ASharedNodeIsATemporary) {
 }
 
 TEST_F(EmitTest, ParenthesesStandOnlyWhereTheyMatter) {
-  const auto body = [](Expression e) {
-    const std::string text = code(e);
-    const std::size_t start = text.find("y = ") + 4;
-    return text.substr(start, text.find(';', start) - start);
-  };
   const Expression z = scalar(graph, "z");
   EXPECT_EQ(body((x + y) + z), "x + y + z");
   EXPECT_EQ(body((x - y) - z), "x - y - z");
@@ -49,6 +46,9 @@ TEST_F(EmitTest, ParenthesesStandOnlyWhereTheyMatter) {
   EXPECT_EQ(body(ifElse(lt(x, y), x, z) * 2.0), "(x < y ? x : z) * 2.0");
   EXPECT_EQ(body(ifElse(logicalAnd(lt(x, y), logicalOr(lt(y, z), lt(x, z))), x, z)),
             "x < y && (y < z || x < z) ? x : z");
+  EXPECT_EQ(body(ifElse(logicalOr(logicalAnd(x, y), z), x, z)),
+            "(bool(x) && bool(y)) || bool(z) ? x : z")
+      << "WGSL wants them";
 }
 
 TEST_F(EmitTest, TheDepthOfAnExpressionIsBounded) {
@@ -81,15 +81,15 @@ TEST_F(EmitTest, ADerivativeFollowsItsValue) {
 
 TEST_F(EmitTest, TemporariesAvoidTheNamesInUse) {
   const Expression t0 = scalar(graph, "t0"), u = sin(t0);
-  const std::vector<Output> outputs{{"t1", {(u * u).id}}};
-  EXPECT_EQ(emit(graph, outputs, {}).code,
+  const std::vector<Output> outputs{result("t1", u * u)};
+  EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
             "float t1;\n{\n  float t2 = sin(t0);\n  t1 = t2 * t2;\n}\n");
 }
 
 TEST_F(EmitTest, AnExpressionOfTheHostIsComputedOnce) {
-  const auto p = vector3(graph, "(uModel * vec4(aPosition, 1.0)).xyz");
-  const std::vector<Output> outputs{{"y", {(p[0] + p[1]).id}}};
-  EXPECT_EQ(emit(graph, outputs, {}).code,
+  const Value p = vector3(graph, "(uModel * vec4(aPosition, 1.0)).xyz");
+  const std::vector<Output> outputs{result("y", p[0] + p[1])};
+  EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
             "float y;\n{\n"
             "  vec3 t0 = (uModel * vec4(aPosition, 1.0)).xyz;\n"
             "  y = t0.x + t0.y;\n"
@@ -97,13 +97,15 @@ TEST_F(EmitTest, AnExpressionOfTheHostIsComputedOnce) {
 }
 
 TEST_F(EmitTest, VectorsAreWrittenShort) {
-  const auto p = vector3(graph, "position");
-  const NodeId zero = graph.constant(0);
-  const std::vector<Output> outputs{{"whole", {p[0].id, p[1].id, p[2].id}},
-                                    {"none", {zero, zero, zero}},
-                                    {"turned", {p[1].id, p[0].id, p[2].id}},
-                                    {"flag", {lt(x, y).id}}};
-  EXPECT_EQ(emit(graph, outputs, {}).code,
+  const Value p = vector3(graph, "position");
+  const Value zero = constantLike(p, 0);
+  Value none(graph, vectorOf(3)), turned = p;
+  for (int i = 0; i < 3; ++i) none.set(i, zero[0].id);
+  turned.set(0, p[1].id);
+  turned.set(1, p[0].id);
+  const std::vector<Output> outputs{result("whole", p), result("none", none),
+                                    result("turned", turned), result("flag", lt(x, y))};
+  EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
             "vec3 whole, none, turned;\nbool flag;\n{\n"
             "  flag = x < y;\n"
             "  whole = position;\n"
@@ -112,10 +114,95 @@ TEST_F(EmitTest, VectorsAreWrittenShort) {
             "}\n");
 }
 
+// mat2(1.0) is the unit matrix, so equal components cannot be written once.
+TEST_F(EmitTest, MatricesAreWrittenComponentByComponentDownTheColumns) {
+  const Value m = variable(graph, "m", matrixOf(2, 3));
+  Value ones(graph, matrixOf(2, 2)), lastRow(graph, vectorOf(2));
+  for (int i = 0; i < 4; ++i) ones.set(i, graph.constant(1));
+  lastRow.set(0, m.at(0, 2).id);
+  lastRow.set(1, m.at(1, 2).id);
+  const std::vector<Output> outputs{result("same", m), result("ones", ones),
+                                    result("lastRow", lastRow)};
+  EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
+            "mat2x3 same;\nmat2 ones;\nvec2 lastRow;\n{\n"
+            "  same = m;\n"
+            "  ones = mat2(1.0, 1.0, 1.0, 1.0);\n"
+            "  lastRow = vec2(m[0].z, m[1].z);\n"
+            "}\n");
+}
+
+TEST_F(EmitTest, AnInputIsWrittenWholeOnlyInItsOwnShape) {
+  const Value m = variable(graph, "m", matrixOf(2, 2));
+  Value v(graph, vectorOf(4)), transposed(graph, matrixOf(2, 2));
+  for (int i = 0; i < 4; ++i) v.set(i, m[i].id);
+  for (int i = 0; i < 4; ++i) transposed.set(i, m.at(i % 2, i / 2).id);
+  const std::vector<Output> outputs{result("v", v), result("transposed", transposed)};
+  EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
+            "vec4 v;\nmat2 transposed;\n{\n"
+            "  v = vec4(m[0].x, m[0].y, m[1].x, m[1].y);\n"
+            "  transposed = mat2(m[0].x, m[1].x, m[0].y, m[1].y);\n"
+            "}\n");
+}
+
+TEST_F(EmitTest, ASumOfAnInputAndAnEarlierResultIsWrittenAsThat) {
+  const Value p = vector3(graph, "position"), offset = p * 2.0;
+  std::vector<Output> outputs{result("offset", offset), result("moved", p + offset)};
+  outputs[1].sum = {graph.input("position", vectorOf(3)), 0};
+  EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
+            "vec3 offset, moved;\n{\n"
+            "  offset = vec3(position.x * 2.0, position.y * 2.0, position.z * 2.0);\n"
+            "  moved = position + offset;\n"
+            "}\n");
+}
+
+TEST_F(EmitTest, AFunctionOfTheHostIsCalledWithItsArgumentsInOrder) {
+  const std::uint32_t noise = graph.addFunction("noise", 3), unused = graph.addFunction("other", 1);
+  const NodeId arguments[] = {(x + y).id, ifElse(lt(x, y), x, 1.0).id, lt(x, y).id};
+  const Expression called{&graph, graph.call(noise, arguments)};
+  EXPECT_EQ(body(-(called * 2.0)), "-noise(x + y, t0 ? x : 1.0, float(t0)) * 2.0");
+  const std::vector<Output> outputs{result("y", called)};
+  const Emitted emitted = emit(graph, glsl300, outputs, {});
+  EXPECT_EQ(emitted.functions, std::vector<std::uint32_t>{noise}) << unused << " is not called";
+  EXPECT_EQ(emitted.operations, 5u) << "x + y, x < y, the choice, float and the call, but no list";
+}
+
+TEST_F(EmitTest, ACallThatIsUsedTwiceIsMadeOnce) {
+  const std::uint32_t noise = graph.addFunction("noise", 2);
+  const NodeId arguments[] = {x.id, y.id};
+  const Expression called{&graph, graph.call(noise, arguments)};
+  EXPECT_EQ(code(called * called),
+            "float y;\n{\n"
+            "  float t0 = noise(x, y);\n"
+            "  y = t0 * t0;\n"
+            "}\n");
+}
+
+TEST_F(EmitTest, ACommentStandsAboveTheStatementsOfItsNodes) {
+  const auto nodes = [&] { return NodeId{static_cast<std::uint32_t>(graph.size())}; };
+  EmitOptions options;
+  const NodeId start = nodes();
+  const Expression u = sin(x);
+  options.comments.push_back({start, nodes(), "u"});
+  const Expression v = cos(y);
+  const NodeId middle = nodes();
+  const Expression sum = u * u + v * v;
+  options.comments.push_back({middle, nodes(), "the sum"});
+  EXPECT_EQ(emit(graph, glsl300, std::vector{result("r", sum)}, options).code,
+            "float r;\n{\n"
+            "  // u\n"
+            "  float t0 = sin(x);\n"
+            "  float t1 = cos(y);\n"
+            "  // the sum\n"
+            "  r = t0 * t0 + t1 * t1;\n"
+            "}\n");
+}
+
+TEST_F(EmitTest, WithoutResultsThereIsNoText) { EXPECT_EQ(emit(graph, glsl300, {}, {}).code, ""); }
+
 TEST_F(EmitTest, CountsWhatTheResultsNeed) {
   sin(y);
-  const std::vector<Output> outputs{{"r", {(sin(x) * sin(x)).id}}};
-  const Emitted emitted = emit(graph, outputs, {});
+  const std::vector<Output> outputs{result("r", sin(x) * sin(x))};
+  const Emitted emitted = emit(graph, glsl300, outputs, {});
   EXPECT_EQ(emitted.nodes, 3u);
   EXPECT_EQ(emitted.operations, 2u);
   EXPECT_EQ(emitted.temporaries, 1u);
@@ -125,8 +212,8 @@ TEST_F(EmitTest, CountsWhatTheResultsNeed) {
 TEST_F(EmitTest, ALongChainIsManyShortStatements) {
   Expression v = x;
   for (int i = 0; i < 100'000; ++i) v = sin(v);
-  const std::vector<Output> outputs{{"r", {v.id}}};
-  EXPECT_EQ(emit(graph, outputs, {}).temporaries, 12'499u);
+  const std::vector<Output> outputs{result("r", v)};
+  EXPECT_EQ(emit(graph, glsl300, outputs, {}).temporaries, 12'499u);
 }
 
 }  // namespace

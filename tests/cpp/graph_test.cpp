@@ -1,3 +1,4 @@
+// The graph: equal nodes are one, constants fold, identities hold.
 #include "graph/graph.hpp"
 
 #include <gtest/gtest.h>
@@ -98,6 +99,80 @@ TEST_F(GraphTest, ChoicesWithTheSameConditionMerge) {
   EXPECT_EQ((ifElse(c, x, 0.0) + ifElse(c, 0.0, y)).id, ifElse(c, x, y).id);
   EXPECT_EQ((ifElse(c, 1.0, 0.0) * y).id, ifElse(c, y, 0.0).id);
   EXPECT_EQ(ifElse(c, x, x).id, x.id);
+}
+
+TEST_F(GraphTest, InputsOfOtherShapesAreOthers) {
+  EXPECT_EQ(graph.input("m", matrixOf(2, 3)), graph.input("m", matrixOf(2, 3)));
+  EXPECT_NE(graph.input("m", matrixOf(2, 3)), graph.input("m", matrixOf(3, 2)));
+  EXPECT_EQ(graph.input(graph.input("m", matrixOf(3, 2))).shape, matrixOf(3, 2));
+}
+
+TEST_F(GraphTest, CallsKeepTheirArgumentsInOrder) {
+  const std::uint32_t noise = graph.addFunction("noise", 3), other = graph.addFunction("other", 3);
+  const std::vector<NodeId> arguments{y.id, x.id, y.id};
+  const NodeId call = graph.call(noise, arguments);
+  EXPECT_EQ(graph.arguments(call), arguments);
+  EXPECT_EQ(graph.function(call).name, "noise");
+  EXPECT_EQ(graph.type(call), ops::Type::Float);
+  EXPECT_EQ(graph.call(noise, arguments), call);
+  EXPECT_NE(graph.call(other, arguments), call);
+  EXPECT_NE(graph.call(noise, std::vector{x.id, y.id, y.id}), call);
+}
+
+TEST_F(GraphTest, ACallOfOneArgumentHasNoList) {
+  const std::uint32_t bump = graph.addFunction("bump", 1);
+  const NodeId call = graph.call(bump, std::vector{x.id});
+  EXPECT_EQ(graph.arguments(call), std::vector{x.id});
+  EXPECT_EQ(graph.arguments(graph.call(bump, std::vector{call})), std::vector{call});
+}
+
+TEST_F(GraphTest, AConditionAsAnArgumentIsANumber) {
+  const std::uint32_t bump = graph.addFunction("bump", 1);
+  const NodeId argument = graph.arguments(graph.call(bump, std::vector{lt(x, y).id}))[0];
+  EXPECT_EQ(graph.type(argument), ops::Type::Float);
+}
+
+TEST_F(GraphTest, ACallIsNeverFolded) {
+  const std::uint32_t bump = graph.addFunction("bump", 1);
+  EXPECT_TRUE(graph.isCall(graph.call(bump, std::vector{graph.constant(1)})));
+}
+
+TEST_F(GraphTest, PartialsBelongToOneCall) {
+  const std::uint32_t noise = graph.addFunction("noise", 2);
+  const NodeId call = graph.call(noise, std::vector{x.id, y.id}),
+               swapped = graph.call(noise, std::vector{y.id, x.id});
+  EXPECT_FALSE(graph.hasPartials(call));
+  const std::vector<NodeId> partials{graph.constant(3), x.id};
+  graph.setPartials(call, partials);
+  EXPECT_TRUE(graph.hasPartials(call));
+  EXPECT_EQ(graph.partials(call), partials);
+  EXPECT_FALSE(graph.hasPartials(swapped));
+}
+
+TEST_F(GraphTest, KnowsWhichOperationsItHas) {
+  EXPECT_FALSE(graph.has(rowNamed("tanh")));
+  graph.apply(rowNamed("tanh"), {x.id});
+  EXPECT_TRUE(graph.has(rowNamed("tanh")));
+  EXPECT_FALSE(graph.has(rowNamed("sin")));
+}
+
+TEST_F(GraphTest, WithoutSimplificationAnOperationStaysAsItIs) {
+  Graph plain(Graph::maxNodes, Graph::Simplification::Off);
+  const Expression a = scalar(plain, "a"), zero{&plain, plain.constant(0)};
+  EXPECT_TRUE(plain.is((a + 0.0).id, rowNamed("add")));
+  EXPECT_TRUE(plain.is((zero * 2.0).id, rowNamed("mult")));
+  EXPECT_TRUE(plain.is((-(-a)).id, rowNamed("neg")));
+  EXPECT_NE((a + zero).id, (zero + a).id);
+  EXPECT_EQ((a + zero).id, (a + zero).id) << "equal nodes are one all the same";
+}
+
+// Crossed bounds are the upper one; WGSL refuses them as constants.
+TEST_F(GraphTest, ClampOfCrossedConstantsIsTheUpperBound) {
+  const auto clamped = [&](double low, double high) {
+    return graph.apply(rowNamed("clamp"), {x.id, graph.constant(low), graph.constant(high)});
+  };
+  EXPECT_EQ(clamped(2, 1), graph.constant(1));
+  EXPECT_TRUE(graph.is(clamped(1, 1), rowNamed("clamp")));
 }
 
 TEST_F(GraphTest, RepeatedSquaringStaysSmall) {

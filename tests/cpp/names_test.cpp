@@ -1,3 +1,4 @@
+// Names and expressions from outside: which may stand in a shader.
 #include "emit/names.hpp"
 
 #include <gtest/gtest.h>
@@ -18,11 +19,11 @@ TEST(Names, ExpressionsOfAHostAreAccepted) {
 
 TEST(Names, BrokenExpressionsAreRefused) {
   for (const char* text :
-       {"",      " ",      "a b",      "a +", "* a",    "(a",     "a)",    "(a]",   "a; b",
-        "a = b", "a += b", "a++",      "--a", "a // b", "a /* b", "f(,a)", "f(a,)", "a, b",
-        "a ? b", "a : b",  "a[",       "a[]", "{a}",    "a.",     ".a",    "a\nb",  "#define",
-        "a$b",   "\"a\"",  "a.5b.c d", "()",  "x!",     "2x",     "2(x)",  "2.xyz", "(a)(b)",
-        "float", "vec3",   "true",     "sin", "1e"})
+       {"",       " ",      "a b",      "a +",  "* a",    "(a",     "a)",    "(a]",   "a; b",
+        "a = b",  "a += b", "a++",      "--a",  "a // b", "a /* b", "f(,a)", "f(a,)", "a, b",
+        "a ? b",  "a : b",  "a[",       "a[]",  "{a}",    "a.",     ".a",    "a\nb",  "#define",
+        "a$b",    "\"a\"",  "a.5b.c d", "()",   "x!",     "2x",     "2(x)",  "2.xyz", "1.0.xyz",
+        "(a)(b)", "float",  "vec3",     "true", "sin",    "1e"})
     EXPECT_NE(inputProblem(glsl300, text), "") << text;
 }
 
@@ -38,6 +39,12 @@ TEST(Names, ReservedWordsAreRefused) {
     EXPECT_NE(inputProblem(glsl100, text), "") << text << " is new in GLSL ES 3.00";
   }
   EXPECT_EQ(inputProblem(glsl100, "a && b || c ^^ d"), "");
+}
+
+TEST(Names, BuiltInVariablesThatAreNoFloatsNeedAConversion) {
+  EXPECT_EQ(inputProblem(glsl300, "gl_VertexID"), "it is no float; write float(gl_VertexID)");
+  EXPECT_EQ(inputProblem(glsl300, "float(gl_VertexID)"), "");
+  EXPECT_EQ(inputProblem(glsl300, "gl_FragCoord"), "");
 }
 
 TEST(Names, ResultsNeedIdentifiers) {

@@ -1,11 +1,17 @@
-// Every row: its partial derivatives against finite differences of its value, and its value at
-// points worked out by hand from the GLSL ES 3.00 specification.
+// Every row: its value at points worked out by hand from the GLSL ES 3.00 specification, its
+// partial derivatives against finite differences of its value, and what it is lowered to against
+// its value.
 #include "ops/ops.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 namespace warpjet::ops {
 namespace {
@@ -18,26 +24,152 @@ double valueOf(std::string_view name, double a, double b = 0, double c = 0) {
   return NAN;
 }
 
+struct Case {
+  std::string_view row;
+  std::array<double, maxArity> operands;
+  double value;
+};
+
+// Equal up to roundings; a zero only to a zero, and infinities and NaN to themselves.
+void expectValue(const Case& expected) {
+  const auto [a, b, c] = expected.operands;
+  const double value = valueOf(expected.row, a, b, c);
+  const auto at = [&] {
+    return std::string(expected.row) + " of " + std::to_string(a) + ", " + std::to_string(b) +
+           ", " + std::to_string(c);
+  };
+  if (std::isnan(expected.value)) {
+    EXPECT_TRUE(std::isnan(value)) << at();
+  } else {
+    EXPECT_DOUBLE_EQ(value, expected.value) << at();
+  }
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 TEST(Ops, ValuesAreThoseOfGlsl) {
-  EXPECT_EQ(valueOf("add", 2, 3), 5);
-  EXPECT_EQ(valueOf("sub", 2, 3), -1);
-  EXPECT_EQ(valueOf("div", 3, 4), 0.75);
-  EXPECT_EQ(valueOf("mod", -1, 3), 2);
-  EXPECT_EQ(valueOf("fract", -0.25), 0.75);
-  EXPECT_EQ(valueOf("floor", -0.25), -1);
-  EXPECT_EQ(valueOf("sign", -7), -1);
-  EXPECT_EQ(valueOf("sign", 0), 0);
-  EXPECT_EQ(valueOf("step", 2, 2), 1);
-  EXPECT_EQ(valueOf("step", 2, 1.9), 0);
-  EXPECT_EQ(valueOf("mix", 10, 20, 0.25), 12.5);
-  EXPECT_EQ(valueOf("clamp", 5, 0, 1), 1);
-  EXPECT_EQ(valueOf("clamp", -5, 0, 1), 0);
-  EXPECT_EQ(valueOf("inversesqrt", 4), 0.5);
-  EXPECT_DOUBLE_EQ(valueOf("atan2", 1, -1), 3 * M_PI / 4);
-  EXPECT_EQ(valueOf("ifElse", 1, 2, 3), 2);
-  EXPECT_EQ(valueOf("lt", 1, 1), 0);
-  EXPECT_EQ(valueOf("le", 1, 1), 1);
-  EXPECT_EQ(valueOf("not", 1), 0);
+  const double e = 2.718281828459045, pi = 3.141592653589793, root2 = 1.4142135623730951;
+  const std::vector<Case> cases{
+      {"neg", {2}, -2},
+      {"add", {2, 3}, 5},
+      {"sub", {2, 3}, -1},
+      {"mult", {-2, 3}, -6},
+      {"div", {3, 4}, 0.75},
+      {"pow", {2, 10}, 1024},
+      {"pow", {2, 0.5}, root2},
+      {"pow", {4, -1.5}, 0.125},
+      {"sqrt", {2}, root2},
+      {"inversesqrt", {4}, 0.5},
+      {"exp", {1}, e},
+      {"exp", {0}, 1},
+      {"exp2", {-3}, 0.125},
+      {"exp2", {0.5}, root2},
+      {"log", {e}, 1},
+      {"log", {1}, 0},
+      {"log2", {8}, 3},
+      {"log2", {0.25}, -2},
+      {"sin", {pi / 6}, 0.5},
+      {"cos", {pi / 3}, 0.5},
+      {"tan", {pi / 4}, 1},
+      {"asin", {0.5}, pi / 6},
+      {"acos", {-0.5}, 2 * pi / 3},
+      {"atan", {1}, pi / 4},
+      {"atan2", {1, -1}, 3 * pi / 4},
+      {"atan2", {-1, 0}, -pi / 2},
+      // With e^x = 2: sinh = (2 - 1/2) / 2, cosh = (2 + 1/2) / 2.
+      {"sinh", {0.6931471805599453}, 0.75},
+      {"cosh", {0.6931471805599453}, 1.25},
+      {"tanh", {0.6931471805599453}, 0.6},
+      {"asinh", {-0.75}, -0.6931471805599453},
+      {"acosh", {1.25}, 0.6931471805599453},
+      {"acosh", {1}, 0},
+      {"atanh", {0.6}, 0.6931471805599453},
+      {"tanh", {400}, 1},
+      {"tanh", {-400}, -1},
+      {"abs", {-3}, 3},
+      {"sign", {-7}, -1},
+      {"sign", {0}, 0},
+      {"sign", {0.1}, 1},
+      {"floor", {-0.25}, -1},
+      {"floor", {2}, 2},
+      {"ceil", {-0.25}, 0},
+      {"ceil", {0.25}, 1},
+      {"ceil", {2}, 2},
+      {"round", {-2.5}, -2},
+      {"round", {-1.5}, -2},
+      {"round", {-0.5}, 0},
+      {"round", {0.5}, 0},
+      {"round", {1.5}, 2},
+      {"round", {2.5}, 2},
+      {"round", {0.49999999999999994}, 0},
+      {"round", {2.4}, 2},
+      {"round", {-2.6}, -3},
+      {"trunc", {-2.75}, -2},
+      {"trunc", {-0.75}, 0},
+      {"trunc", {2.75}, 2},
+      {"fract", {-0.25}, 0.75},
+      {"fract", {2.25}, 0.25},
+      {"mod", {-1, 3}, 2},
+      {"mod", {1, -3}, -2},
+      {"mod", {5.5, 2}, 1.5},
+      {"min", {2, -3}, -3},
+      {"max", {2, -3}, 2},
+      {"clamp", {5, 0, 1}, 1},
+      {"clamp", {-5, 0, 1}, 0},
+      {"clamp", {0.5, 0, 1}, 0.5},
+      {"clamp", {5, 2, 1}, 1},
+      {"clamp", {0, 2, 1}, 1},
+      {"mix", {10, 20, 0.25}, 12.5},
+      {"mix", {10, 20, 2}, 30},
+      {"step", {2, 2}, 1},
+      {"step", {2, 1.9}, 0},
+      {"lt", {1, 1}, 0},
+      {"lt", {1, 2}, 1},
+      {"le", {1, 1}, 1},
+      {"le", {2, 1}, 0},
+      {"gt", {1, 1}, 0},
+      {"gt", {2, 1}, 1},
+      {"ge", {1, 1}, 1},
+      {"ge", {1, 2}, 0},
+      {"eq", {1, 1}, 1},
+      {"eq", {1, 2}, 0},
+      {"ne", {1, 1}, 0},
+      {"ne", {1, 2}, 1},
+      {"and", {1, 1}, 1},
+      {"and", {1, 0}, 0},
+      {"or", {0, 1}, 1},
+      {"or", {0, 0}, 0},
+      {"not", {1}, 0},
+      {"not", {0}, 1},
+      {"ifElse", {1, 2, 3}, 2},
+      {"ifElse", {0, 2, 3}, 3},
+      {"float", {1}, 1},
+      {"float", {0}, 0},
+      {"bool", {-0.5}, 1},
+      {"bool", {0}, 0},
+  };
+  std::set<std::string_view> checked;
+  for (const Case& expected : cases) {
+    expectValue(expected);
+    checked.insert(expected.row);
+  }
+  for (const Info& row : infos) EXPECT_TRUE(checked.contains(row.name)) << row.name;
+}
+
+TEST(Ops, ValuesAtInfinityAreThoseOfIeee754) {
+  for (const Case& expected : std::vector<Case>{{"div", {1, 0}, infinity},
+                                                {"div", {0, 0}, NAN},
+                                                {"log", {0}, -infinity},
+                                                {"log2", {0}, -infinity},
+                                                {"exp2", {-infinity}, 0},
+                                                {"inversesqrt", {0}, infinity},
+                                                {"sqrt", {-1}, NAN},
+                                                {"acosh", {0.5}, NAN},
+                                                {"atanh", {1}, infinity},
+                                                {"round", {-infinity}, -infinity},
+                                                {"trunc", {infinity}, infinity},
+                                                {"tanh", {-infinity}, -1}})
+    expectValue(expected);
 }
 
 // Central differences with Richardson extrapolation: error of order h^4.
@@ -82,9 +214,10 @@ void checkPartial() {
     if constexpr (Operand < std::tuple_size_v<decltype(row.partials)>)
       partial = spread<infos[Row].arity>(std::get<Operand>(row.partials), x.data(), value);
     EXPECT_NEAR(partial, fine, 1e-7 * std::max(1.0, std::abs(fine)))
-        << row.name << " by operand " << Operand << " at " << x[0] << ", " << x[1] << ", " << x[2];
+        << row.title.name << " by operand " << Operand << " at " << x[0] << ", " << x[1] << ", "
+        << x[2];
   }
-  EXPECT_LT(kinks, points / 20) << row.name;
+  EXPECT_LT(kinks, points / 20) << row.title.name;
 }
 
 template <std::size_t Row>
@@ -101,15 +234,94 @@ TEST(Ops, PartialDerivativesMatchFiniteDifferences) {
   (std::make_index_sequence<count>{});
 }
 
-TEST(Ops, KinksFollowTheConvention) {
-  constexpr Op sqrtOp = find("sqrt"), absOp = find("abs");
-  const auto& sqrtRow = std::get<static_cast<std::size_t>(sqrtOp)>(table);
-  const auto& absRow = std::get<static_cast<std::size_t>(absOp)>(table);
-  EXPECT_EQ(std::get<0>(sqrtRow.partials)(0.0, 0.0), 0);
-  EXPECT_EQ(std::get<0>(absRow.partials)(0.0, 0.0), 0);
-  const auto& minRow = std::get<static_cast<std::size_t>(find("min"))>(table);
-  EXPECT_EQ(std::get<0>(minRow.partials)(2.0, 2.0, 2.0), 1) << "equal operands: the first one";
-  EXPECT_EQ(std::get<1>(minRow.partials)(2.0, 2.0, 2.0), 0);
+// Checks the formula of row `Row`, if it has one, at one point.
+template <std::size_t Row>
+void checkFormula(const std::array<double, maxArity>& x) {
+  using Lowered = decltype(std::get<Row>(table).lowered);
+  if constexpr (!std::is_same_v<Lowered, NoFormula>) {
+    constexpr auto formula = std::get<Row>(table).lowered;
+    const double value = evaluate(Op(Row), x);
+    const double lowered = spread<infos[Row].arity>(formula, x.data());
+    const auto at = [&] {
+      return std::string(infos[Row].name) + " of " + std::to_string(x[0]) + ", " +
+             std::to_string(x[1]);
+    };
+    if (std::isinf(value)) {
+      EXPECT_EQ(lowered, value) << at();
+    } else {
+      EXPECT_NEAR(lowered, value, 1e-14 * std::max(1.0, std::abs(value))) << at();
+    }
+  }
+}
+
+template <std::size_t Row>
+void checkFormulaOnDomain() {
+  Sampler sample;
+  for (int point = 0; point < 2000; ++point) {
+    std::array<double, maxArity> x{};
+    for (int i = 0; i < infos[Row].arity; ++i) x[i] = sample(std::get<Row>(table).domain[i]);
+    checkFormula<Row>(x);
+  }
+}
+
+TEST(Ops, LoweredFormulasHaveTheSameValues) {
+  [&]<std::size_t... Row>(std::index_sequence<Row...>) { (checkFormulaOnDomain<Row>(), ...); }
+  (std::make_index_sequence<count>{});
+}
+
+TEST(Ops, LoweredFormulasHaveTheSameValuesAtEdges) {
+  constexpr auto number = [](std::string_view name) {
+    std::size_t i = 0;
+    while (infos[i].name != name) ++i;
+    return i;
+  };
+  const double halfways[] = {-3.5,
+                             -2.5,
+                             -1.5,
+                             -0.5,
+                             0.5,
+                             1.5,
+                             2.5,
+                             3.5,
+                             -3,
+                             -2,
+                             -1,
+                             -0.0,
+                             0,
+                             1,
+                             2,
+                             3,
+                             0.49999999999999994,
+                             -0.49999999999999994,
+                             1e-12,
+                             -1e-12,
+                             0.7,
+                             -0.7,
+                             2.7,
+                             -2.7,
+                             1e9 + 0.5,
+                             -1e9 - 0.5,
+                             1e9 - 0.5,
+                             1e15,
+                             -1e15};
+  for (const double x : halfways) {
+    checkFormula<number("round")>({x});
+    checkFormula<number("trunc")>({x});
+    for (const double divisor : {1.0, -1.0, 3.0, 0.25}) checkFormula<number("mod")>({x, divisor});
+  }
+  for (const double x : {0.0, 1e-9, 1.0, 20.0, 50.0, 300.0, 700.0, 1e5, 1e300, infinity}) {
+    for (const double signedX : {x, -x}) checkFormula<number("tanh")>({signedX});
+  }
+  for (const double x : {0.0, 1e-9, 20.0, 700.0, 1e5}) {
+    for (const double signedX : {x, -x}) {
+      checkFormula<number("sinh")>({signedX});
+      checkFormula<number("cosh")>({signedX});
+      checkFormula<number("asinh")>({signedX});
+    }
+  }
+  checkFormula<number("acosh")>({1});
+  checkFormula<number("acosh")>({1e9});
+  for (const double x : {0.0, 1.0, -1.0, 0.999}) checkFormula<number("atanh")>({x});
 }
 
 TEST(Ops, NamesAreDistinct) {

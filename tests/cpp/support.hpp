@@ -4,40 +4,65 @@
 
 #include <cmath>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "diff/differentiator.hpp"
+#include "algebra/value.hpp"
 #include "emit/emit.hpp"
 #include "graph/expression.hpp"
 #include "graph/reachable.hpp"
 
 namespace warpjet {
 
-inline Expression scalar(Graph& graph, const std::string& name) {
-  return {&graph, graph.component(graph.input(name, 1), 0)};
+// An input of any shape.
+inline Value variable(Graph& graph, const std::string& name, Shape shape) {
+  const std::uint32_t input = graph.input(name, shape);
+  return fill(graph, shape, [&](int i) { return Expression{&graph, graph.component(input, i)}; });
 }
 
-inline std::array<Expression, 3> vector3(Graph& graph, const std::string& name) {
-  const auto input = graph.input(name, 3);
-  return {Expression{&graph, graph.component(input, 0)},
-          Expression{&graph, graph.component(input, 1)},
-          Expression{&graph, graph.component(input, 2)}};
+inline Expression scalar(Graph& graph, const std::string& name) {
+  return variable(graph, name, oneNumber)[0];
+}
+
+inline Value vector3(Graph& graph, const std::string& name) {
+  return variable(graph, name, vectorOf(3));
+}
+
+inline Output result(const std::string& name, const Value& value) {
+  return {name, value.shape(), {value.nodes().begin(), value.nodes().end()}};
 }
 
 // The statements for one scalar result named `y`.
-inline std::string code(Expression y, int maxDepth = 8) {
-  const std::vector<Output> outputs{{"y", {y.id}}};
+inline std::string code(Expression y, int maxDepth = 8, const Dialect& dialect = glsl300) {
   EmitOptions options;
   options.maxDepth = maxDepth;
-  return emit(*y.graph, outputs, options).code;
+  return emit(*y.graph, dialect, std::vector{result("y", y)}, options).code;
 }
 
-// The value of a node in double, where each input has the value of its number and component.
-inline double evaluateNode(const Graph& graph, NodeId root,
-                           const std::map<NodeId, double>& inputs) {
+// What stands for it in those statements.
+inline std::string body(Expression y, const Dialect& dialect = glsl300) {
+  const std::string text = code(y, 8, dialect);
+  const std::size_t start = text.find("y = ") + 4;
+  return text.substr(start, text.find(';', start) - start);
+}
+
+// The number of the row of that name.
+inline Op rowNamed(std::string_view name) {
+  std::size_t i = 0;
+  while (i < ops::count && ops::infos[i].name != name) ++i;
+  return Op{static_cast<std::uint8_t>(i)};
+}
+
+// By input node, its value.
+using Inputs = std::map<NodeId, double>;
+
+// The values of all nodes that `roots` need, in double.
+inline std::map<NodeId, double> evaluateNodes(const Graph& graph, std::span<const NodeId> roots,
+                                              const Inputs& inputs) {
   std::map<NodeId, double> values;
-  for (const NodeId id : reachable(graph, {&root, 1})) {
+  for (const NodeId id : reachable(graph, roots)) {
     if (graph.isConstant(id)) {
       values[id] = graph.value(id);
     } else if (graph.isInput(id)) {
@@ -48,7 +73,11 @@ inline double evaluateNode(const Graph& graph, NodeId root,
       values[id] = ops::evaluate(graph.node(id).op, x);
     }
   }
-  return values[root];
+  return values;
+}
+
+inline double evaluateNode(const Graph& graph, NodeId root, const Inputs& inputs) {
+  return evaluateNodes(graph, {&root, 1}, inputs)[root];
 }
 
 }  // namespace warpjet

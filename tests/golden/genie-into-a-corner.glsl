@@ -19,12 +19,12 @@ vec3 offset, warpedPosition, warpedNormal;
   float t16 = 1.0 - t6;
   float t17 = position.z * t7;
   float t18 = (1.0 - t13) * t16;
-  float t19 = t18 * normal.x - t16 * t15 * normal.y - t15 * t17 * normal.z;
-  float t20 = t16 * t16 * normal.y - t14 * t16 * normal.x + t16 * t17 * normal.z;
-  float t21 = (t18 - t15 * t14) * normal.z;
-  float t22 = t19 * t19 + t20 * t20 + t21 * t21;
+  float t19 = (t18 - t15 * t14) * normal.z;
+  float t20 = t18 * normal.x - t16 * t15 * normal.y - t15 * t17 * normal.z;
+  float t21 = t16 * t16 * normal.y - t14 * t16 * normal.x + t16 * t17 * normal.z;
+  float t22 = t20 * t20 + t21 * t21 + t19 * t19;
   float t23 = t22 > 0.0 ? inversesqrt(t22) : 0.0;
   offset = vec3(mix(position.x, 120.0, t6) - position.x, mix(position.y, 150.0, t13) - position.y, position.z * t16 - position.z);
   warpedPosition = position + offset;
-  warpedNormal = vec3(t19 * t23, t20 * t23, t21 * t23);
+  warpedNormal = vec3(t20 * t23, t21 * t23, t19 * t23);
 }

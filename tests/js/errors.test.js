@@ -138,7 +138,7 @@ test('sizes', () => {
 test('constants without a finite result', () => {
   refuses(
     offset(({ glsl }) => glsl.val(1).div(0)),
-    /div: the result .* not a finite number/,
+    /div: it divides by zero/,
   )
   refuses(
     offset(({ glsl }) => glsl.val(-1).sqrt()),
@@ -153,7 +153,7 @@ test('constants without a finite result', () => {
 test('what a division by zero, and sizes inside of a composition, say', () => {
   refuses(
     offset(({ position }) => position.div(0)),
-    /div: the result/,
+    /div: it divides by zero/,
   )
   refuses(
     offset(({ uv, position }) => uv.dot(position)),
@@ -176,7 +176,10 @@ test('expressions of another warp', () => {
 })
 
 test('options', () => {
-  refuses(() => compileWarp(still, { target: 'hlsl' }), /glsl300, glsl100, but is the text "hlsl"/)
+  refuses(
+    () => compileWarp(still, { target: 'hlsl' }),
+    /glsl300, glsl100, wgsl, but is the text "hlsl"/,
+  )
   refuses(() => compileWarp(still, { traget: 'glsl300' }), /no option "traget"/)
   refuses(() => compileWarp(still, 5), /options must be an object/)
   refuses(() => compileWarp(still, { normals: 'no' }), /"normals" must be true or false/)
@@ -228,16 +231,183 @@ test('derivatives', () => {
     })
   refuses(
     by((v) => v),
-    /choose a component/,
+    /derivative: argument 2 must be a single input, such as position\.x\(\), but is a vec3/,
   )
   refuses(
     by((v) => v.x().mult(2)),
-    /by an input/,
+    /derivative: argument 2 must be an input such as millis .* not something computed/,
   )
   refuses(
     by(() => 3),
-    /by an input/,
+    /must be an input/,
   )
+})
+
+test('two spellings of one variable', () => {
+  const { code } = compile((glsl) => {
+    const p = glsl.vec3Param('p')
+    const square = (x) => glsl.derivative(x.mult(x), p.z())
+    return {
+      a: square(glsl.param('p.b')),
+      b: square(glsl.param('p[2]')),
+      c: glsl.vec2Param('p.zx'),
+    }
+  })
+  assert.match(code, /a = p\.z \+ p\.z;\s+b = a;\s+c = vec2\(p\.z, p\.x\);/)
+  refuses(
+    () => compile((glsl) => ({ r: glsl.param('p.x').mult(glsl.vec3Param('p')) })),
+    /vec3Param: "p\.x" was read before "p", whose part it is; read the vector first/,
+  )
+})
+
+test('vectors of inputs', () => {
+  const of = (callback) => () =>
+    compile((glsl) => ({ d: callback(glsl, glsl.vec3Param('v'), glsl.vec2Param('u')) }))
+  refuses(
+    of((glsl, v) => glsl.gradient(v, v)),
+    /gradient: argument 1 must be a single number, but is a vec3/,
+  )
+  refuses(
+    of((glsl, v) => glsl.gradient(v.x(), v.mult(2))),
+    /argument 2 must be an input such as .* not something computed/,
+  )
+  refuses(
+    of((glsl, v) => glsl.jacobian(v, v.xxy())),
+    /jacobian: argument 2 must have different components/,
+  )
+  refuses(
+    of((glsl, v) => glsl.jacobian(v, v.x())),
+    /argument 2 must be a vector of inputs, such as position, but is a single number/,
+  )
+  refuses(
+    of((glsl, v, u) => glsl.adjustNormal(v, v, u)),
+    /adjustNormal: argument 3 must be a vec3 of inputs, such as position, but is a vec2/,
+  )
+})
+
+test('matrices', () => {
+  const of = (callback) => () => compile((glsl) => ({ r: callback(glsl, glsl.mat3Param('m')) }))
+  refuses(
+    of((glsl, m) => m.sin()),
+    /sin: it does not work on matrices/,
+  )
+  refuses(
+    of((glsl, m) => m.mult(glsl.vec2(1, 2))),
+    /mult: a mat3 and a vec2 do not fit together/,
+  )
+  refuses(
+    of((glsl, m) => glsl.val(1).div(m)),
+    /div: a matrix cannot divide; multiply by its inverse/,
+  )
+  refuses(
+    of((glsl) => glsl.mat2(1, 2, 2, 4).inverse()),
+    /inverse: the determinant of this matrix is 0/,
+  )
+  refuses(
+    of((glsl) => glsl.rotate(glsl.vec3(0, 0, 0), 1)),
+    /rotate: the axis is zero/,
+  )
+  refuses(
+    of((glsl, m) => m.column(3)),
+    /column: argument 1 must be a whole number from 0 to 2/,
+  )
+  refuses(
+    of((glsl) => glsl.mat2(1, 2, 3)),
+    /mat2: 4 components were expected, but 3 came/,
+  )
+  refuses(
+    of((glsl) => glsl.mat2(glsl.vec3(1), glsl.vec2(1, 2))),
+    /mat2: 2 columns of as many components were expected, but a vec3 came/,
+  )
+  refuses(
+    of((glsl, m) => glsl.mat3Rows(m)),
+    /mat3Rows: argument 1 is a mat3, but must be a vector or a number/,
+  )
+  refuses(
+    of((glsl, m) => m.x()),
+    /x: a mat3 has no such components/,
+  )
+  refuses(
+    () =>
+      compile((glsl) => ({ j: glsl.jacobian(glsl.vec2Param('u'), glsl.vec3Param('v')) }), {
+        target: 'glsl100',
+      }),
+    /the result "j" is a matrix of 3 columns and 2 rows, but WebGL 1 has only/,
+  )
+})
+
+test('singular constants', () => {
+  const of = (callback) => () => compile((glsl) => ({ r: callback(glsl) }))
+  for (const [name, callback] of Object.entries({
+    atan: (glsl) => glsl.atan(0, 0),
+    acosh: (glsl) => glsl.val(0.5).acosh(),
+    atanh: (glsl) => glsl.val(1).atanh(),
+    log2: (glsl) => glsl.val(0).log2(),
+    asin: (glsl) => glsl.val(2).asin(),
+    pow: (glsl) => glsl.val(-1).pow(0.5),
+    mod: (glsl) => glsl.param('x').mod(0),
+    smoothstep: (glsl) => glsl.smoothstep(1, 1, glsl.param('x')),
+  }))
+    refuses(of(callback), new RegExp(`^${name}: `))
+})
+
+test('functions of the shader', () => {
+  const a = { name: 'a', source: 'float a(float x) { return x; }', arity: 1 }
+  const of =
+    (options, use = (f, x) => f(x), target) =>
+    () =>
+      compile((glsl) => ({ r: use(glsl.fn(options), glsl.param('x'), glsl) }), { target })
+  const differentiated = (f, x, glsl) => glsl.derivative(f(x), x)
+  refuses(of(undefined), /fn: an object \{ name, source, arity, derivatives \} was expected/)
+  refuses(of({ nam: 'a' }), /fn: there is no option "nam"/)
+  refuses(of({ ...a, name: 5 }), /"name" must be a text, but is the number 5/)
+  refuses(of({ ...a, name: 'sin' }), /"sin" cannot name a function: "sin" is a function of GLSL/)
+  refuses(of({ ...a, name: 'b' }), /"b" is not in the source/)
+  refuses(of({ ...a, arity: 0 }), /"arity" of a must be a whole number from 1 to 16/)
+  refuses(of({ ...a, source: { wgsl: '' } }), /"source" of a must be a text of GLSL, or an object/)
+  refuses(of({ ...a, derivatives: [] }), /"derivatives" of a must be an array of 1/)
+  refuses(
+    of(a, (f) => f(1, 2)),
+    /a: 1 argument was expected, but 2 came/,
+  )
+  refuses(
+    of(a, (f, x, glsl) => f(glsl.mat2(1))),
+    /a: argument 1 must be a number or a vector, but is a mat2/,
+  )
+  refuses(of(a, differentiated), /a: its derivatives are needed here/)
+  refuses(
+    of({ ...a, derivatives: [() => undefined] }, differentiated),
+    /a: derivative 1 must be a number or an expression, but is undefined/,
+  )
+  refuses(
+    of({ ...a, derivatives: [(x) => x.add(1).mult(0.5).sin().neg().add(x).gt(0)] }, (f, x, glsl) =>
+      glsl.derivative(f(glsl.vec2(x, 1)), x).dot(glsl.vec3(1, 1, 1)),
+    ),
+    /dot: a vec2 and a vec3/,
+  )
+  refuses(
+    of(a, (f, x, glsl) => glsl.fn({ ...a, source: 'float a(float x) { return -x; }' })(f(x))),
+    /"a" is the name of another function already/,
+  )
+  refuses(
+    () => compile((glsl) => ({ a: glsl.fn(a)(glsl.param('x')) })),
+    /The result "a" has the name of a variable or function that is read for it/,
+  )
+  refuses(
+    () => compile((glsl) => ({ r: glsl.fn(a)(glsl.param('x')) })).evaluate({ x: 1 }),
+    /evaluate: a function of glsl\.fn can only be computed by the GPU/,
+  )
+})
+
+test('numbers for evaluate', () => {
+  const { evaluate } = compile((glsl) => ({ r: glsl.vec2Param('v').x().add(glsl.param('x')) }))
+  assert.deepEqual(evaluate({ v: [1, 2], x: 3 }), { r: 4 })
+  refuses(() => evaluate(), /evaluate: "v" must be an array of 2 numbers, but is undefined/)
+  refuses(
+    () => evaluate({ v: [1], x: 1 }),
+    /"v" must be an array of 2 numbers, but is an array of 1/,
+  )
+  refuses(() => evaluate({ v: [1, 2], x: '1' }), /"x" must be a number, but is the text "1"/)
 })
 
 test('constants that only a derivative brings together', () => {
@@ -247,7 +417,7 @@ test('constants that only a derivative brings together', () => {
         const x = glsl.param('x')
         return { d: glsl.derivative(x.mult(1e30).mult(1e30), x) }
       }),
-    /A result or its derivative: the result of these constants is not a finite number/,
+    /derivative: the result of these constants is not a finite number/,
   )
 })
 

@@ -1,10 +1,10 @@
 import { readFileSync, readdirSync } from 'node:fs'
 import { warps } from './index.js'
+import { languageTexts } from './languages.js'
 
 export const goldenFolder = new URL('../golden/', import.meta.url)
 
-/** The texts to keep, by file name: those of the gallery, and of the stress test but for its hundreds of sines. */
-export const goldenTexts = () =>
+const warpTexts = () =>
   Object.fromEntries(
     warps
       .filter(({ kept }) => kept)
@@ -13,6 +13,12 @@ export const goldenTexts = () =>
         text ?? compile('glsl300').code,
       ]),
   )
+
+/**
+ * The texts to keep, by file name: those of the gallery, of the stress test but for its hundreds of sines, and what the
+ * languages write differently.
+ */
+export const goldenTexts = () => ({ ...warpTexts(), ...languageTexts() })
 
 /** The texts as they were kept. */
 export const keptTexts = () =>

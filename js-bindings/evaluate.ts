@@ -1,0 +1,65 @@
+// Named expressions on the CPU, in double.
+import type { Variable } from './compilation.js'
+import { getCore } from './core.js'
+import { WarpError, describe } from './errors.js'
+
+/** src/eval/program.hpp: plain words, which outlive the compilation. */
+export interface Program {
+  words: Uint32Array
+  instructions: number
+}
+
+export type Numbers = number | readonly number[]
+
+const sizeOf = ({ shape: [columns, rows] }: Variable) => columns * rows
+const totalSize = (variables: readonly Variable[]) =>
+  variables.reduce((sum, variable) => sum + sizeOf(variable), 0)
+
+/** Runs `program` on the values of its inputs by name. */
+export function evaluate(
+  program: Program | undefined,
+  inputs: readonly Variable[],
+  outputs: readonly Variable[],
+  given: Readonly<Record<string, Numbers>>,
+): Record<string, number | number[]> {
+  if (!program)
+    throw new WarpError('evaluate: a function of glsl.fn can only be computed by the GPU.')
+  const numbers = inputs.flatMap((input) => readNumbers(input, given))
+  const results = run(program, numbers, totalSize(outputs))
+  let at = 0
+  return Object.fromEntries(
+    outputs.map((output) => {
+      const values = results.slice(at, (at += sizeOf(output)))
+      return [output.name, values.length === 1 ? values[0]! : values]
+    }),
+  )
+}
+
+function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>): Numbers {
+  const value: unknown = given?.[input.name]
+  const size = sizeOf(input)
+  const list = size === 1 && typeof value === 'number' ? [value] : value
+  const fits =
+    (Array.isArray(list) || ArrayBuffer.isView(list)) &&
+    (list as number[]).length === size &&
+    [...(list as number[])].every((number) => typeof number === 'number')
+  if (fits) return [...(list as number[])]
+  throw new WarpError(
+    `evaluate: "${input.name}" must be ${size === 1 ? 'a number' : `an array of ${size} numbers`}, but is ${describe(value)}.`,
+  )
+}
+
+function run({ words, instructions }: Program, inputs: number[], resultCount: number): number[] {
+  const core = getCore()
+  const numbers = core._allocate(8 * (inputs.length + resultCount) + 4 * words.length)
+  try {
+    const results = numbers + 8 * inputs.length
+    const code = results + 8 * resultCount
+    core.HEAPF64.set(inputs, numbers / 8)
+    core.HEAPU32.set(words, code / 4)
+    core._run(code, words.length, instructions, numbers, inputs.length, results, resultCount)
+    return [...core.HEAPF64.subarray(results / 8, results / 8 + resultCount)]
+  } finally {
+    core._release(numbers)
+  }
+}

@@ -1,0 +1,145 @@
+#include "builder/builder.hpp"
+
+#include <algorithm>
+
+#include "builder/sentences.hpp"
+
+namespace warpjet {
+
+std::nullopt_t Builder::refuse(std::string_view method, Parts parts) {
+  problem_ = method;
+  if (!method.empty()) problem_ += ": ";
+  for (const std::string_view part : parts) problem_ += part;
+  return std::nullopt;
+}
+
+int Builder::finish(std::optional<Value> value, std::size_t before, std::string_view method) {
+  operands_.clear();
+  if (graph_.full() || values_.full()) value = refuse(method, {tooLarge});
+  if (const auto* why = value ? findImpossible(*value, before) : nullptr) {
+    wasImpossible_ = true;
+    value = refuse(method, {*why});
+  }
+  return value ? values_.add(*value) : failed;
+}
+
+// What a shader cannot compute: an operation on constants that folding left alone, since its result
+// is not a finite float32, or a division by a constant zero.
+const std::string_view* Builder::impossible(NodeId id) const {
+  if (!graph_.isOperation(id) || graph_.known(id)) return nullptr;
+  if (graph_.is(id, ops::find("div")) || graph_.is(id, ops::find("mod"))) {
+    const NodeId divisor = graph_.operand(id, 1);
+    const bool isConstant = graph_.isConstant(divisor);
+    if (isConstant && static_cast<float>(graph_.value(divisor)) == 0) return &dividesByZero;
+  }
+  for (int i = 0; i < graph_.arity(id); ++i) {
+    if (!graph_.known(graph_.operand(id, i))) return nullptr;
+  }
+  return &notFinite;
+}
+
+// Searches the nodes since `before`; those from earlier were searched when they were made.
+const std::string_view* Builder::findImpossible(const Value& value, std::size_t before) {
+  needed_.assign(graph_.size() - before, false);
+  const auto find = [&](NodeId id) {
+    if (index(id) >= before) needed_[index(id) - before] = true;
+    return index(id) < before ? impossible(id) : nullptr;
+  };
+  for (const NodeId id : value.nodes()) {
+    if (const auto* why = find(id)) return why;
+  }
+  for (std::size_t i = needed_.size(); i-- > 0;) {
+    if (!needed_[i]) continue;
+    const NodeId id{static_cast<std::uint32_t>(before + i)};
+    if (const auto* why = impossible(id)) return why;
+    for (int k = 0; k < graph_.arity(id); ++k) {
+      if (const auto* why = find(graph_.operand(id, k))) return why;
+    }
+  }
+  return nullptr;
+}
+
+int Builder::constant(double value) {
+  const NodeId id = graph_.constant(value);
+  return finish(Value(Expression{&graph_, id}), graph_.size(), "val");
+}
+
+int Builder::call(int number, bool isMethod) {
+  const Operation& operation = operations[number];
+  const Site site{operation.name, isMethod};
+  const std::size_t before = graph_.size();
+  if (operation.source == Operation::Source::Composition) {
+    const Form& form = forms[operation.index];
+    const bool differentiates = std::any_of(form.operands.begin(), form.operands.end(),
+                                            [](char letter) { return isInput(Kind{letter}); });
+    if (differentiates && !operands_.empty() && !hasAllPartials(operands_[0])) {
+      operands_.clear();
+      return needsPartials;
+    }
+  }
+  return finish(apply(operation, site), before, operation.name);
+}
+
+std::optional<Value> Builder::apply(const Operation& operation, const Site& site) {
+  using Source = Operation::Source;
+  switch (operation.source) {
+    case Source::Row:
+      return applyRow(static_cast<Op>(operation.index), site);
+    case Source::Composition:
+      return compose(forms[operation.index], site);
+    case Source::Vector:
+      return makeVector(operation.index, site);
+    case Source::MatrixOfColumns:
+      return makeMatrix(operation.index, false, site);
+    case Source::MatrixOfRows:
+      return makeMatrix(operation.index, true, site);
+    case Source::Part:
+      return takePart(operation.index == 1, site);
+  }
+  return std::nullopt;
+}
+
+int Builder::callFunction(int number) {
+  const std::size_t before = graph_.size();
+  const Function& function = graph_.function(static_cast<std::uint32_t>(number));
+  const Site site{function.name, false};
+  const auto result = [&]() -> std::optional<Value> {
+    if (!checkCount(function.arity, site)) return std::nullopt;
+    for (std::size_t i = 0; i < operands_.size(); ++i) {
+      if (!fits(Kind::NumberOrVector, operands_[i], i, site)) return std::nullopt;
+    }
+    const auto shape = commonShape(operands_, site);
+    if (!shape) return std::nullopt;
+    return fill(graph_, *shape, [&](int i) {
+      std::vector<NodeId> arguments;
+      for (const Value& operand : operands_)
+        arguments.push_back(operand.nodes()[operand.size() == 1 ? 0 : i]);
+      return Expression{&graph_, graph_.call(static_cast<std::uint32_t>(number), arguments)};
+    });
+  }();
+  return finish(result, before, function.name);
+}
+
+int Builder::swizzle(int handle, int count, unsigned indices) {
+  const Value from = values_.get(graph_, handle);
+  const auto selected = [&]() -> std::optional<Value> {
+    Value value(graph_, vectorOf(count));
+    for (int i = 0; i < count; ++i) {
+      const int k = static_cast<int>(indices >> 2 * i & 3);
+      if (!from.shape().isVector() || k >= from.size())
+        return refuse({}, {shapeName(from.shape()), " has no such components."});
+      value.set(i, from.nodes()[k]);
+    }
+    return value;
+  }();
+  return finish(selected, graph_.size(), {});
+}
+
+void Builder::comment(std::string_view text) {
+  const NodeId first{static_cast<std::uint32_t>(commented_)};
+  const NodeId end{static_cast<std::uint32_t>(graph_.size())};
+  if (first != end) comments_.push_back({first, end, std::string(text)});
+  commented_ = graph_.size();
+}
+
+}  // namespace warpjet

@@ -1,0 +1,205 @@
+// The second table: operations that are compositions of rows of the first, so that they need no
+// derivative and cannot have a wrong one. One row each, as there: name, operands and meaning for
+// people, then the shapes of operands and result, and the formula.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <span>
+
+#include "algebra/derivatives.hpp"
+#include "algebra/matrices.hpp"
+#include "algebra/vectors.hpp"
+#include "diff/differentiator.hpp"
+#include "ops/row.hpp"
+#include "warp/warp.hpp"
+
+namespace warpjet {
+
+// What an operand or a result must be.
+enum class Kind : char {
+  Number = 's',
+  Vector = 'v',  // of two to four; all vectors of a row have one size
+  Vec3 = '3',
+  NumberOrVector = 'x',  // by component: all that are no numbers have one shape
+  Square = 'm',          // a matrix of as many rows as columns
+  Matrix = 'M',
+  Any = 'e',
+  Mat3 = '9',
+  Input = 'i',    // a number that the host gives
+  Inputs = 'I',   // a vector of different ones
+  Inputs3 = 'J',  // a vec3 of them
+};
+
+constexpr bool isInput(Kind kind) {
+  return kind == Kind::Input || kind == Kind::Inputs || kind == Kind::Inputs3;
+}
+
+// Derivatives need the differentiator; the other formulas leave it alone.
+using Compose = Value (*)(Differentiator&, std::span<const Value>);
+
+// What constant operands are refused for, or nothing.
+using Refusal = std::string_view (*)(std::span<const Value>);
+
+struct Composition {
+  ops::Title title;
+  std::string_view operands;  // a Kind each
+  Kind result;
+  Compose compose;
+  Refusal refusal = nullptr;
+};
+
+inline bool isConstant(const Value& v, double value) {
+  return std::all_of(v.nodes().begin(), v.nodes().end(),
+                     [&](NodeId id) { return v.graph().isConstant(id, value); });
+}
+
+inline constexpr std::array compositions{
+    // vectors
+    Composition{{"dot", "a, b", "The dot product."},
+                "vv",
+                Kind::Number,
+                [](auto&, auto x) -> Value { return dot(x[0], x[1]); }},
+    Composition{{"cross", "a, b", "The cross product."},
+                "33",
+                Kind::Vec3,
+                [](auto&, auto x) { return cross(x[0], x[1]); }},
+    Composition{{"length", "v", "The length; its derivative at zero counts as zero."},
+                "v",
+                Kind::Number,
+                [](auto&, auto x) -> Value { return length(x[0]); }},
+    Composition{{"dist", "a, b", "The distance of two points."},
+                "vv",
+                Kind::Number,
+                [](auto&, auto x) -> Value { return length(x[0] - x[1]); }},
+    Composition{{"distance", "a, b", "The distance of two points."},
+                "vv",
+                Kind::Number,
+                [](auto&, auto x) -> Value { return length(x[0] - x[1]); }},
+    Composition{{"normalize", "v", "Length 1 in the same direction, or zero for zero."},
+                "v",
+                Kind::Vector,
+                [](auto&, auto x) { return normalize(x[0]); }},
+    Composition{{"scale", "v, factor", "The product with a number."},
+                "es",
+                Kind::Any,
+                [](auto&, auto x) { return x[0] * x[1]; }},
+    Composition{{"reflect", "incident, normal",
+                 "A direction mirrored by the surface with that unit normal."},
+                "vv",
+                Kind::Vector,
+                [](auto&, auto x) { return reflect(x[0], x[1]); }},
+    Composition{{"refract", "incident, normal, eta",
+                 "A unit direction behind the surface with that unit normal, for a ratio of "
+                 "indices of refraction; zero where all light is reflected."},
+                "vvs",
+                Kind::Vector,
+                [](auto&, auto x) { return refract(x[0], x[1], x[2][0]); }},
+    Composition{{"faceforward", "normal, incident, reference",
+                 "The normal, turned round where `incident` goes along `reference`."},
+                "vvv",
+                Kind::Vector,
+                [](auto&, auto x) { return faceforward(x[0], x[1], x[2]); }},
+
+    // numbers and vectors
+    Composition{
+        {"smoothstep", "low, high, x",
+         "From 0 where x is at `low`, smoothly to 1 where it is at `high`, another number."},
+        "xxx",
+        Kind::NumberOrVector,
+        [](auto&, auto x) { return smoothstep(x[0], x[1], x[2]); }},
+    Composition{{"radians", "degrees", "An angle in degrees, as radians."},
+                "x",
+                Kind::NumberOrVector,
+                [](auto&, auto x) { return x[0] * (std::numbers::pi / 180); }},
+    Composition{{"degrees", "radians", "An angle in radians, as degrees."},
+                "x",
+                Kind::NumberOrVector,
+                [](auto&, auto x) { return x[0] * (180 / std::numbers::pi); }},
+
+    // matrices
+    Composition{{"transpose", "m", "Rows become columns."},
+                "M",
+                Kind::Matrix,
+                [](auto&, auto x) { return transpose(x[0]); }},
+    Composition{{"determinant", "m", "The determinant."},
+                "m",
+                Kind::Number,
+                [](auto&, auto x) -> Value { return determinant(x[0]); }},
+    Composition{{"inverse", "m", "The inverse; infinite where the determinant is 0."},
+                "m",
+                Kind::Square,
+                [](auto&, auto x) { return inverse(x[0]); },
+                [](auto x) -> std::string_view {
+                  return isConstant(Value(determinant(x[0])), 0)
+                             ? "the determinant of this matrix is 0, so that it has no inverse"
+                             : "";
+                }},
+    Composition{{"rotateX", "angle",
+                 "The mat3 that turns by an angle in radians about the x axis, "
+                 "counterclockwise for an eye that the axis points to."},
+                "s",
+                Kind::Mat3,
+                [](auto&, auto x) { return rotationAbout(0, x[0][0]); }},
+    Composition{{"rotateY", "angle", "The mat3 that turns about the y axis, as `rotateX` does."},
+                "s",
+                Kind::Mat3,
+                [](auto&, auto x) { return rotationAbout(1, x[0][0]); }},
+    Composition{{"rotateZ", "angle", "The mat3 that turns about the z axis, as `rotateX` does."},
+                "s",
+                Kind::Mat3,
+                [](auto&, auto x) { return rotationAbout(2, x[0][0]); }},
+    Composition{{"rotate", "axis, angle", "The mat3 that turns about any axis, as `rotateX` does."},
+                "3s",
+                Kind::Mat3,
+                [](auto&, auto x) { return rotationAbout(x[0], x[1][0]); },
+                [](auto x) -> std::string_view {
+                  return isConstant(x[0], 0) ? "the axis is zero, so that it has no direction" : "";
+                }},
+
+    // derivatives
+    Composition{{"derivative", "value, input",
+                 "The exact partial derivative of each component by an input."},
+                "ei",
+                Kind::Any,
+                [](auto& d, auto x) { return derivative(d, x[0], x[1][0]); }},
+    Composition{{"gradient", "value, inputs",
+                 "The exact derivatives of a number by each component of a vector of inputs."},
+                "sI",
+                Kind::Vector,
+                [](auto& d, auto x) { return gradient(d, x[0][0], x[1]); }},
+    Composition{
+        {"jacobian", "value, inputs",
+         "The exact derivatives of a vector: a matrix with a column for each component of a "
+         "vector of inputs."},
+        "vI",
+        Kind::Matrix,
+        [](auto& d, auto x) { return jacobian(d, x[0], x[1]); }},
+    Composition{{"adjustNormal", "offset, normal, position",
+                 "The unit normal after the warp of `position` by this offset; zero where there is "
+                 "none."},
+                "33J",
+                Kind::Vec3,
+                [](auto& d, auto x) { return warpedNormal(d, x[0], x[1], x[2]); }},
+};
+
+static_assert(std::all_of(compositions.begin(), compositions.end(), [](const Composition& row) {
+  return row.operands.find_first_not_of("sv3xmMeiIJ") == std::string_view::npos;
+}));
+
+// A composition without what people read, which so stays out of the program.
+struct Form {
+  std::string_view operands;
+  Compose compose;
+  Refusal refusal;
+};
+
+inline constexpr auto forms = [] {
+  std::array<Form, compositions.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = {compositions[i].operands, compositions[i].compose, compositions[i].refusal};
+  return all;
+}();
+
+}  // namespace warpjet

@@ -1,0 +1,123 @@
+// Every operation that a sketch can name, by number: the rows of the table, other names for them,
+// compositions, and what makes and takes apart vectors and matrices.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "builder/compositions.hpp"
+#include "ops/ops.hpp"
+
+namespace warpjet {
+
+// Rows that take any number of operands, from left to right.
+inline constexpr std::array chained{ops::find("add"), ops::find("sub"), ops::find("mult"),
+                                    ops::find("div"), ops::find("min"), ops::find("max"),
+                                    ops::find("and"), ops::find("or")};
+
+// Rows that matrices have by component, but for products, and quotients by a matrix.
+inline constexpr std::array linear{ops::find("neg"),   ops::find("add"), ops::find("sub"),
+                                   ops::find("mult"),  ops::find("div"), ops::find("mix"),
+                                   ops::find("ifElse")};
+
+struct Operation {
+  enum class Source : std::uint8_t {
+    Row,
+    Composition,
+    Vector,
+    MatrixOfColumns,
+    MatrixOfRows,
+    Part
+  };
+
+  std::string_view name;
+  Source source;
+  // Of the row or composition; of a constructor the size; of a part, 1 for a row.
+  std::uint8_t index;
+
+  // Vectors and matrices are not made by a method.
+  constexpr bool isConstructor() const {
+    return source == Source::Vector || source == Source::MatrixOfColumns ||
+           source == Source::MatrixOfRows;
+  }
+};
+
+namespace detail {
+
+struct Alias {
+  std::string_view name, of;
+};
+
+// As glsl-autodiff has them.
+inline constexpr std::array aliases{
+    Alias{"sum", "add"},      Alias{"prod", "mult"},  Alias{"vecSum", "add"},
+    Alias{"vecProd", "mult"}, Alias{"vecMix", "mix"}, Alias{"vecClamp", "clamp"},
+    Alias{"vecMin", "min"},   Alias{"vecMax", "max"}, Alias{"vecIfElse", "ifElse"},
+};
+
+// Conversions, which the graph inserts by itself, and the row behind `atan` of two operands.
+constexpr bool isHidden(std::string_view row) {
+  return row == "float" || row == "bool" || row == "atan2";
+}
+
+using Source = Operation::Source;
+
+inline constexpr std::array others{
+    Operation{"column", Source::Part, 0},           Operation{"row", Source::Part, 1},
+    Operation{"vec2", Source::Vector, 2},           Operation{"vec3", Source::Vector, 3},
+    Operation{"vec4", Source::Vector, 4},           Operation{"mat2", Source::MatrixOfColumns, 2},
+    Operation{"mat3", Source::MatrixOfColumns, 3},  Operation{"mat4", Source::MatrixOfColumns, 4},
+    Operation{"mat2Rows", Source::MatrixOfRows, 2}, Operation{"mat3Rows", Source::MatrixOfRows, 3},
+    Operation{"mat4Rows", Source::MatrixOfRows, 4},
+};
+
+inline constexpr auto hiddenCount = static_cast<std::size_t>(
+    std::count_if(ops::infos.begin(), ops::infos.end(),
+                  [](const ops::Info& info) { return isHidden(info.name); }));
+
+}  // namespace detail
+
+inline constexpr auto operations = [] {
+  using Source = Operation::Source;
+  std::array<Operation, ops::count - detail::hiddenCount + detail::aliases.size() +
+                            compositions.size() + detail::others.size()>
+      all{};
+  std::size_t n = 0;
+  const auto number = [](std::size_t i) { return static_cast<std::uint8_t>(i); };
+  for (std::size_t i = 0; i < ops::count; ++i) {
+    if (!detail::isHidden(ops::infos[i].name))
+      all[n++] = {ops::infos[i].name, Source::Row, number(i)};
+  }
+  for (const auto& alias : detail::aliases) {
+    for (std::size_t i = 0; i < ops::count; ++i) {
+      if (ops::infos[i].name == alias.of) all[n++] = {alias.name, Source::Row, number(i)};
+    }
+  }
+  for (std::size_t i = 0; i < compositions.size(); ++i)
+    all[n++] = {compositions[i].title.name, Source::Composition, number(i)};
+  for (const Operation& other : detail::others) all[n++] = other;
+  return all;
+}();
+
+// Where people find an operation: each heading holds from its first operation on. Some come twice.
+struct Heading {
+  std::string_view text, first;
+};
+
+inline constexpr std::array headings{
+    Heading{"Arithmetic", "neg"},
+    Heading{"Powers and logarithms", "pow"},
+    Heading{"Angles", "sin"},
+    Heading{"Hyperbolic functions", "sinh"},
+    Heading{"Steps, bounds and blends", "abs"},
+    Heading{"Conditions", "lt"},
+    Heading{"Vectors", "dot"},
+    Heading{"Steps, bounds and blends", "smoothstep"},
+    Heading{"Angles", "radians"},
+    Heading{"Matrices", "transpose"},
+    Heading{"Derivatives", "derivative"},
+};
+
+}  // namespace warpjet

@@ -1,0 +1,111 @@
+// The results that the host is given: as text, or as a program for the CPU.
+#include "builder/builder.hpp"
+#include "builder/sentences.hpp"
+#include "emit/lower.hpp"
+#include "emit/names.hpp"
+#include "graph/reachable.hpp"
+
+namespace warpjet {
+
+bool Builder::output(std::string_view method, std::string_view name, int handle) {
+  if (const std::string why = outputProblem(dialect_, name); !why.empty()) {
+    refuse(method, {quotedShort(name), " cannot name a result: ", why, "."});
+    return false;
+  }
+  for (const Output& output : outputs_) {
+    if (output.name != name) continue;
+    refuse(method, {"there are two results named ", quotedShort(name), "; rename one."});
+    return false;
+  }
+  const Value value = values_.get(graph_, handle);
+  const Shape shape = value.shape();
+  if (shape.isMatrix() && !shape.isSquare() && !dialect_.hasRectangularMatrices) {
+    refuse(method, {"the result ", quotedShort(name), " is ", shapeName(shape),
+                    ", but WebGL 1 has only matrices of as many rows as columns; take its columns "
+                    "by .column(0)."});
+    return false;
+  }
+  outputs_.push_back({std::string(name), shape, {value.nodes().begin(), value.nodes().end()}});
+  return true;
+}
+
+bool Builder::outputSum(std::string_view method, std::string_view name, int handle, int input,
+                        int term) {
+  if (!output(method, name, handle)) return false;
+  const NodeId first = values_.get(graph_, input)[0].id;
+  outputs_.back().sum = {graph_.node(first).operands[0], static_cast<std::size_t>(term)};
+  return true;
+}
+
+std::vector<NodeId> Builder::roots() const {
+  std::vector<NodeId> nodes;
+  for (const Output& output : outputs_)
+    nodes.insert(nodes.end(), output.components.begin(), output.components.end());
+  return nodes;
+}
+
+std::optional<Program> Builder::program(std::span<const std::uint32_t> inputs) const {
+  return warpjet::program(graph_, inputs, roots());
+}
+
+std::optional<Built> Builder::build(int maxDepth) {
+  constexpr std::string_view site = "A result";
+  problem_.clear();
+  // Every value was searched when it was made; but a sketch may catch a problem and go on.
+  if (wasImpossible_) {
+    for (const NodeId id : reachable(graph_, roots())) {
+      if (const auto* why = impossible(id)) return refuse(site, {*why});
+    }
+  }
+  const std::vector<Output> outputs = lowered();
+  if (graph_.full()) return refuse(site, {tooLarge});
+
+  Built built{emit(graph_, dialect_, outputs, {maxDepth, comments_}), {}};
+  for (const std::uint32_t function : built.emitted.functions)
+    built.declarations += functions_[function].source + '\n';
+  if (hidesWhatIsRead(built.emitted)) return std::nullopt;
+  return built;
+}
+
+// The outputs in operations that the language has.
+std::vector<Output> Builder::lowered() {
+  const std::vector<NodeId> nodes = lower(graph_, roots(), dialect_.language);
+  std::vector<Output> outputs = outputs_;
+  auto node = nodes.begin();
+  for (Output& output : outputs) {
+    for (NodeId& component : output.components) component = *node++;
+  }
+  return outputs;
+}
+
+// A result named like a variable or function that the text reads would hide it.
+bool Builder::hidesWhatIsRead(const Emitted& emitted) {
+  const auto refuses = [&](std::string_view name, std::string_view read) {
+    for (const Output& output : outputs_) {
+      if (output.name != name) continue;
+      refuse({}, {"The result ", quotedShort(name),
+                  " has the name of a variable or function that is read for it (",
+                  quotedShort(read), "); rename the result."});
+      return true;
+    }
+    return false;
+  };
+  for (const std::uint32_t i : emitted.inputs) {
+    const std::string& label = graph_.input(i).label;
+    for (const std::string_view word : identifiers(label)) {
+      if (refuses(word, label)) return true;
+    }
+  }
+  for (const std::uint32_t i : emitted.functions) {
+    const std::string& name = functions_[i].name;
+    if (refuses(name, name)) return true;
+    for (const std::uint32_t input : emitted.inputs) {
+      if (graph_.input(input).label != name) continue;
+      refuse({}, {quotedShort(name), " is both a variable and a function; rename one."});
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace warpjet

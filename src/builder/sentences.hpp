@@ -1,0 +1,28 @@
+// Pieces of the sentences that tell an artist what to change.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "emit/syntax.hpp"
+#include "graph/shape.hpp"
+
+namespace warpjet {
+
+// "a single number", "a vec3", "a mat3", "a matrix of 2 columns and 3 rows".
+std::string shapeName(Shape shape);
+
+// "no arguments were", "1 argument was", "3 arguments were".
+std::string argumentCount(int count);
+
+inline constexpr std::string_view notFinite =
+    "the result of these constants is not a finite number that a shader can hold.";
+inline constexpr std::string_view dividesByZero =
+    "it divides by zero, or by a number too close to zero for a shader to hold.";
+inline constexpr std::string_view tooLarge =
+    "this warp has more than four million operations; does a loop never end?";
+
+// A text from outside, on one line and not too long, in quotation marks.
+std::string quotedShort(std::string_view text);
+
+}  // namespace warpjet

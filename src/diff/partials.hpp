@@ -1,0 +1,19 @@
+// The partial derivatives of each row, as functions that build nodes.
+#pragma once
+
+#include <array>
+
+#include "graph/expression.hpp"
+
+namespace warpjet {
+
+using Arguments = std::array<Expression, ops::maxArity>;
+
+// From an operation's operands and its own node to the node of a partial derivative.
+using Partial = NodeId (*)(Graph&, const Arguments&, Expression);
+// One for each operand; null where the operation is locally constant.
+using Partials = std::array<Partial, ops::maxArity>;
+
+const Partials& partialsOf(Op op);
+
+}  // namespace warpjet

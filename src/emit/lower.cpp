@@ -1,0 +1,110 @@
+#include "emit/lower.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "graph/expression.hpp"
+#include "graph/reachable.hpp"
+
+namespace warpjet {
+
+namespace {
+
+using Formula = NodeId (*)(Graph&, const Operands&);
+
+template <std::size_t Row>
+NodeId applyFormula(Graph& graph, const Operands& operands) {
+  std::array<Expression, ops::maxArity> x{};
+  for (int i = 0; i < ops::infos[Row].arity; ++i) x[i] = {&graph, operands[i]};
+  constexpr auto formula = std::get<Row>(ops::table).lowered;
+  return ops::spread<ops::infos[Row].arity>(formula, x.data()).id;
+}
+
+template <std::size_t Row>
+constexpr Formula formulaOf() {
+  using Lowered = decltype(std::get<Row>(ops::table).lowered);
+  if constexpr (std::is_same_v<Lowered, ops::NoFormula>) {
+    return nullptr;
+  } else {
+    return &applyFormula<Row>;
+  }
+}
+
+// Null where every language has the operation.
+constexpr auto formulas = []<std::size_t... Row>(std::index_sequence<Row...>) {
+  return std::array{formulaOf<Row>()...};
+}
+(std::make_index_sequence<ops::count>{});
+
+static_assert(
+    [] {
+      for (std::size_t row = 0; row < ops::count; ++row) {
+        for (const ops::Spelling& spelling : ops::infos[row].spellings.byLanguage) {
+          if (spelling.isMissing() && formulas[row] == nullptr) return false;
+        }
+      }
+      return true;
+    }(),
+    "a row that a language lacks must say what it is lowered to");
+
+class Lowering {
+ public:
+  Lowering(Graph& graph, ops::Language language)
+      : graph_(graph), language_(language), lowered_(graph.size()) {}
+
+  // Operands are visited before their users.
+  void visit(NodeId id) {
+    if (graph_.isLeaf(id) || graph_.isList(id)) return;
+    const Graph::OriginScope scope(graph_, id);
+    lowered_[index(id)] = graph_.isCall(id) ? visitCall(id) : visitOperation(id);
+  }
+
+  NodeId lowered(NodeId id) const { return graph_.isLeaf(id) ? id : lowered_[index(id)]; }
+
+ private:
+  bool isMissing(Op op) const { return ops::info(op).spellings.in(language_).isMissing(); }
+
+  NodeId visitOperation(NodeId id) {
+    Operands operands{};
+    bool changed = false;
+    for (int i = 0; i < graph_.arity(id); ++i) {
+      operands[i] = lowered(graph_.operand(id, i));
+      changed |= operands[i] != graph_.operand(id, i);
+    }
+    const Op op = graph_.node(id).op;
+    if (isMissing(op)) return formulas[index(op)](graph_, operands);
+    return changed ? graph_.apply(op, operands) : id;
+  }
+
+  NodeId visitCall(NodeId id) {
+    std::vector<NodeId> arguments = graph_.arguments(id);
+    for (NodeId& argument : arguments) argument = lowered(argument);
+    return graph_.call(graph_.node(id).operands[1], arguments);
+  }
+
+  Graph& graph_;
+  ops::Language language_;
+  std::vector<NodeId> lowered_;  // by node
+};
+
+// Whether the language has all operations of a graph.
+bool hasAll(const Graph& graph, ops::Language language) {
+  for (std::size_t row = 0; row < ops::count; ++row) {
+    if (graph.has(Op(row)) && ops::infos[row].spellings.in(language).isMissing()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language) {
+  if (hasAll(graph, language)) return {roots.begin(), roots.end()};
+  Lowering lowering(graph, language);
+  for (const NodeId id : reachable(graph, roots)) lowering.visit(id);
+  std::vector<NodeId> found(roots.size());
+  std::transform(roots.begin(), roots.end(), found.begin(),
+                 [&](NodeId root) { return lowering.lowered(root); });
+  return found;
+}
+
+}  // namespace warpjet

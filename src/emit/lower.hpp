@@ -1,0 +1,16 @@
+// Lowering: operations that a language lacks become others that it has.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+// Nodes of the same values as `roots`, which the language can write. New nodes belong to the values
+// that they stand for. Derivatives must have been taken before: a row's own are shorter than those
+// of what it is lowered to.
+std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language);
+
+}  // namespace warpjet

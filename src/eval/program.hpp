@@ -1,0 +1,32 @@
+// Evaluation on the CPU, in double: roots of a graph become a program of plain words, which needs
+// neither the graph nor the wasm that it came from; a program and numbers give numbers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+// One instruction for each node, operands first: its operation, then its operands, which are
+// earlier instructions, or the bits of a constant, or the place of an input among the numbers. Then
+// the instructions that give the results.
+struct Program {
+  std::vector<std::uint32_t> words;
+  std::uint32_t instructions = 0;
+};
+
+// Numbers are given to the program in the order of `inputs`, component by component; any other
+// input counts as 0, since it does not matter where lowering found that it cancels. Nothing if the
+// program would have to call a function of the host.
+std::optional<Program> program(const Graph& graph, std::span<const std::uint32_t> inputs,
+                               std::span<const NodeId> roots);
+
+// Runs a program of so many instructions; conditions are 1 and 0.
+void evaluate(std::span<const std::uint32_t> words, std::uint32_t instructions,
+              std::span<const double> inputs, std::span<double> results);
+
+}  // namespace warpjet

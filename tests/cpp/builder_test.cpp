@@ -1,0 +1,190 @@
+// What the builder makes of the calls of a sketch, as text.
+#include "builder/builder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bench.hpp"
+
+namespace warpjet {
+namespace {
+
+class BuilderTest : public testing::Test, protected Bench {};
+
+TEST_F(BuilderTest, ChainedOperationsGoFromLeftToRight) {
+  const int a = input("a"), b = input("b");
+  EXPECT_EQ(text(call("sub", {x, a, b})), "x - a - b");
+  EXPECT_EQ(text(call("max", {x})), "x");
+  EXPECT_EQ(text(method("div", {x, x, a})), "x / x / a");
+}
+
+TEST_F(BuilderTest, AtanOfTwoIsTheAngleOfAPoint) {
+  EXPECT_EQ(text(call("atan", {x, input("a")})), "atan(x, a)");
+  EXPECT_EQ(text(call("atan", {x})), "atan(x)");
+  Bench modern(wgsl);
+  EXPECT_EQ(modern.text(modern.method("atan", {modern.x, modern.input("a")})), "atan2(x, a)");
+}
+
+TEST_F(BuilderTest, NumbersCountForEachComponent) {
+  EXPECT_EQ(text(call("min", {v2, number(1)})), "vec2(min(v2.x, 1.0), min(v2.y, 1.0))");
+  const int doubled = call("mult", {number(2), m2});
+  EXPECT_EQ(builder.shape(doubled), matrixOf(2, 2));
+  EXPECT_EQ(text(doubled), "mat2(m2[0].x * 2.0, m2[0].y * 2.0, m2[1].x * 2.0, m2[1].y * 2.0)");
+}
+
+TEST_F(BuilderTest, ProductsOfMatricesHaveTheShapeOfLinearAlgebra) {
+  const auto shape = [&](int a, int b) { return builder.shape(call("mult", {a, b})); };
+  EXPECT_EQ(shape(m23, v2), vectorOf(3));
+  EXPECT_EQ(shape(v3, m23), vectorOf(2));
+  EXPECT_EQ(shape(m3, m23), matrixOf(2, 3));
+  EXPECT_EQ(shape(m23, x), matrixOf(2, 3));
+  EXPECT_EQ(text(call("mult", {v2, m2})),
+            "vec2(m2[0].x * v2.x + m2[0].y * v2.y, m2[1].x * v2.x + m2[1].y * v2.y)");
+}
+
+TEST_F(BuilderTest, VectorsAreMadeFromParts) {
+  EXPECT_EQ(text(call("vec3", {v2, x})), "vec3(v2.x, v2.y, x)");
+  EXPECT_EQ(text(call("vec3", {x})), "vec3(x)");
+  EXPECT_EQ(text(call("vec2", {call("lt", {v2, x})})), "vec2(float(v2.x < x), float(v2.y < x))");
+  EXPECT_EQ(text(builder.swizzle(v3, 2, 0b00'10)), "vec2(v3.z, v3.x)");
+}
+
+TEST_F(BuilderTest, MatricesAreMadeFromColumnsOrRows) {
+  const int w2 = input("w2", vectorOf(2));
+  EXPECT_EQ(text(call("mat2", {v2, w2})), "mat2(v2.x, v2.y, w2.x, w2.y)");
+  EXPECT_EQ(text(call("mat2Rows", {v2, w2})), "mat2(v2.x, w2.x, v2.y, w2.y)");
+  EXPECT_EQ(text(call("mat2", {x})), "mat2(x, 0.0, 0.0, x)");
+  EXPECT_EQ(text(call("mat2Rows", {number(1), number(2), number(3), number(4)})),
+            "mat2(1.0, 3.0, 2.0, 4.0)");
+}
+
+TEST_F(BuilderTest, AMatrixOfAnotherSizeIsCutOffOrFilledUp) {
+  EXPECT_EQ(text(call("mat2", {m3})), "mat2(m3[0].x, m3[0].y, m3[1].x, m3[1].y)");
+  EXPECT_EQ(text(call("mat3", {m2})),
+            "mat3(m2[0].x, m2[0].y, 0.0, m2[1].x, m2[1].y, 0.0, 0.0, 0.0, 1.0)");
+}
+
+TEST_F(BuilderTest, ColumnsAndRowsOfAMatrix) {
+  EXPECT_EQ(text(method("column", {m23, number(1)})), "vec3(m23[1].x, m23[1].y, m23[1].z)");
+  EXPECT_EQ(text(method("row", {m23, number(2)})), "vec2(m23[0].z, m23[1].z)");
+}
+
+TEST_F(BuilderTest, APartOfAVectorIsItsComponents) {
+  input("position", vectorOf(3));
+  const auto inputs = builder.graph().inputCount();
+  EXPECT_EQ(text(input("position.y")), "position.y");
+  EXPECT_EQ(text(input("position.b")), "position.z");
+  EXPECT_EQ(text(input("position.s")), "position.x");
+  EXPECT_EQ(text(input("position[2]")), "position.z");
+  EXPECT_EQ(text(input("position.zx", vectorOf(2))), "vec2(position.z, position.x)");
+  EXPECT_EQ(text(input("position.yy", vectorOf(2))), "vec2(position.y)");
+  EXPECT_EQ(builder.graph().inputCount(), inputs) << "none of them is another input";
+}
+
+TEST_F(BuilderTest, DerivativesKnowThatAPartIsTheSame) {
+  const int position = input("position", vectorOf(3)), y = input("position.y");
+  const int slope = call("derivative", {call("dot", {position, position}), y});
+  EXPECT_EQ(text(slope), "position.y + position.y");
+}
+
+TEST_F(BuilderTest, WhatIsNoPartOfAVectorIsAnInputOfItsOwn) {
+  for (const auto& [label, shape] :
+       std::vector<std::pair<const char*, Shape>>{{"v2.z", oneNumber},
+                                                  {"v2[2]", oneNumber},
+                                                  {"v2.xg", vectorOf(2)},
+                                                  {"v2.x.y", oneNumber},
+                                                  {"v2.xy", oneNumber},
+                                                  {"v22.x", oneNumber},
+                                                  {"x.x", oneNumber}}) {
+    const int own = input(label, shape);
+    ASSERT_GE(own, 0) << label;
+    ASSERT_TRUE(builder.output("gen", "r" + std::to_string(own), own));
+  }
+  EXPECT_EQ(builder.build(8)->emitted.inputs.size(), 7u);
+}
+
+TEST_F(BuilderTest, AskingTwiceForAnInputGivesTheSame) {
+  const int again = input("v3", vectorOf(3));
+  const int difference = call("sub", {again, v3});
+  EXPECT_EQ(text(difference), "vec3(0.0)");
+}
+
+TEST_F(BuilderTest, ConditionsAndNumbersConvert) {
+  const int less = call("lt", {x, number(1)});
+  EXPECT_EQ(text(call("ifElse", {less, v2, number(0)})), "vec2(t0 ? v2.x : 0.0, t0 ? v2.y : 0.0)");
+}
+
+TEST_F(BuilderTest, ResultsOfAllShapes) {
+  ASSERT_TRUE(builder.output("gen", "moved", v3));
+  ASSERT_TRUE(builder.output("gen", "jacobian", call("jacobian", {v3, v2})));
+  ASSERT_TRUE(builder.output("gen", "near", call("lt", {x, number(1)})));
+  const auto built = builder.build(8);
+  ASSERT_TRUE(built);
+  EXPECT_EQ(built->emitted.code,
+            "vec3 moved;\nmat2x3 jacobian;\nbool near;\n{\n"
+            "  near = x < 1.0;\n"
+            "  moved = v3;\n"
+            "  jacobian = mat2x3(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);\n"
+            "}\n");
+}
+
+TEST_F(BuilderTest, ASumIsWrittenShort) {
+  const int offset = call("mult", {v2, x});
+  const int moved = call("add", {v2, offset});
+  ASSERT_TRUE(builder.output("warp", "offset", offset));
+  ASSERT_TRUE(builder.outputSum("warp", "moved", moved, v2, 0));
+  EXPECT_EQ(builder.build(8)->emitted.code,
+            "vec2 offset, moved;\n{\n"
+            "  offset = vec2(v2.x * x, v2.y * x);\n"
+            "  moved = v2 + offset;\n"
+            "}\n");
+}
+
+TEST_F(BuilderTest, WhatALanguageLacksIsLoweredInTheText) {
+  const auto code = [](const Dialect& dialect) {
+    Bench bench(dialect);
+    EXPECT_TRUE(bench.builder.output("gen", "y", bench.call("trunc", {bench.x})));
+    return bench.builder.build(8)->emitted.code;
+  };
+  EXPECT_EQ(code(glsl100), "float y;\n{\n  y = sign(x) * floor(abs(x));\n}\n");
+  EXPECT_EQ(code(glsl300), "float y;\n{\n  y = trunc(x);\n}\n");
+}
+
+TEST_F(BuilderTest, CommentsStandAboveTheStatements) {
+  builder.comment("inputs");
+  const int u = call("sin", {x});
+  builder.comment("let u = sin(x)");
+  ASSERT_TRUE(builder.output("gen", "y", call("mult", {u, u})));
+  builder.comment("return u * u");
+  EXPECT_EQ(builder.build(8)->emitted.code,
+            "float y;\n{\n"
+            "  // let u = sin(x)\n"
+            "  float t0 = sin(x);\n"
+            "  // return u * u\n"
+            "  y = t0 * t0;\n"
+            "}\n");
+}
+
+TEST_F(BuilderTest, TenThousandValuesKeepTheirHandles) {
+  std::vector<int> handles;
+  for (int i = 0; i < 10'000; ++i)
+    handles.push_back(call("add", {i % 2 == 0 ? x : v3, number(i + 1)}));
+  for (int i = 0; i < 10'000; ++i)
+    ASSERT_EQ(builder.shape(handles[i]), i % 2 == 0 ? oneNumber : vectorOf(3)) << i;
+  const int sum = call("add", {handles[7000], handles[9998], handles[0]});
+  EXPECT_EQ(text(sum), "x + 7001.0 + (x + 9999.0) + (x + 1.0)");
+}
+
+TEST_F(BuilderTest, TheProgramOfAllResults) {
+  ASSERT_TRUE(builder.output("gen", "a", call("mult", {v2, number(3)})));
+  ASSERT_TRUE(builder.output("gen", "b", call("trunc", {x})));
+  const auto built = builder.build(8);
+  ASSERT_TRUE(built);
+  const auto program = builder.program(built->emitted.inputs);
+  ASSERT_TRUE(program);
+  std::vector<double> results(3);
+  evaluate(program->words, program->instructions, std::array{-2.5, 10.0, 20.0}, results);
+  EXPECT_EQ(results, (std::vector<double>{30, 60, -2}));
+}
+
+}  // namespace
+}  // namespace warpjet

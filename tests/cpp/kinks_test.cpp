@@ -1,0 +1,132 @@
+// The derivatives exactly at each kink that the top of ops/table.hpp lists.
+#include <gtest/gtest.h>
+
+#include "algebra/vectors.hpp"
+#include "diff/differentiator.hpp"
+#include "support.hpp"
+
+namespace warpjet {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The operands are inputs, so that nothing folds before it is differentiated.
+class KinksTest : public testing::Test {
+ protected:
+  Graph graph;
+  Differentiator differentiator{graph};
+  Value v = variable(graph, "v", vectorOf(3));
+
+  double slope(Expression f, int by, const std::vector<double>& at) {
+    Inputs inputs;
+    for (std::size_t i = 0; i < at.size(); ++i) inputs[v[static_cast<int>(i)].id] = at[i];
+    return evaluateNode(graph, differentiator.derivative(f.id, v[by].id), inputs);
+  }
+  // Of the row of that name by each of its operands.
+  std::vector<double> slopes(std::string_view row, const std::vector<double>& at) {
+    const Op op = rowNamed(row);
+    const Expression f{&graph, graph.apply(op, {v[0].id, v[1].id, v[2].id})};
+    std::vector<double> all;
+    for (int i = 0; i < ops::info(op).arity; ++i) all.push_back(slope(f, i, at));
+    return all;
+  }
+
+  using Slopes = std::vector<double>;
+};
+
+TEST_F(KinksTest, TheSlopeOfAbsIsTheSign) {
+  EXPECT_EQ(slopes("abs", {0}), Slopes{0});
+  EXPECT_EQ(slopes("abs", {-2}), Slopes{-1});
+}
+
+TEST_F(KinksTest, StepsAreFlatAtTheStepToo) {
+  for (const char* row : {"floor", "ceil", "trunc", "sign"}) {
+    for (const double x : {-1.0, 0.0, 2.0}) EXPECT_EQ(slopes(row, {x}), Slopes{0}) << row << x;
+  }
+  for (const double x : {-0.5, 0.5, 1.5}) EXPECT_EQ(slopes("round", {x}), Slopes{0}) << x;
+  EXPECT_EQ(slopes("step", {2, 2}), (Slopes{0, 0}));
+  for (const char* row : {"lt", "le", "gt", "ge", "eq", "ne"})
+    EXPECT_EQ(slopes(row, {1, 1}), (Slopes{0, 0})) << row;
+}
+
+TEST_F(KinksTest, FractAndModHaveTheSlopeOfTheirPieces) {
+  EXPECT_EQ(slopes("fract", {3}), Slopes{1});
+  EXPECT_EQ(slopes("mod", {6, 2}), (Slopes{1, -3}));
+  EXPECT_EQ(slopes("mod", {-1, 2}), (Slopes{1, 1}));
+}
+
+TEST_F(KinksTest, MinAndMaxTakeTheFirstOfEqualOperands) {
+  EXPECT_EQ(slopes("min", {2, 2}), (Slopes{1, 0}));
+  EXPECT_EQ(slopes("max", {2, 2}), (Slopes{1, 0}));
+}
+
+// min(max(x, low), high), so the order of preference at a tie is x, low, high.
+TEST_F(KinksTest, ClampTakesTheBranchThatTheValueTakes) {
+  EXPECT_EQ(slopes("clamp", {0, 0, 1}), (Slopes{1, 0, 0})) << "x is low";
+  EXPECT_EQ(slopes("clamp", {1, 0, 1}), (Slopes{1, 0, 0})) << "x is high";
+  EXPECT_EQ(slopes("clamp", {1, 1, 1}), (Slopes{1, 0, 0})) << "all are equal";
+  EXPECT_EQ(slopes("clamp", {0, 1, 1}), (Slopes{0, 1, 0})) << "low is high, x below";
+  EXPECT_EQ(slopes("clamp", {2, 1, 1}), (Slopes{0, 0, 1})) << "low is high, x above";
+}
+
+TEST_F(KinksTest, ClampWithCrossedBoundsFollowsTheUpperOne) {
+  for (const double x : {0.0, 1.0, 1.5, 2.0, 3.0})
+    EXPECT_EQ(slopes("clamp", {x, 2, 1}), (Slopes{0, 0, 1})) << x;
+}
+
+TEST_F(KinksTest, IfElseHasTheSlopeOfTheBranchThatItTakes) {
+  EXPECT_EQ(slopes("ifElse", {1, 2, 3}), (Slopes{0, 1, 0}));
+  EXPECT_EQ(slopes("ifElse", {0, 2, 3}), (Slopes{0, 0, 1}));
+}
+
+TEST_F(KinksTest, AtTheEdgeOfADomainTheSlopeIsZero) {
+  EXPECT_EQ(slopes("sqrt", {0}), Slopes{0});
+  EXPECT_EQ(slopes("sqrt", {-0.0}), Slopes{0});
+  EXPECT_EQ(slopes("pow", {0, 0.5}), (Slopes{0, 0}));
+  EXPECT_EQ(slopes("pow", {0, 1}), (Slopes{0, 0}));
+  EXPECT_EQ(slopes("pow", {0, 0}), (Slopes{0, 0}));
+  for (const double x : {-1.0, 1.0}) {
+    EXPECT_EQ(slopes("asin", {x}), Slopes{0}) << x;
+    EXPECT_EQ(slopes("acos", {x}), Slopes{0}) << x;
+  }
+  EXPECT_EQ(slopes("acosh", {1}), Slopes{0});
+  EXPECT_EQ(slopes("atan2", {0, 0}), (Slopes{0, 0}));
+}
+
+TEST_F(KinksTest, BeyondTheEdgeOfADomainTheSlopeIsZero) {
+  EXPECT_EQ(slopes("sqrt", {-1}), Slopes{0});
+  EXPECT_EQ(slopes("pow", {-2, 0.5}), (Slopes{0, 0}));
+  EXPECT_EQ(slopes("pow", {-2, 2}), (Slopes{0, 0})) << "the exponent is an input, not whole";
+  EXPECT_EQ(slopes("asin", {1.5}), Slopes{0});
+  EXPECT_EQ(slopes("acos", {-1.5}), Slopes{0});
+  EXPECT_EQ(slopes("acosh", {0.5}), Slopes{0});
+}
+
+TEST_F(KinksTest, WholePowersAreProductsAndHaveTheirSlopeAnywhere) {
+  EXPECT_EQ(slope(pow(v[0], 2.0), 0, {-3}), -6);
+  EXPECT_EQ(slope(pow(v[0], 1.0), 0, {0}), 1);
+  EXPECT_EQ(slope(pow(v[0], 3.0), 0, {0}), 0);
+}
+
+TEST_F(KinksTest, LengthDistAndNormalizeAreSafeAtZero) {
+  const Value w = variable(graph, "w", vectorOf(3));
+  for (int by = 0; by < 3; ++by) {
+    EXPECT_EQ(slope(length(v), by, {0, 0, 0}), 0);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(slope(normalize(v)[i], by, {0, 0, 0}), 0);
+    Inputs same;
+    for (int i = 0; i < 3; ++i) same[v[i].id] = same[w[i].id] = i + 0.5;
+    const NodeId ofDist = differentiator.derivative(length(v - w).id, w[by].id);
+    EXPECT_EQ(evaluateNode(graph, ofDist, same), 0);
+  }
+}
+
+TEST_F(KinksTest, WhereThePositionIsInfiniteSoIsTheSlope) {
+  EXPECT_EQ(slopes("log", {0}), Slopes{infinity});
+  EXPECT_EQ(slopes("log2", {0}), Slopes{infinity});
+  EXPECT_EQ(slopes("inversesqrt", {0}), Slopes{-infinity});
+  EXPECT_EQ(slopes("atanh", {1}), Slopes{infinity});
+  EXPECT_EQ(slope(1.0 / v[0], 0, {0}), -infinity);
+}
+
+}  // namespace
+}  // namespace warpjet

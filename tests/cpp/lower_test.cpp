@@ -1,0 +1,149 @@
+// Lowering: what a language lacks becomes what it has, and nothing else changes.
+#include "emit/lower.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "diff/differentiator.hpp"
+#include "support.hpp"
+
+namespace warpjet {
+namespace {
+
+using ops::Language;
+
+constexpr std::array languages{Language::Glsl300, Language::Glsl100, Language::Wgsl};
+
+class LowerTest : public testing::Test {
+ protected:
+  Graph graph;
+  Value v = variable(graph, "v", vectorOf(3));
+
+  Expression lowered(Expression root, Language language) {
+    return {&graph, lower(graph, {&root.id, 1}, language)[0]};
+  }
+
+  Expression apply(std::string_view row) {
+    return {&graph, graph.apply(rowNamed(row), {v[0].id, v[1].id, v[2].id})};
+  }
+
+  void expectWritable(NodeId root, Language language, std::string_view what) {
+    for (const NodeId id : reachable(graph, {&root, 1})) {
+      if (!graph.isOperation(id)) continue;
+      const ops::Info& info = ops::info(graph.node(id).op);
+      EXPECT_NE(info.spellings.in(language).text, "") << what << " needs " << info.name;
+    }
+  }
+
+  // Points where every row is defined: above one for acosh, below for asin and its like.
+  Inputs point(std::mt19937& random, ops::Domain domain) {
+    Inputs inputs;
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = domain[i];
+      inputs[v[i].id] = std::uniform_real_distribution(low, high)(random);
+    }
+    return inputs;
+  }
+};
+
+constexpr auto domains =
+    std::apply([](const auto&... row) { return std::array{row.domain...}; }, ops::table);
+
+TEST_F(LowerTest, EveryRowInEveryLanguageKeepsItsValueAndNeedsNothingThatIsMissing) {
+  std::mt19937 random(1);
+  for (const ops::Info& info : ops::infos) {
+    const Expression root = apply(info.name);
+    for (const Language language : languages) {
+      const Expression low = lowered(root, language);
+      expectWritable(low.id, language, info.name);
+      for (int i = 0; i < 50; ++i) {
+        const Inputs at = point(random, domains[index(rowNamed(info.name))]);
+        EXPECT_NEAR(evaluateNode(graph, low.id, at), evaluateNode(graph, root.id, at), 1e-12)
+            << info.name;
+      }
+    }
+  }
+}
+
+TEST_F(LowerTest, DerivativesTakenBeforeKeepTheirValues) {
+  Differentiator differentiator(graph);
+  std::mt19937 random(2);
+  for (const ops::Info& info : ops::infos) {
+    const Expression root = apply(info.name);
+    const Expression slope{&graph, differentiator.derivative(root.id, v[0].id)};
+    const Expression curvature{&graph, differentiator.derivative(slope.id, v[0].id)};
+    for (const Language language : languages) {
+      for (const Expression derivative : {slope, curvature}) {
+        const Expression low = lowered(derivative, language);
+        expectWritable(low.id, language, info.name);
+        const Inputs at = point(random, domains[index(rowNamed(info.name))]);
+        const double expected = evaluateNode(graph, derivative.id, at);
+        EXPECT_NEAR(evaluateNode(graph, low.id, at), expected,
+                    1e-12 * std::max(1.0, std::abs(expected)))
+            << info.name;
+      }
+    }
+  }
+}
+
+TEST_F(LowerTest, WhatTheLanguageHasStaysTheSameNode) {
+  const Expression f = sin(v[0]) * floor(v[1]) + mod(v[0], v[2]);
+  EXPECT_EQ(lowered(f, Language::Glsl300).id, f.id);
+  EXPECT_EQ(lowered(f, Language::Glsl100).id, f.id);
+  EXPECT_NE(lowered(f, Language::Wgsl).id, f.id) << "WGSL lacks mod";
+}
+
+TEST_F(LowerTest, OneThatIsMissingInsideOfAnotherIsLoweredToo) {
+  const Expression inner = apply("trunc");
+  const Expression outer{&graph, graph.apply(rowNamed("tanh"), {(inner * v[1]).id})};
+  const Expression low = lowered(sin(outer) + v[2], Language::Glsl100);
+  expectWritable(low.id, Language::Glsl100, "sin(tanh(trunc(x) * y)) + z");
+  const Inputs at{{v[0].id, -2.75}, {v[1].id, 0.25}, {v[2].id, 3}};
+  EXPECT_DOUBLE_EQ(evaluateNode(graph, low.id, at), std::sin(std::tanh(-0.5)) + 3);
+}
+
+TEST_F(LowerTest, CallsAreKeptWithLoweredArguments) {
+  const std::uint32_t noise = graph.addFunction("noise", 2);
+  const NodeId arguments[] = {apply("trunc").id, v[1].id};
+  const Expression f = sin(Expression{&graph, graph.call(noise, arguments)});
+  const Expression low = lowered(f, Language::Glsl100);
+  expectWritable(low.id, Language::Glsl100, "sin(noise(trunc(x), y))");
+  EXPECT_EQ(body(low, glsl100), "sin(noise(sign(v.x) * floor(abs(v.x)), v.y))");
+  EXPECT_EQ(lowered(f, Language::Glsl300).id, f.id) << "nothing to lower in it";
+}
+
+TEST_F(LowerTest, ACallWithNothingToLowerStaysTheSameNode) {
+  const std::uint32_t noise = graph.addFunction("noise", 1);
+  const Expression call{&graph, graph.call(noise, std::vector{v[0].id})};
+  EXPECT_EQ(lowered(call, Language::Glsl100).id, call.id);
+}
+
+TEST_F(LowerTest, LeavesAndRepeatedRootsAreFine) {
+  const NodeId seven = graph.constant(7), truncated = apply("trunc").id;
+  const std::vector<NodeId> roots{v[0].id, seven, truncated, truncated, v[0].id};
+  const std::vector<NodeId> low = lower(graph, roots, Language::Glsl100);
+  ASSERT_EQ(low.size(), 5u);
+  EXPECT_EQ(low[0], v[0].id);
+  EXPECT_EQ(low[1], seven);
+  EXPECT_EQ(low[2], low[3]);
+  EXPECT_EQ(low[4], v[0].id);
+}
+
+// A derivative belongs right after its value; so does what stands for it.
+TEST_F(LowerTest, NewNodesBelongToTheValuesThatTheyStandFor) {
+  const Expression truncated = apply("trunc");
+  const Expression later = cos(v[1]);
+  const Expression low = lowered(truncated, Language::Glsl100);
+  EXPECT_EQ(graph.origin(low.id), graph.origin(truncated.id));
+  EXPECT_LT(graph.origin(low.id), later.id);
+}
+
+TEST_F(LowerTest, ALongChainNeitherRecursesNorTakesLong) {
+  Expression f = v[0];
+  for (int i = 0; i < 100'000; ++i) f = {&graph, graph.apply(rowNamed("tanh"), {f.id})};
+  EXPECT_LT(index(lowered(f, Language::Glsl100).id), 1'200'000u);
+}
+
+}  // namespace
+}  // namespace warpjet

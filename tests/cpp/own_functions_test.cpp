@@ -1,0 +1,134 @@
+// Functions of the host: calls, declarations, and the partial derivatives that they are asked for.
+#include <gtest/gtest.h>
+
+#include "bench.hpp"
+
+namespace warpjet {
+namespace {
+
+class OwnFunctions : public testing::Test, protected Bench {
+ protected:
+  // The calls whose partials the derivative of this value needs.
+  std::vector<NodeId> pendingFor(int value) {
+    EXPECT_EQ(call("derivative", {value, x}), Builder::needsPartials);
+    return builder.pendingCalls();
+  }
+
+  int noise = builder.addFunction("noise", "float noise(float a, float b) { return a * b; }", 2);
+  int bump = builder.addFunction("bump", "float bump(float a) { return a; }", 1);
+};
+
+TEST_F(OwnFunctions, AreCalledByComponent) {
+  const int called = own(noise, {v3, x});
+  EXPECT_EQ(builder.shape(called), vectorOf(3));
+  EXPECT_EQ(text(called), "vec3(noise(v3.x, x), noise(v3.y, x), noise(v3.z, x))");
+}
+
+TEST_F(OwnFunctions, TakeConditionsAsNumbers) {
+  EXPECT_EQ(text(own(bump, {call("lt", {x, number(1)})})), "bump(float(x < 1.0))");
+}
+
+TEST_F(OwnFunctions, AreDeclaredOnceAndOnlyIfCalled) {
+  const int a = own(bump, {x}), b = own(bump, {call("sin", {x})});
+  ASSERT_TRUE(builder.output("gen", "y", call("add", {a, b})));
+  EXPECT_EQ(builder.build(8)->declarations, "float bump(float a) { return a; }\n");
+}
+
+TEST_F(OwnFunctions, AreAskedForTheirPartialsWhereTheyAreDifferentiated) {
+  const int called = own(noise, {call("sin", {x}), x});
+  const std::vector<NodeId> pendingCalls = pendingFor(called);
+  ASSERT_EQ(pendingCalls.size(), 1u);
+  const NodeId pending = pendingCalls[0];
+  EXPECT_EQ(builder.functionOfCall(pending), noise);
+  const int a = builder.argumentOfCall(pending, 0), b = builder.argumentOfCall(pending, 1);
+  ASSERT_TRUE(givePartials(pending, {b, a}));
+  const int slope = call("derivative", {called, x});
+  ASSERT_GE(slope, 0) << builder.problem();
+  EXPECT_EQ(text(slope), "x * cos(x) + sin(x)") << "chain rule with d/da = b, d/db = a";
+}
+
+TEST_F(OwnFunctions, EqualCallsAreAskedForOnce) {
+  const int called = own(bump, {x}), again = own(bump, {x});
+  const std::vector<NodeId> pending = pendingFor(call("add", {called, again}));
+  ASSERT_EQ(pending.size(), 1u);
+  ASSERT_TRUE(givePartials(pending[0], {number(2)}));
+  EXPECT_EQ(text(call("derivative", {again, x})), "2.0");
+}
+
+TEST_F(OwnFunctions, EachCallIsAskedForByItself) {
+  const int inner = own(noise, {x, x});
+  const int sum = call("add", {own(bump, {x}), own(bump, {inner})});
+  const std::vector<NodeId> pending = pendingFor(sum);
+  EXPECT_EQ(pending.size(), 3u);
+  for (const NodeId call : pending) {
+    if (builder.functionOfCall(call) == noise) {
+      ASSERT_TRUE(givePartials(call, {number(3), number(5)}));
+    } else {
+      ASSERT_TRUE(givePartials(call, {builder.argumentOfCall(call, 0)}));
+    }
+  }
+  EXPECT_EQ(text(call("derivative", {sum, x})), "x + noise(x, x) * 8.0");
+}
+
+TEST_F(OwnFunctions, ASecondDerivativeAsksForThePartialsOfThePartials) {
+  const int called = own(bump, {x});
+  const std::vector<NodeId> pending = pendingFor(called);
+  ASSERT_EQ(pending.size(), 1u);
+  const NodeId first = pending[0];
+  const int steepness =
+      builder.addFunction("steepness", "float steepness(float a) { return 1.0; }", 1);
+  ASSERT_TRUE(givePartials(first, {own(steepness, {builder.argumentOfCall(first, 0)})}));
+  const int slope = call("derivative", {called, x});
+  const std::vector<NodeId> pendingAgain = pendingFor(slope);
+  ASSERT_EQ(pendingAgain.size(), 1u);
+  const NodeId second = pendingAgain[0];
+  EXPECT_EQ(builder.functionOfCall(second), steepness);
+  const int argument = builder.argumentOfCall(second, 0);
+  ASSERT_TRUE(givePartials(second, {call("mult", {argument, number(6)})}));
+  const int curvature = call("derivative", {slope, x});
+  ASSERT_TRUE(builder.output("gen", "slope", slope));
+  ASSERT_TRUE(builder.output("gen", "curvature", curvature));
+  const auto built = builder.build(8);
+  ASSERT_TRUE(built) << builder.problem();
+  EXPECT_EQ(built->emitted.code,
+            "float slope, curvature;\n{\n  slope = steepness(x);\n  curvature = x * 6.0;\n}\n");
+  EXPECT_EQ(built->declarations, "float steepness(float a) { return 1.0; }\n")
+      << "bump is not called";
+}
+
+TEST_F(OwnFunctions, GradientsJacobiansAndNormalsAskToo) {
+  const int offset = own(bump, {v3}), normal = input("normal", vectorOf(3));
+  EXPECT_EQ(call("adjustNormal", {offset, normal, v3}), Builder::needsPartials);
+  EXPECT_EQ(call("gradient", {call("length", {offset}), v3}), Builder::needsPartials);
+  ASSERT_EQ(call("jacobian", {offset, v3}), Builder::needsPartials);
+  const std::vector<NodeId> pending = builder.pendingCalls();
+  ASSERT_EQ(pending.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i)
+    ASSERT_TRUE(givePartials(pending[i], {number(static_cast<double>(i))}));
+  EXPECT_EQ(text(call("jacobian", {offset, v3})),
+            "mat3(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0)");
+}
+
+TEST_F(OwnFunctions, PartialsMustBeANumberForEachArgument) {
+  const int called = own(noise, {x, x});
+  const std::vector<NodeId> pendingCalls = pendingFor(called);
+  ASSERT_EQ(pendingCalls.size(), 1u);
+  const NodeId pending = pendingCalls[0];
+  EXPECT_FALSE(givePartials(pending, {x, v2}));
+  EXPECT_EQ(builder.problem(), "noise: derivative 2 must be a single number, but is a vec2.");
+  EXPECT_FALSE(givePartials(pending, {x}));
+  EXPECT_EQ(builder.problem(), "noise: 2 derivatives were expected, one for each argument.");
+  EXPECT_EQ(pendingFor(called), pendingCalls) << "still";
+  EXPECT_TRUE(givePartials(pending, {x, number(1)}));
+  EXPECT_EQ(text(call("derivative", {called, x})), "x + 1.0");
+}
+
+TEST_F(OwnFunctions, GiveNoProgram) {
+  ASSERT_TRUE(builder.output("gen", "y", own(bump, {x})));
+  const auto built = builder.build(8);
+  ASSERT_TRUE(built);
+  EXPECT_FALSE(builder.program(built->emitted.inputs));
+}
+
+}  // namespace
+}  // namespace warpjet

@@ -1,0 +1,308 @@
+// What the builder refuses, in which words, and that it works on after that.
+#include <gtest/gtest.h>
+
+#include "bench.hpp"
+
+namespace warpjet {
+namespace {
+
+class Refusals : public testing::Test, protected Bench {
+ protected:
+  void TearDown() override {
+    if (builder.graph().full()) return;
+    EXPECT_EQ(text(call("sin", {x})), "sin(x)");
+  }
+
+  // A handle that is none; the same builder goes on after it.
+  void refuses(int handle, const std::string& sentence) {
+    EXPECT_EQ(handle, Builder::failed) << sentence;
+    EXPECT_EQ(builder.problem(), sentence);
+    EXPECT_GE(call("sin", {x}), 0) << "after: " << sentence;
+  }
+  void refuses(bool isDone, const std::string& sentence) {
+    refuses(isDone ? 0 : Builder::failed, sentence);
+  }
+};
+
+TEST_F(Refusals, OfWrongCounts) {
+  refuses(call("sin", {}), "sin: 1 argument was expected, but 0 came.");
+  refuses(method("sin", {x, x}), "sin: no arguments were expected, but 1 came.");
+  refuses(call("mix", {x, x}), "mix: 3 arguments were expected, but 2 came.");
+  refuses(method("mix", {x, x}), "mix: 2 arguments were expected, but 1 came.");
+  refuses(call("add", {}), "add: 2 arguments were expected, but 0 came.");
+  refuses(method("add", {x}), "add: 1 argument was expected, but 0 came.");
+  refuses(call("atan", {x, x, x}), "atan: 1 argument was expected, but 3 came.");
+  refuses(call("dot", {v3}), "dot: 2 arguments were expected, but 1 came.");
+  refuses(method("column", {m2}), "column: 1 argument was expected, but 0 came.");
+  refuses(method("derivative", {x}), "derivative: 1 argument was expected, but 0 came.");
+  refuses(call("derivative", {}), "derivative: 2 arguments were expected, but 0 came.");
+}
+
+TEST_F(Refusals, OfShapesThatDoNotFit) {
+  refuses(call("add", {v2, v3}),
+          "add: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  refuses(call("clamp", {v2, x, v3}),
+          "clamp: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  refuses(call("dot", {v4, v3}),
+          "dot: a vec4 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  refuses(
+      call("smoothstep", {x, v2, v3}),
+      "smoothstep: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  refuses(call("add", {m2, m3}),
+          "add: a mat2 and a mat3 do not fit together; use matrices and vectors of one size.");
+  refuses(call("add", {m2, v2}),
+          "add: a mat2 and a vec2 do not fit together; use matrices and vectors of one size.");
+  refuses(call("mult", {m2, v3}),
+          "mult: a mat2 and a vec3 do not fit together; use matrices and vectors of one size.");
+  refuses(call("mult", {v2, m23}),
+          "mult: a vec2 and a matrix of 2 columns and 3 rows do not fit together; use matrices and "
+          "vectors of one size.");
+  refuses(call("mult", {m2, x, m3}),
+          "mult: a mat2 and a mat3 do not fit together; use matrices and vectors of one size.");
+}
+
+TEST_F(Refusals, OfMatricesWhereTheyMeanNothing) {
+  refuses(call("sin", {m2}),
+          "sin: it does not work on matrices; take their columns by m.column(0).");
+  refuses(call("max", {x, m2}),
+          "max: it does not work on matrices; take their columns by m.column(0).");
+  refuses(call("div", {x, m2}), "div: a matrix cannot divide; multiply by its inverse().");
+  refuses(method("div", {m2, m2}), "div: a matrix cannot divide; multiply by its inverse().");
+}
+
+TEST_F(Refusals, OfOperandsOfTheWrongKind) {
+  refuses(call("length", {x}), "length: argument 1 must be a vector, but is a single number.");
+  refuses(method("length", {m2}), "length: what it is called on must be a vector, but is a mat2.");
+  refuses(method("cross", {v3, v2}), "cross: argument 1 must be a vec3, but is a vec2.");
+  refuses(call("cross", {v3, v2}), "cross: argument 2 must be a vec3, but is a vec2.");
+  refuses(call("refract", {v3, v3, v3}),
+          "refract: argument 3 must be a single number, but is a vec3.");
+  refuses(call("radians", {m3}),
+          "radians: argument 1 must be a number or a vector, but is a mat3.");
+  refuses(method("transpose", {v2}),
+          "transpose: what it is called on must be a matrix, but is a vec2.");
+  refuses(method("inverse", {m23}),
+          "inverse: what it is called on must be a matrix of as many rows as columns, but is a "
+          "matrix of 2 columns and 3 rows.");
+  refuses(call("determinant", {v4}),
+          "determinant: argument 1 must be a matrix of as many rows as columns, but is a vec4.");
+  refuses(call("rotate", {v2, x}), "rotate: argument 1 must be a vec3, but is a vec2.");
+  refuses(call("gradient", {v2, v2}),
+          "gradient: argument 1 must be a single number, but is a vec2.");
+  refuses(call("jacobian", {x, v2}),
+          "jacobian: argument 1 must be a vector, but is a single number.");
+}
+
+TEST_F(Refusals, OfDerivativesByWhatIsNoInput) {
+  refuses(method("derivative", {x, v3}),
+          "derivative: argument 1 must be a single input, such as position.x(), but is a vec3.");
+  refuses(call("derivative", {x, call("sin", {x})}),
+          "derivative: argument 2 must be an input such as millis or position.x(), not something "
+          "computed.");
+  refuses(call("derivative", {x, number(2)}),
+          "derivative: argument 2 must be an input such as millis or position.x(), not something "
+          "computed.");
+  refuses(call("gradient", {x, x}),
+          "gradient: argument 2 must be a vector of inputs, such as position, but is a single "
+          "number.");
+  refuses(call("jacobian", {v2, call("vec2", {x, x})}),
+          "jacobian: argument 2 must have different components.");
+  refuses(call("jacobian", {v2, call("vec2", {x, number(1)})}),
+          "jacobian: argument 2 must be an input such as millis or position.x(), not something "
+          "computed.");
+  refuses(call("adjustNormal", {v3, v3, v2}),
+          "adjustNormal: argument 3 must be a vec3 of inputs, such as position, but is a vec2.");
+}
+
+TEST_F(Refusals, OfVectorsAndMatricesOfTheWrongParts) {
+  refuses(call("vec3", {x, x}), "vec3: 3 components were expected, but 2 came.");
+  refuses(call("vec3", {}), "vec3: 3 components were expected, but 0 came.");
+  refuses(call("vec3", {v2, v2}), "vec3: 3 components were expected, but 4 came.");
+  refuses(call("vec4", {m2}), "vec4: argument 1 is a mat2, but must be a vector or a number.");
+  refuses(call("mat2", {}), "mat2: 4 components were expected, but 0 came.");
+  refuses(call("mat2", {x, x, x}), "mat2: 4 components were expected, but 3 came.");
+  refuses(call("mat2", {v3, x}),
+          "mat2: 2 columns of as many components were expected, but a vec3 came.");
+  refuses(call("mat3Rows", {v3, v2, v4}),
+          "mat3Rows: 3 rows of as many components were expected, but a vec2 came.");
+  refuses(call("mat3", {v3, v3}), "mat3: 9 components were expected, but 6 came.");
+  refuses(call("mat3", {v3, m3}), "mat3: argument 2 is a mat3, but must be a vector or a number.");
+}
+
+TEST_F(Refusals, OfPartsThatAreNotThere) {
+  refuses(method("column", {v3, number(0)}),
+          "column: what it is called on must be a matrix, but is a vec3.");
+  refuses(method("column", {m23, number(2)}),
+          "column: argument 1 must be a whole number from 0 to 1.");
+  refuses(method("row", {m23, number(3)}), "row: argument 1 must be a whole number from 0 to 2.");
+  refuses(method("row", {m23, number(0.5)}), "row: argument 1 must be a whole number from 0 to 2.");
+  refuses(method("column", {m23, v2}),
+          "column: argument 1 must be a single number, but is a vec2.");
+  refuses(call("row", {m23, x}), "row: argument 2 must be a whole number from 0 to 2.");
+  refuses(builder.swizzle(v2, 1, 2), "a vec2 has no such components.");
+  refuses(builder.swizzle(v3, 3, 0b11'00'00), "a vec3 has no such components.");
+  refuses(builder.swizzle(x, 1, 0), "a single number has no such components.");
+  refuses(builder.swizzle(m2, 1, 0), "a mat2 has no such components.");
+}
+
+TEST_F(Refusals, OfConstantsWhoseResultNoShaderCanHold) {
+  const std::string sentence =
+      "the result of these constants is not a finite number that a shader can hold.";
+  const std::string divides =
+      "it divides by zero, or by a number too close to zero for a shader to hold.";
+  refuses(call("log", {number(0)}), "log: " + sentence);
+  refuses(call("sqrt", {number(-1)}), "sqrt: " + sentence);
+  refuses(call("div", {number(1), number(0)}), "div: " + divides);
+  refuses(call("div", {x, number(0)}), "div: " + divides);
+  refuses(call("div", {x, call("mult", {number(1e-30), number(1e-30)})}), "div: " + divides);
+  refuses(call("mod", {v3, number(0)}), "mod: " + divides);
+  refuses(call("pow", {number(0), number(-1)}), "pow: " + divides);
+  refuses(call("mult", {number(1e30), number(1e30)}), "mult: " + sentence);
+  refuses(call("acosh", {number(0.5)}), "acosh: " + sentence);
+  refuses(call("smoothstep", {number(1), number(1), x}), "smoothstep: " + divides);
+  refuses(call("atan", {number(0), number(0)}), "atan: the point (0, 0) has no angle.");
+  refuses(method("inverse", {call("mat2", {number(1), number(2), number(2), number(4)})}),
+          "inverse: the determinant of this matrix is 0, so that it has no inverse.");
+  refuses(call("inverse", {call("mat2", {x, x, number(0), number(0)})}),
+          "inverse: the determinant of this matrix is 0, so that it has no inverse.");
+  refuses(call("rotate", {call("vec3", {number(0)}), x}),
+          "rotate: the axis is zero, so that it has no direction.");
+}
+
+TEST_F(Refusals, OfInputsThatNoShaderCanRead) {
+  refuses(input("x", vectorOf(2)),
+          "glsl: \"x\" was read as a single number before, and now as a vec2.");
+  refuses(input("m2", matrixOf(2, 3)),
+          "glsl: \"m2\" was read as a mat2 before, and now as a matrix of 2 columns and 3 rows.");
+  refuses(input("a +"), "glsl: \"a +\" cannot be read in a shader: an operand is missing in it.");
+  refuses(input("for"),
+          "glsl: \"for\" cannot be read in a shader: \"for\" is a word of GLSL itself.");
+  refuses(input("a\nb"),
+          "glsl: \"a b\" cannot be read in a shader: only letters from a to z can stand in it.");
+  EXPECT_GE(input("p.x"), 0);
+  refuses(input("p", vectorOf(3)),
+          "glsl: \"p.x\" was read before \"p\", whose part it is; read the vector first.");
+  refuses(input(""), "glsl: \"\" cannot be read in a shader: it is empty.");
+}
+
+TEST_F(Refusals, OfOwnFunctionsThatTheSourceDoesNotDefine) {
+  const std::string problem =
+      "fn: \"noise\" is not in the source, which must define a function of that name.";
+  for (const char* source : {"float other(float x) { return x; }", "float noise;",
+                             "float mynoise(float x) { return x; }", ""})
+    refuses(builder.addFunction("noise", source, 1), problem);
+}
+
+TEST_F(Refusals, OfNamesAndCountsOfOwnFunctions) {
+  refuses(builder.addFunction("noise", "float noise() { return 1.0; }", 0),
+          "fn: \"noise\" must have at least one argument.");
+  refuses(builder.addFunction("2d", "float 2d(float x) { return x; }", 1),
+          "fn: \"2d\" cannot name a function: a name is made of letters, digits and underscores "
+          "and does not start with a digit.");
+  refuses(builder.addFunction("sin", "float sin(float x) { return x; }", 1),
+          "fn: \"sin\" cannot name a function: \"sin\" is a function of GLSL.");
+  refuses(builder.addFunction("for", "float for(float x) { return x; }", 1),
+          "fn: \"for\" cannot name a function: \"for\" is a word of GLSL itself.");
+}
+
+TEST_F(Refusals, OfASecondFunctionOfTheSameName) {
+  const std::string source = "float noise(float x) { return x; }";
+  const int noise = builder.addFunction("noise", source, 1);
+  EXPECT_EQ(builder.addFunction("noise", source, 1), noise) << "the same one again is fine";
+  const std::string problem = "fn: \"noise\" is the name of another function already; rename one.";
+  refuses(builder.addFunction("noise", source + ' ', 1), problem);
+  refuses(builder.addFunction("noise", source, 2), problem);
+  EXPECT_EQ(text(own(noise, {x})), "noise(x)");
+}
+
+TEST_F(Refusals, OfCallsOfOwnFunctionsThatDoNotFit) {
+  const int noise = builder.addFunction("noise", "float noise(float x, float y) {}", 2);
+  refuses(own(noise, {x}), "noise: 2 arguments were expected, but 1 came.");
+  refuses(own(noise, {v2, v3}),
+          "noise: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
+  refuses(own(noise, {m2, x}), "noise: argument 1 must be a number or a vector, but is a mat2.");
+  EXPECT_EQ(text(own(noise, {x, x})), "noise(x, x)");
+}
+
+TEST_F(Refusals, OfNamesOfResults) {
+  EXPECT_TRUE(builder.output("gen", "slope", x));
+  refuses(builder.output("gen", "a b", x),
+          "gen: \"a b\" cannot name a result: a name is made of letters, digits and underscores "
+          "and does not start with a digit.");
+  refuses(builder.output("gen", "cos", x),
+          "gen: \"cos\" cannot name a result: \"cos\" is a function of GLSL.");
+  refuses(builder.output("gen", "slope", x),
+          "gen: there are two results named \"slope\"; rename one.");
+  refuses(builder.outputSum("gen", "slope", v3, v3, 0),
+          "gen: there are two results named \"slope\"; rename one.");
+  EXPECT_EQ(builder.outputs().size(), 1u) << "but for the one that was fine";
+}
+
+TEST_F(Refusals, OfRectangularResultsInWebGl1) {
+  Bench old(glsl100);
+  EXPECT_FALSE(old.builder.output("gen", "j", old.m23));
+  EXPECT_EQ(old.builder.problem(),
+            "gen: the result \"j\" is a matrix of 2 columns and 3 rows, but WebGL 1 has only "
+            "matrices of as many rows as columns; take its columns by .column(0).");
+  EXPECT_TRUE(old.builder.output("gen", "j", old.m3));
+  EXPECT_TRUE(builder.output("gen", "j", m23)) << "WebGL 2 has them";
+}
+
+TEST_F(Refusals, OfResultsThatHideAVariable) {
+  const int uv = input("inputs.uv * scale", vectorOf(2));
+  ASSERT_TRUE(builder.output("gen", "uv", uv)) << "a member is not hidden";
+  ASSERT_TRUE(builder.output("gen", "v2", x)) << "v2 is not read";
+  ASSERT_TRUE(builder.build(8)) << builder.problem();
+  ASSERT_TRUE(builder.output("gen", "scale", uv));
+  refuses(builder.build(8).has_value(),
+          "The result \"scale\" has the name of a variable or function that is read for it "
+          "(\"inputs.uv * scale\"); rename the result.");
+}
+
+TEST_F(Refusals, OfResultsThatHideAFunction) {
+  const int noise = builder.addFunction("noise", "float noise(float x) {}", 1);
+  ASSERT_TRUE(builder.output("gen", "noise", own(noise, {x})));
+  refuses(builder.build(8).has_value(),
+          "The result \"noise\" has the name of a variable or function that is read for it "
+          "(\"noise\"); rename the result.");
+}
+
+TEST_F(Refusals, OfAVariableNamedLikeAFunction) {
+  const int noise = builder.addFunction("noise", "float noise(float x) {}", 1);
+  ASSERT_TRUE(builder.output("gen", "y", own(noise, {input("noise")})));
+  refuses(builder.build(8).has_value(), "\"noise\" is both a variable and a function; rename one.");
+}
+
+// Equal nodes are one node, so what was refused can be met again below one that is there already;
+// to search all of it at each call would take long.
+TEST_F(Refusals, AtTheEndOfWhatWasMetAgain) {
+  const auto make = [&] { return call("smoothstep", {number(1), number(1), x}); };
+  ASSERT_EQ(make(), Builder::failed);
+  const int again = make();
+  ASSERT_GE(again, 0);
+  ASSERT_TRUE(builder.output("gen", "y", again));
+  refuses(builder.build(8).has_value(),
+          "A result: it divides by zero, or by a number too close to zero for a shader to hold.");
+}
+
+TEST_F(Refusals, LeaveNothingInTheText) {
+  EXPECT_EQ(call("log", {number(0)}), Builder::failed);
+  ASSERT_TRUE(builder.output("gen", "y", call("sin", {x})));
+  const auto built = builder.build(8);
+  ASSERT_TRUE(built) << builder.problem();
+  EXPECT_EQ(built->emitted.code, "float y;\n{\n  y = sin(x);\n}\n");
+}
+
+TEST_F(Refusals, OfMoreThanFourMillionOperations) {
+  int value = x;
+  std::size_t calls = 0;
+  for (; value != Builder::failed && calls <= Graph::maxNodes; ++calls)
+    value = method("sin", {value});
+  EXPECT_EQ(value, Builder::failed);
+  EXPECT_GT(calls, 4'000'000u);
+  EXPECT_EQ(builder.problem(),
+            "sin: this warp has more than four million operations; does a loop never end?");
+}
+
+}  // namespace
+}  // namespace warpjet

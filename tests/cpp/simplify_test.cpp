@@ -1,0 +1,461 @@
+// Folded and unfolded: random graphs, built with simplification and without, have the same values
+// at every point, but for the exceptions that graph/simplify.hpp lists. Each has a test of its own.
+#include "graph/simplify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "support.hpp"
+
+namespace warpjet {
+namespace {
+
+constexpr Op Neg = ops::find("neg"), Add = ops::find("add"), Sub = ops::find("sub"),
+             Mult = ops::find("mult"), Div = ops::find("div"), Pow = ops::find("pow"),
+             Mix = ops::find("mix"), Clamp = ops::find("clamp"), IfElse = ops::find("ifElse");
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// All NaN are the same; zeros of different sign are not.
+bool same(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+  return a == b && std::signbit(a) == std::signbit(b);
+}
+
+// How many doubles it takes to get from one number to the other.
+std::uint64_t distance(double a, double b) {
+  const auto place = [](double x) {
+    std::int64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+  };
+  if (std::isnan(a) || std::isnan(b)) return ~std::uint64_t{0};
+  const std::int64_t low = std::min(place(a), place(b)), high = std::max(place(a), place(b));
+  return static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+}
+
+// --- the exceptions, one by one
+
+// The value of a formula of x and y in a graph that simplifies, and in one that does not.
+struct Both {
+  double folded, unfolded;
+};
+
+template <class Formula>
+Both both(Formula formula, double x, double y = 0) {
+  const auto value = [&](Graph::Simplification simplification) {
+    Graph graph(Graph::maxNodes, simplification);
+    const Expression a = scalar(graph, "x"), b = scalar(graph, "y");
+    return evaluateNode(graph, formula(a, b).id, {{a.id, x}, {b.id, y}});
+  };
+  return {value(Graph::Simplification::On), value(Graph::Simplification::Off)};
+}
+
+template <class Formula>
+void expectValues(double folded, double unfolded, Formula formula, double x, double y = 0) {
+  const Both values = both(formula, x, y);
+  EXPECT_TRUE(same(values.folded, folded)) << "folded: " << values.folded;
+  EXPECT_TRUE(same(values.unfolded, unfolded)) << "unfolded: " << values.unfolded;
+}
+
+// x + 0, x - y and 0 - x would have to stay as they are for it, and no shader promises it.
+TEST(SimplifyExceptions, TheSignOfAZero) {
+  expectValues(
+      -0.0, 0.0, [](auto x, auto) { return x + 0.0; }, -0.0);
+  expectValues(
+      -0.0, 0.0, [](auto x, auto) { return 0.0 - x; }, 0.0);
+  expectValues(
+      0.0, -0.0, [](auto x, auto y) { return -(x - y); }, 2, 2);
+  expectValues(
+      0.0, -0.0, [](auto x, auto) { return x * 0.0; }, -2);
+  expectValues(
+      0.0, -0.0, [](auto x, auto) { return 0.0 / x; }, -2);
+  expectValues(
+      0.0, -0.0, [](auto x, auto) { return x * ifElse(gt(x, 0.0), 1.0, 0.0); }, -2);
+}
+
+// Every structural zero of a Jacobian would stay for it.
+TEST(SimplifyExceptions, InfinityTimesZeroIsZero) {
+  expectValues(
+      0, NAN, [](auto x, auto) { return x * 0.0; }, infinity);
+  expectValues(
+      0, NAN, [](auto x, auto) { return x * 0.0; }, NAN);
+  const auto chosen = [](auto x, auto) { return 1.0 / x * ifElse(gt(x, 0.0), 1.0, 0.0); };
+  expectValues(0, NAN, chosen, 0);
+  const auto chosenNot = [](auto x, auto) { return ifElse(gt(x, 0.0), 0.0, 1.0) * x; };
+  expectValues(0, NAN, chosenNot, infinity);
+}
+
+// As above: a derivative of moved - position.
+TEST(SimplifyExceptions, InfinityMinusItselfIsZero) {
+  expectValues(
+      0, NAN, [](auto x, auto) { return x - x; }, infinity);
+  expectValues(
+      0, NAN, [](auto x, auto) { return x + -x; }, -infinity);
+  expectValues(
+      0, NAN, [](auto x, auto) { return x - x; }, NAN);
+}
+
+// As above: the derivative of a quotient whose numerator is constant.
+TEST(SimplifyExceptions, ZeroDividedByAnythingIsZero) {
+  expectValues(
+      0, NAN, [](auto x, auto) { return 0.0 / x; }, 0);
+  expectValues(
+      0, NAN, [](auto x, auto) { return 0.0 / x; }, NAN);
+}
+
+// mix(x, y, t) is x * (1 - t) + y * t; what has the factor zero is left out.
+TEST(SimplifyExceptions, InfinityAtTheOtherEndOfAMix) {
+  const auto mix = [](auto x, auto y, auto t) {
+    Graph& graph = *x.graph;
+    return Expression{&graph, graph.apply(Mix, {x.id, toNode(graph, y), toNode(graph, t)})};
+  };
+  expectValues(
+      3, NAN, [&](auto x, auto y) { return mix(x, y, 0.0); }, 3, infinity);
+  expectValues(
+      3, NAN, [&](auto x, auto y) { return mix(y, x, 1.0); }, 3, infinity);
+  expectValues(
+      -infinity, NAN, [&](auto x, auto y) { return mix(y, 0.0, x); }, infinity, 1);
+  expectValues(
+      infinity, NAN,
+      [&](auto x, auto y) {
+        const Expression zero{x.graph, x.graph->constant(0)};
+        return mix(zero, y, x);
+      },
+      infinity, 1);
+}
+
+// A chain of constant factors, as the chain rule makes it, is one.
+TEST(SimplifyExceptions, ConstantFactorsAreMultipliedFirst) {
+  int different = 0;
+  for (int i = 1; i <= 20; ++i) {
+    const Both values = both([](auto a, auto) { return a * 0.1 * 0.3; }, i);
+    EXPECT_LE(distance(values.folded, values.unfolded), 2u) << i;
+    different += values.folded != values.unfolded;
+  }
+  EXPECT_GT(different, 0);
+}
+
+// One operation instead of two, and nearer to the true value.
+TEST(SimplifyExceptions, AProductWithAReciprocalIsAQuotient) {
+  for (const double y : {3.0, 49.0, -0.7, 1e10, 1e-10}) {
+    const Both values = both([](auto a, auto b) { return a * (1.0 / b); }, 5, y);
+    EXPECT_EQ(values.folded, 5 / y);
+    EXPECT_LE(distance(values.folded, values.unfolded), 2u) << y;
+  }
+  EXPECT_NE(both([](auto a, auto b) { return a * (1.0 / b); }, 5, 49).unfolded, 5.0 / 49);
+}
+
+// GLSL's pow is undefined for a negative base. A rounding for each product.
+TEST(SimplifyExceptions, WholePowersAreRoundedProductByProduct) {
+  for (int n = -16; n <= 16; ++n) {
+    for (const double x : {0.3, -0.7, 1.1, -2.3, 1000.1}) {
+      const Both values = both([n](auto a, auto) { return pow(a, double(n)); }, x);
+      EXPECT_LE(distance(values.folded, values.unfolded), static_cast<std::uint64_t>(std::abs(n)))
+          << x << " to the power of " << n;
+    }
+  }
+}
+
+// WGSL refuses a clamp between constants that cross, so none may be left.
+TEST(SimplifyExceptions, NotANumberBetweenConstantsThatCross) {
+  const auto clamped = [](auto x, auto) {
+    Graph& graph = *x.graph;
+    return Expression{&graph, graph.apply(Clamp, {x.id, graph.constant(3), graph.constant(2)})};
+  };
+  expectValues(2, 2, clamped, 5);
+  expectValues(2, NAN, clamped, NAN);
+}
+
+// In double; float32 has its own ends.
+TEST(SimplifyExceptions, AnIntermediateThatOverflowsOrUnderflows) {
+  const auto scaled = [](auto x, auto) { return x * 2.0 * 0.5; };
+  expectValues(1e308, infinity, scaled, 1e308);
+  const auto divided = [](auto x, auto y) { return x * (1.0 / y); };
+  expectValues(0x1p1000, infinity, divided, 0x1p-30, 0x1p-1030);
+  expectValues(0, NAN, divided, 0, 0x1p-1030);
+  const auto squared = [](auto x, auto) { return pow(x, -2.0); };
+  expectValues(0, 0x1p-1040, squared, 0x1p520);
+}
+
+// --- random graphs
+
+// How the value of an operation differs from that of what it was simplified to.
+enum Difference {
+  Nothing,
+  SignOfZero,
+  TimesZero,
+  MinusItself,
+  ZeroDividedBy,
+  EndOfMix,
+  ConstantFactors,
+  Reciprocal,
+  WholePower,
+  CrossedBounds,
+  BeyondRange,
+  Unexplained,
+};
+
+// One operation, or leaf, in both graphs.
+struct Step {
+  Op op{};
+  std::array<std::size_t, ops::maxArity> operands{};
+  NodeId folded{}, unfolded{};
+  int depth = 0;
+
+  int arity() const { return depth == 0 ? 0 : ops::info(op).arity; }
+};
+
+class Pair {
+ public:
+  Graph folded, unfolded{Graph::maxNodes, Graph::Simplification::Off};
+  std::vector<Step> steps;
+
+  void input(const std::string& name) {
+    steps.push_back({{}, {}, scalar(folded, name).id, scalar(unfolded, name).id});
+  }
+  void constant(double value) {
+    steps.push_back({{}, {}, folded.constant(value), unfolded.constant(value)});
+  }
+  void apply(Op op, const std::array<std::size_t, ops::maxArity>& operands) {
+    Step step{op, operands};
+    Operands on{}, off{};
+    for (int i = 0; i < ops::info(op).arity; ++i) {
+      const Step& operand = steps[operands[i]];
+      on[i] = operand.folded;
+      off[i] = operand.unfolded;
+      step.depth = std::max(step.depth, operand.depth + 1);
+    }
+    step.folded = folded.apply(op, on);
+    step.unfolded = unfolded.apply(op, off);
+    steps.push_back(step);
+  }
+  Operands foldedOperands(const Step& step) const {
+    Operands operands{};
+    for (int i = 0; i < step.arity(); ++i) operands[i] = steps[step.operands[i]].folded;
+    return operands;
+  }
+};
+
+// Says which exception explains that an operation on simplified operands and what it was simplified
+// to differ at a point.
+class Judge {
+ public:
+  Judge(Graph& graph, const std::vector<double>& values) : graph_(graph), values_(values) {}
+
+  Difference judge(Op op, const Operands& operands, double found) const {
+    std::array<double, ops::maxArity> x{};
+    for (int i = 0; i < ops::info(op).arity; ++i) x[i] = at(operands[i]);
+    const double expected = ops::evaluate(op, x);
+    if (same(expected, found)) return Nothing;
+    if (expected == 0 && found == 0) return SignOfZero;
+    const bool becameZero = std::isnan(expected) && found == 0;
+    switch (op) {
+      case Mult:
+        return judgeProduct(operands, expected, found);
+      case Add:
+      case Sub:
+        return becameZero && isDifferenceWithItself(op, operands) ? MinusItself : Unexplained;
+      case Div:
+        return becameZero && isKnown(operands[0], 0) ? ZeroDividedBy : Unexplained;
+      case Pow:
+        return judgePower(operands, expected, found);
+      case Mix:
+        return judgeMix(operands, expected, found);
+      case Clamp:
+        return std::isnan(x[0]) && x[1] > x[2] && found == x[2] ? CrossedBounds : Unexplained;
+      default:
+        return Unexplained;
+    }
+  }
+
+ private:
+  double at(NodeId id) const { return values_[index(id)]; }
+  bool isKnown(NodeId id, double value) const { return graph_.known(id) == value; }
+  NodeId withoutSign(NodeId id) const { return graph_.is(id, Neg) ? graph_.operand(id, 0) : id; }
+
+  Difference judgeProduct(const Operands& operands, double expected, double found) const {
+    const auto [a, b, unused] = operands;
+    for (const auto& [x, y] : {std::pair{a, b}, std::pair{b, a}}) {
+      if (isZeroFactor(y) && !std::isfinite(at(x)) && std::isnan(expected) && found == 0)
+        return TimesZero;
+      const NodeId inner = withoutSign(x);
+      const bool isScaled = graph_.is(inner, Mult) && graph_.isConstant(graph_.operand(inner, 1));
+      const bool isReciprocal = graph_.is(inner, Div) && isKnown(graph_.operand(inner, 0), 1);
+      if (!(isScaled && graph_.known(y)) && !isReciprocal) continue;
+      if (distance(expected, found) <= 2) return isScaled ? ConstantFactors : Reciprocal;
+      if (!std::isnormal(at(inner))) return BeyondRange;
+    }
+    return Unexplained;
+  }
+
+  // Zero, or now the zero of a choice between 1 and 0.
+  bool isZeroFactor(NodeId id) const {
+    if (isKnown(id, 0)) return true;
+    if (!graph_.is(id, IfElse) || at(id) != 0) return false;
+    const NodeId yes = graph_.operand(id, 1), no = graph_.operand(id, 2);
+    return (isKnown(yes, 1) && isKnown(no, 0)) || (isKnown(yes, 0) && isKnown(no, 1));
+  }
+
+  bool isDifferenceWithItself(Op op, const Operands& operands) const {
+    const auto [x, y, unused] = operands;
+    if (op == Sub) return x == y;
+    return (graph_.is(x, Neg) && graph_.operand(x, 0) == y) ||
+           (graph_.is(y, Neg) && graph_.operand(y, 0) == x);
+  }
+
+  Difference judgePower(const Operands& operands, double expected, double found) const {
+    const double n = graph_.known(operands[1]).value_or(0.5), products = std::abs(n);
+    if (n != std::floor(n) || products > 16) return Unexplained;
+    if (distance(expected, found) <= static_cast<std::uint64_t>(products)) return WholePower;
+    return n < 0 && !std::isnormal(std::pow(at(operands[0]), products)) ? BeyondRange : Unexplained;
+  }
+
+  Difference judgeMix(const Operands& operands, double expected, double found) const {
+    const auto [x, y, t] = operands;
+    const Difference leftOut = std::isnan(expected) ? EndOfMix : Unexplained;
+    if (isKnown(t, 0)) return same(found, at(x)) ? leftOut : Unexplained;
+    if (isKnown(t, 1)) return same(found, at(y)) ? leftOut : Unexplained;
+    if (!isKnown(x, 0) && !isKnown(y, 0)) return Unexplained;
+    const Difference ofProduct =
+        isKnown(x, 0) ? judge(Mult, {y, t}, found)
+                      : judge(Mult, {x, graph_.apply(Sub, {graph_.constant(1), t})}, found);
+    return ofProduct == Nothing ? leftOut : ofProduct;
+  }
+
+  Graph& graph_;
+  const std::vector<double>& values_;
+};
+
+// The same on every machine, as the distributions of the standard library are not.
+class Chance {
+ public:
+  std::size_t below(std::size_t end) { return random_() % end; }
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+  }
+
+ private:
+  std::mt19937 random_{1};
+};
+
+// Rows that have rules are taken with this chance, in percent; any row otherwise.
+Pair randomPair(Chance& chance, std::size_t percentRuled) {
+  constexpr int mostDepth = 6, operations = 14;
+  constexpr std::array ruled{Neg, Add, Sub, Mult, Div, Pow, Mix, IfElse};
+  Pair pair;
+  for (const char* name : {"x", "y", "z"}) pair.input(name);
+  for (const double value : {0.0, -0.0, 1.0, -1.0, 2.0, 0.5, -2.0, 3.0, 0.1, -5.0, 16.0})
+    pair.constant(value);
+  const std::size_t inputs = 3, leaves = pair.steps.size();
+
+  // An input, any leaf, or something computed.
+  const auto pick = [&] {
+    for (;;) {
+      const std::size_t computed = pair.steps.size() - leaves;
+      const std::size_t kind = chance.below(computed == 0 ? 2 : 5);
+      const std::size_t i = kind == 0   ? chance.below(inputs)
+                            : kind == 1 ? chance.below(leaves)
+                                        : leaves + chance.below(computed);
+      if (pair.steps[i].depth < mostDepth) return i;
+    }
+  };
+  for (int i = 0; i < operations; ++i) {
+    const Op any{static_cast<std::uint8_t>(chance.below(ops::count))};
+    const Op op = chance.below(100) < percentRuled ? ruled[chance.below(ruled.size())] : any;
+    const std::size_t x = pick(), y = pick(), z = pick();
+    pair.apply(op, {x, y, z});
+  }
+  return pair;
+}
+
+std::array<double, 3> randomPoint(Chance& chance) {
+  constexpr std::array special{infinity, -infinity, 0.0,    -0.0,    1.0,   -1.0,  0.5,
+                               1e300,    -1e300,    1e-300, -1e-300, 1e308, 5e-324};
+  std::array<double, 3> point{};
+  for (double& x : point)
+    x = chance.below(2) == 0 ? special[chance.below(special.size())] : chance.between(-4, 4);
+  return point;
+}
+
+// Of all nodes, by index. The inputs came first.
+std::vector<double> valuesOf(const Graph& graph, const std::array<double, 3>& point) {
+  std::vector<double> values(graph.size());
+  for (std::uint32_t i = 0; i < graph.size(); ++i) {
+    const NodeId id{i};
+    if (graph.isConstant(id)) {
+      values[i] = graph.value(id);
+    } else if (graph.isInput(id)) {
+      values[i] = point[graph.node(id).operands[0]];
+    } else {
+      std::array<double, ops::maxArity> x{};
+      for (int k = 0; k < graph.arity(id); ++k) x[k] = values[index(graph.operand(id, k))];
+      values[i] = ops::evaluate(graph.node(id).op, x);
+    }
+  }
+  return values;
+}
+
+class SimplifyRandom : public testing::Test {
+ protected:
+  std::array<std::size_t, Unexplained + 1> counts{};
+  std::size_t compared = 0, exempted = 0;
+
+  // Compares every operation with what it was simplified to, on the same operands; then the values
+  // of both graphs, which can differ only above an operation that differed.
+  void compare(Pair& pair, const std::array<double, 3>& point, int number) {
+    const std::vector<double> folded = valuesOf(pair.folded, point),
+                              unfolded = valuesOf(pair.unfolded, point);
+    const Judge judge(pair.folded, folded);
+    std::vector<bool> differs(pair.steps.size());
+    for (std::size_t i = 0; i < pair.steps.size(); ++i) {
+      const Step& step = pair.steps[i];
+      if (step.depth == 0) continue;
+      const double found = folded[index(step.folded)];
+      const Difference difference = judge.judge(step.op, pair.foldedOperands(step), found);
+      EXPECT_NE(difference, Unexplained) << describe(pair, step, folded, number);
+      differs[i] = difference != Nothing;
+      for (int k = 0; k < step.arity(); ++k)
+        if (differs[step.operands[k]]) differs[i] = true;
+      if (!differs[i]) {
+        EXPECT_TRUE(same(found, unfolded[index(step.unfolded)]))
+            << describe(pair, step, folded, number) << " and " << unfolded[index(step.unfolded)];
+      }
+      ++counts[difference];
+      ++compared;
+      exempted += differs[i];
+    }
+  }
+
+  static std::string describe(const Pair& pair, const Step& step, const std::vector<double>& values,
+                              int number) {
+    std::ostringstream text;
+    text << "graph " << number << ": " << ops::info(step.op).name;
+    for (int k = 0; k < step.arity(); ++k)
+      text << (k == 0 ? " of " : ", ") << values[index(pair.steps[step.operands[k]].folded)];
+    text << " became " << values[index(step.folded)];
+    return text.str();
+  }
+};
+
+TEST_F(SimplifyRandom, GraphsHaveTheSameValuesAsUnfoldedOnes) {
+  Chance chance;
+  constexpr int graphs = 40'000, points = 6;
+  for (int i = 0; i < graphs; ++i) {
+    Pair pair = randomPair(chance, i % 2 == 0 ? 30 : 90);
+    for (int k = 0; k < points; ++k) compare(pair, randomPoint(chance), i);
+    if (HasFailure()) return;
+  }
+  EXPECT_EQ(compared, std::size_t{graphs} * points * 14);
+  EXPECT_LT(exempted, compared / 20) << "the exceptions must not swallow the test";
+  for (int i = SignOfZero; i < Unexplained; ++i) EXPECT_GT(counts[i], 0u) << "no case of " << i;
+  for (int i = Nothing; i < Unexplained; ++i)
+    RecordProperty("difference" + std::to_string(i), static_cast<int>(counts[i]));
+  RecordProperty("exempted", static_cast<int>(exempted));
+}
+
+}  // namespace
+}  // namespace warpjet

@@ -1,0 +1,35 @@
+vec3 offset, warpedPosition, warpedNormal;
+{
+  float t0 = position.y + millis / 1000.0;
+  float t1 = cos(t0);
+  float t2 = sin(t0);
+  float t3 = 1.0 - t1;
+  float t4 = t3 * 0.03846154 + t1;
+  float t5 = t3 * 0.1923077;
+  float t6 = t2 * 0.1923077;
+  float t7 = t2 * 0.9805807;
+  float t8 = t1 * 0.9805807;
+  float t9 = t3 * 0.96153843 + t1;
+  float t10 = t2 * 0.19611613;
+  float t11 = t1 * 0.19611613;
+  float t12 = mod(position.x, 0.5) - 0.25;
+  float t13 = abs(t12);
+  float t14 = exp(abs(t13) * -2.0);
+  float t15 = sign(t13) * (1.0 - t14) / (t14 + 1.0);
+  float t16 = position.x * (t2 * 0.03846154 - t2) + (position.y * t6 + t5) + position.z * t8;
+  float t17 = position.x * t6 + (position.y * (t2 * 0.96153843 - t2) + t9) - position.z * t11;
+  float t18 = position.y * t11 + t10 - position.x * t8 - position.z * t2;
+  float t19 = t15 * 0.2;
+  float t20 = (1.0 - t15 * t15) * sign(t12) * 0.2;
+  float t21 = t5 + normal.y * t20;
+  float t22 = normal.z * t20 - t7;
+  float t23 = t4 + normal.x * t20;
+  float t24 = (t17 * t1 + t18 * t10) * normal.x + (-t10 * t22 - t1 * t21) * normal.y + (t21 * t18 - t22 * t17) * normal.z;
+  float t25 = (t18 * t7 - t16 * t1) * normal.x + (t1 * t23 - t7 * t22) * normal.y + (t22 * t16 - t23 * t18) * normal.z;
+  float t26 = (-t16 * t10 - t17 * t7) * normal.x + (t7 * t21 + t10 * t23) * normal.y + (t23 * t17 - t21 * t16) * normal.z;
+  float t27 = t24 * t24 + t25 * t25 + t26 * t26;
+  float t28 = t27 > 0.0 ? inversesqrt(t27) : 0.0;
+  offset = vec3(t4 * position.x + t5 * position.y + t7 * position.z - position.x + normal.x * t19, t5 * position.x + t9 * position.y - t10 * position.z - position.y + normal.y * t19, t10 * position.y - t7 * position.x + t1 * position.z - position.z + normal.z * t19);
+  warpedPosition = position + offset;
+  warpedNormal = vec3(t24 * t28, t25 * t28, t26 * t28);
+}

@@ -1,0 +1,37 @@
+var offset: vec3f;
+var warpedPosition: vec3f;
+var warpedNormal: vec3f;
+{
+  let t0 = position.y + millis / 1000.0f;
+  let t1 = cos(t0);
+  let t2 = sin(t0);
+  let t3 = 1.0f - t1;
+  let t4 = t3 * 0.03846154f + t1;
+  let t5 = t3 * 0.1923077f;
+  let t6 = t2 * 0.1923077f;
+  let t7 = t2 * 0.9805807f;
+  let t8 = t1 * 0.9805807f;
+  let t9 = t3 * 0.96153843f + t1;
+  let t10 = t2 * 0.19611613f;
+  let t11 = t1 * 0.19611613f;
+  let t12 = position.x - floor(position.x / 0.5f) * 0.5f - 0.25f;
+  let t13 = abs(t12);
+  let t14 = exp(abs(t13) * -2.0f);
+  let t15 = sign(t13) * (1.0f - t14) / (t14 + 1.0f);
+  let t16 = position.x * (t2 * 0.03846154f - t2) + (position.y * t6 + t5) + position.z * t8;
+  let t17 = position.x * t6 + (position.y * (t2 * 0.96153843f - t2) + t9) - position.z * t11;
+  let t18 = position.y * t11 + t10 - position.x * t8 - position.z * t2;
+  let t19 = t15 * 0.2f;
+  let t20 = (1.0f - t15 * t15) * sign(t12) * 0.2f;
+  let t21 = t5 + normal.y * t20;
+  let t22 = normal.z * t20 - t7;
+  let t23 = t4 + normal.x * t20;
+  let t24 = (t17 * t1 + t18 * t10) * normal.x + (-t10 * t22 - t1 * t21) * normal.y + (t21 * t18 - t22 * t17) * normal.z;
+  let t25 = (t18 * t7 - t16 * t1) * normal.x + (t1 * t23 - t7 * t22) * normal.y + (t22 * t16 - t23 * t18) * normal.z;
+  let t26 = (-t16 * t10 - t17 * t7) * normal.x + (t7 * t21 + t10 * t23) * normal.y + (t23 * t17 - t21 * t16) * normal.z;
+  let t27 = t24 * t24 + t25 * t25 + t26 * t26;
+  let t28 = select(0.0f, inverseSqrt(t27), t27 > 0.0f);
+  offset = vec3f(t4 * position.x + t5 * position.y + t7 * position.z - position.x + normal.x * t19, t5 * position.x + t9 * position.y - t10 * position.z - position.y + normal.y * t19, t10 * position.y - t7 * position.x + t1 * position.z - position.z + normal.z * t19);
+  warpedPosition = position + offset;
+  warpedNormal = vec3f(t24 * t28, t25 * t28, t26 * t28);
+}

@@ -1,0 +1,47 @@
+// One warp and one set of named expressions that use what the languages write differently, for the golden files.
+import { compile, compileWarp, targets } from '../../dist/warpjet.js'
+
+const turned = ({ glsl, position, normal, millis }) => {
+  const spin = glsl.rotate(glsl.vec3(0.2, 1, 0), position.y().add(millis.div(1000)))
+  const ridge = position.x().mod(0.5).sub(0.25).abs().tanh()
+  return spin
+    .mult(position)
+    .sub(position)
+    .add(normal.scale(ridge.mult(0.2)))
+}
+
+const pieces = (glsl) => {
+  const [x, v, m] = [glsl.param('x'), glsl.vec2Param('v'), glsl.mat2Param('m')]
+  const bump = glsl.fn({
+    name: 'bump',
+    arity: 1,
+    source: {
+      glsl: 'float bump(float x) { return exp(-x * x); }',
+      wgsl: 'fn bump(x: f32) -> f32 { return exp(-x * x); }',
+    },
+    derivatives: [(x) => x.mult(-2).mult(bump(x))],
+  })
+  const inside = x.gt(-1).and(x.lt(1), v.x().ne(0)).or(x.eq(2))
+  return {
+    inside,
+    rounded: x.round().add(x.trunc(), x.ceil(), x.sign()),
+    curve: x.sinh().div(x.cosh()).add(x.asinh()).sub(glsl.atan(v.y(), v.x())),
+    slope: glsl.derivative(bump(x.mult(3)).add(v.length()), x),
+    chosen: inside.ifElse(v, v.yx().inversesqrt()),
+    back: m.inverse().mult(v),
+    jacobian: glsl.jacobian(v.mult(v.x()).mod(x), v),
+  }
+}
+
+/** The texts by file name. */
+export const languageTexts = () =>
+  Object.fromEntries(
+    targets.flatMap((target) => {
+      const ending = target === 'wgsl' ? 'wgsl' : `${target}.glsl`
+      const { declarations, code } = compile(pieces, { target })
+      return [
+        [`language-warp.${ending}`, compileWarp(turned, { target }).code],
+        [`language-pieces.${ending}`, declarations + code],
+      ]
+    }),
+  )
