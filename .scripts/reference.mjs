@@ -1,0 +1,42 @@
+// npm run reference: writes what the tables of operations say as TypeScript types and as a page of the docs.
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { dirname } from 'node:path'
+import { path } from './lib/files.mjs'
+import { good, isMain, main } from './lib/terminal.mjs'
+import { pageText } from './reference/page.mjs'
+import { readTable } from './reference/table.mjs'
+import { typesText } from './reference/types.mjs'
+import { setup } from './setup.mjs'
+
+/** The files that are not as the tables would have them, with the text that they should have. */
+export async function staleFiles() {
+  const { format, resolveConfig } = await import('prettier')
+  const table = await readTable()
+  const texts = {
+    'js-bindings/methods.ts': typesText(table),
+    'web/docs/operations.md': pageText(table),
+  }
+  const stale = []
+  for (const [file, text] of Object.entries(texts)) {
+    const options = { ...(await resolveConfig(path(file))), filepath: path(file) }
+    const formatted = await format(text, options)
+    const kept = existsSync(path(file)) && readFileSync(path(file), 'utf8')
+    if (kept !== formatted) stale.push({ file, text: formatted })
+  }
+  return stale
+}
+
+if (isMain(import.meta))
+  await main(async () => {
+    await setup()
+    const stale = await staleFiles()
+    for (const { file, text } of stale) {
+      mkdirSync(dirname(path(file)), { recursive: true })
+      writeFileSync(path(file), text)
+    }
+    good(
+      stale.length
+        ? `Changed: ${stale.map(({ file }) => file).join(', ')}`
+        : 'Nothing has changed.',
+    )
+  })

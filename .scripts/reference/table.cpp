@@ -1,0 +1,116 @@
+// Prints what the tables say for people and for types, as JSON. This program is only built
+// natively, so that none of these texts is in the wasm.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <iostream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "builder/operations.hpp"
+#include "emit/dialect.hpp"
+
+namespace warpjet {
+namespace {
+
+std::string text(std::string_view characters) {
+  std::string quoted = "\"";
+  for (const char c : characters) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string truth(bool value) { return value ? "true" : "false"; }
+
+std::string object(std::initializer_list<std::pair<std::string_view, std::string>> fields) {
+  std::string joined;
+  for (const auto& [name, value] : fields)
+    joined += (joined.empty() ? "" : ", ") + text(name) + ": " + value;
+  return "{" + joined + "}";
+}
+
+template <class List, class Item>
+std::string array(const List& items, Item item) {
+  std::string joined;
+  for (const auto& each : items) joined += (joined.empty() ? "" : ",\n") + item(each);
+  return "[" + joined + "]";
+}
+
+template <class List>
+std::string contains(const List& list, Op op) {
+  return truth(std::find(list.begin(), list.end(), op) != list.end());
+}
+
+std::string typeName(ops::Type type) { return text(type == ops::Type::Bool ? "bool" : "float"); }
+
+// The languages that lack a row, and so have it lowered to others.
+std::string missingIn(const ops::Spellings& spellings) {
+  std::vector<std::string_view> names;
+  for (const Dialect* dialect : {&glsl300, &glsl100, &wgsl}) {
+    if (spellings.in(dialect->language).text.empty()) names.push_back(dialect->name);
+  }
+  return array(names, text);
+}
+
+std::string row(const ops::Title& title, const ops::Info& info, Op op) {
+  const std::span types(info.signature.operands.data(), static_cast<std::size_t>(info.arity));
+  return object({{"name", text(title.name)},
+                 {"operands", text(title.operands)},
+                 {"meaning", text(title.meaning)},
+                 {"types", array(types, typeName)},
+                 {"result", typeName(info.signature.result)},
+                 {"missingIn", missingIn(info.spellings)},
+                 {"isChained", contains(chained, op)},
+                 {"takesMatrices", contains(linear, op)},
+                 {"isHidden", truth(detail::isHidden(title.name))}});
+}
+
+std::string rows() {
+  constexpr auto titles =
+      std::apply([](const auto&... each) { return std::array{each.title...}; }, ops::table);
+  std::size_t i = 0;
+  return array(titles, [&](const ops::Title& title) {
+    const Op op{static_cast<std::uint8_t>(i++)};
+    return row(title, ops::info(op), op);
+  });
+}
+
+std::string composition(const Composition& each) {
+  return object({{"name", text(each.title.name)},
+                 {"operands", text(each.title.operands)},
+                 {"meaning", text(each.title.meaning)},
+                 {"kinds", text(each.operands)},
+                 {"result", text(std::string{static_cast<char>(each.result)})}});
+}
+
+std::string alias(const detail::Alias& each) {
+  return object({{"name", text(each.name)}, {"of", text(each.of)}});
+}
+
+std::string heading(const Heading& each) {
+  return object({{"text", text(each.text)}, {"first", text(each.first)}});
+}
+
+std::string other(const Operation& each) {
+  return object({{"name", text(each.name)}, {"isConstructor", truth(each.isConstructor())}});
+}
+
+}  // namespace
+}  // namespace warpjet
+
+int main() {
+  using namespace warpjet;
+  std::cout << object({{"rows", rows()},
+                       {"compositions", array(compositions, composition)},
+                       {"aliases", array(detail::aliases, alias)},
+                       {"others", array(detail::others, other)},
+                       {"headings", array(headings, heading)}})
+            << '\n';
+}

@@ -1,0 +1,75 @@
+// The tables of operations, as the C++ has them: what `npm run reference` writes from.
+import { cmakeBuild } from '../lib/cmake.mjs'
+import { path } from '../lib/files.mjs'
+import { capture } from '../lib/run.mjs'
+import { Stop } from '../lib/terminal.mjs'
+
+/** The letters of `Kind` in src/builder/compositions.hpp. */
+const kinds = {
+  s: 'number',
+  v: 'vector',
+  3: 'vec3',
+  x: 'number or vector',
+  m: 'square matrix',
+  M: 'matrix',
+  e: 'any',
+  9: 'mat3',
+  i: 'input',
+  I: 'vector of inputs',
+  J: 'vec3 of inputs',
+}
+
+function kindOf(letter) {
+  if (!(letter in kinds)) throw new Stop(`.scripts/reference/table.mjs lacks the kind ${letter}.`)
+  return kinds[letter]
+}
+
+export async function readTable() {
+  await cmakeBuild('native', 'warpjet_table')
+  const text = await capture(path('.build/native/warpjet_table'), [])
+  if (text === null) throw new Stop('.build/native/warpjet_table does not run.')
+  return arrange(JSON.parse(text))
+}
+
+/**
+ * { operations, aliases, others, headings }. An operation is { name, operands, kinds, result, meaning, isChained,
+ * takesMatrices, missingIn, heading }; the one of two operands behind `atan` has that name too. `others` make and take
+ * apart vectors and matrices.
+ */
+export function arrange({ rows, compositions, aliases, others, headings }) {
+  const operations = [...rows.filter(isCallable).map(fromRow), ...compositions.map(fromComposition)]
+  const left = new Map(headings.map(({ text, first }) => [first, text]))
+  let heading
+  for (const operation of operations) {
+    heading = left.get(operation.name) ?? heading
+    left.delete(operation.name)
+    Object.assign(operation, { heading, operands: operation.operands.split(', ') })
+  }
+  if (left.size || !operations[0].heading)
+    throw new Stop('The headings in src/builder/operations.hpp do not fit the tables.')
+  return { operations, aliases, others, headings: [...new Set(headings.map(({ text }) => text))] }
+}
+
+const isCallable = ({ isHidden, name }) => !isHidden || name === 'atan2'
+
+const fromRow = ({ name, operands, meaning, types, ...facts }) => ({
+  name: name === 'atan2' ? 'atan' : name,
+  operands,
+  meaning,
+  kinds: types.map(() => 'number or vector'),
+  result: 'number or vector',
+  isChained: facts.isChained,
+  takesMatrices: facts.takesMatrices,
+  missingIn: facts.missingIn,
+})
+
+const fromComposition = ({ name, operands, meaning, kinds, result }) => ({
+  name,
+  operands,
+  meaning,
+  kinds: [...kinds].map(kindOf),
+  result: kindOf(result),
+  isChained: false,
+  takesMatrices: false,
+  missingIn: [],
+})

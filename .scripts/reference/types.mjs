@@ -1,0 +1,232 @@
+// js-bindings/methods.ts: every operation as a method of what it takes first and as a function of the builder.
+
+/** A member of an interface, by what the operation takes. These few are typed otherwise. */
+const special = {
+  mult: {
+    scalar: ': Product',
+    vector: '(...factors: (Self | SquareBeside<Self> | Operand)[]): Self',
+    matrix: ': MatrixProduct<Self>',
+    function: ': Product',
+  },
+  div: {
+    scalar: ': ByComponent<Operand[]>',
+    matrix: '(...divisors: Operand[]): Self',
+    function: ': Quotient',
+  },
+}
+
+/** The interfaces of methods, and which operations each has. */
+const receivers = [
+  {
+    head: 'AnyMethods<Self>',
+    about: 'Of numbers, vectors and matrices.',
+    has: ({ kinds }) => kinds[0] === 'any',
+    member: method('Self'),
+  },
+  {
+    head: 'ComponentMethods<Self> extends AnyMethods<Self>',
+    about: 'Of numbers and vectors, by component.',
+    has: ({ kinds, isOptional }) => isComponentwise(kinds) && kinds.length === 1 && !isOptional,
+    member: method('Self'),
+  },
+  {
+    head: 'ScalarMethods extends ComponentMethods<Scalar>',
+    about: 'Of numbers. A vector beside a number gives a vector.',
+    has: ({ kinds, isOptional }) =>
+      kinds[0] === 'number' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
+    member: (operation) =>
+      special[operation.base]?.scalar ??
+      (isComponentwise(operation.kinds) ? byComponent(operation, 1) : method('Scalar')(operation)),
+  },
+  {
+    head: 'VectorMethods<Self extends Shape<1, Size>> extends ComponentMethods<Self>',
+    about: 'Of vectors. A number beside a vector counts for each component.',
+    has: ({ kinds, isOptional }) =>
+      kinds[0] === 'vector' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
+    member: (operation) => special[operation.base]?.vector ?? method('Self')(operation),
+  },
+  {
+    head: 'Vec3Methods',
+    has: ({ kinds }) => kinds[0] === 'vec3',
+    member: method('Vec3'),
+  },
+  {
+    head: 'MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self>',
+    has: ({ kinds, takesMatrices }) => takesMatrices || kinds[0] === 'matrix',
+    member: (operation) => special[operation.base]?.matrix ?? method('Self')(operation),
+  },
+  {
+    head: 'SquareMethods<Self>',
+    about: 'Of matrices of as many rows as columns.',
+    has: ({ kinds }) => kinds[0] === 'square matrix',
+    member: method('Self'),
+  },
+]
+
+const isComponentwise = (kinds) => kinds.every((kind) => kind === 'number or vector')
+
+/** The text of the file, not yet formatted. */
+export function typesText({ operations, aliases }) {
+  const known = byName(operations)
+  const named = [...known, ...aliases.map((alias) => another(alias, known))]
+  const interfaces = [
+    ...receivers.map(({ head, about, has, member }) =>
+      interfaceText(head, about, named.filter(has), member, methodComment),
+    ),
+    interfaceText('Functions', 'Of the builder `glsl`.', named, functionMember, functionComment),
+  ]
+  return `// Written by \`npm run reference\` from the tables of operations, src/ops/table.hpp and
+// src/builder/compositions.hpp. What is not in them is in types.ts.
+import type { ${imported(interfaces, signatures)} } from './signatures.js'
+import type { ${imported(interfaces, expressions)} } from './types.js'
+
+${interfaces.join('\n')}`
+}
+
+const signatures = [
+  'ByComponent',
+  'Jacobian',
+  'MatrixProduct',
+  'Product',
+  'Quotient',
+  'Shape',
+  'Size',
+  'SquareBeside',
+  'Transposed',
+]
+const expressions = [
+  'AnyMatrix',
+  'Expression',
+  'Mat2',
+  'Mat3',
+  'Mat4',
+  'Operand',
+  'Scalar',
+  'Vec3',
+  'Vector',
+]
+
+const imported = (texts, names) =>
+  names.filter((name) => texts.some((text) => RegExp(`\\b${name}\\b`).test(text))).join(', ')
+
+/** Operations of one name become one, whose further operands may be left out. */
+function byName(operations) {
+  const found = new Map()
+  for (const operation of operations) {
+    const forms = [...(found.get(operation.name)?.forms ?? []), operation]
+    const isOptional = forms.length > 1
+    found.set(operation.name, { ...operation, base: operation.name, forms, isOptional })
+  }
+  return [...found.values()]
+}
+
+function another({ name, of }, operations) {
+  const operation = operations.find((operation) => operation.name === of)
+  return { ...operation, name, forms: [{ ...operation, meaning: `Another name of \`${of}\`.` }] }
+}
+
+function interfaceText(head, about, operations, member, commentOf) {
+  const members = operations.map(
+    (operation) => `${commentOf(operation)}${operation.name}${member(operation)}\n`,
+  )
+  return `${about ? comment(about) : ''}export interface ${head} {\n${members.join('')}}\n`
+}
+
+/** Where the meaning names what the method is called on, the comment says which that is. */
+function methodComment({ forms }) {
+  const texts = forms.map(({ name, operands: [receiver, ...others], meaning, isChained }) => {
+    if (!RegExp(`(?<![\\w'])${receiver}\\b`).test(meaning)) return meaning
+    const given = isChained ? [...others, '…'] : others
+    return `\`${receiver}.${name}(${given.join(', ')})\`: ${meaning}`
+  })
+  return comment(texts.join(' '))
+}
+
+/** As there, where there is a choice. */
+function functionComment({ forms }) {
+  if (forms.length === 1) return comment(forms[0].meaning)
+  const texts = forms.map(
+    ({ name, operands, meaning }) => `\`${name}(${operands.join(', ')})\`: ${meaning}`,
+  )
+  return comment(texts.join(' '))
+}
+
+function comment(text, width = 96) {
+  if (text.length + 7 <= width) return `/** ${text} */\n`
+  const lines = ['']
+  for (const word of text.split(' ')) {
+    if (`${lines.at(-1)} ${word}`.length + 3 > width) lines.push('')
+    lines[lines.length - 1] += ` ${word}`
+  }
+  return `/**\n${lines.map((line) => ` *${line}\n`).join('')} */\n`
+}
+
+const question = ({ isOptional }, i) => (isOptional && i > 0 ? '?' : '')
+
+/** By component, for the operands from number `first` on. */
+function byComponent(operation, first) {
+  const { operands, isChained, takesMatrices } = operation
+  const numbers = operands
+    .slice(first)
+    .map((name, i) => `${name}${question(operation, first + i)}: Operand`)
+  const list = isChained ? 'Operand[]' : `[${numbers.join(', ')}]`
+  return `: ByComponent<${list}${takesMatrices ? ', Expression' : ''}>`
+}
+
+/** A member function of what is of type `self`. */
+function method(self) {
+  const types = {
+    number: 'Operand',
+    vector: self,
+    vec3: 'Vec3',
+    'number or vector': `${self} | Operand`,
+    'square matrix': self,
+    matrix: self,
+    any: self,
+    input: 'Scalar',
+    'vector of inputs': 'Inputs',
+    'vec3 of inputs': 'Vec3',
+  }
+  return (operation) => {
+    const { operands, kinds, isChained } = operation
+    const generic = kinds.includes('vector of inputs') ? '<Inputs extends Vector>' : ''
+    const others = operands
+      .slice(1)
+      .map((name, i) => `${name}${question(operation, i + 1)}: ${types[kinds[i + 1]]}`)
+    const list = isChained ? `...others: (${types[kinds[0]]})[]` : others.join(', ')
+    return `${generic}(${list}): ${resultType(operation, self)}`
+  }
+}
+
+function functionMember(operation) {
+  const { operands, kinds, base } = operation
+  if (special[base]?.function) return special[base].function
+  if (isComponentwise(kinds)) return byComponent(operation, 0)
+  const generics = {
+    vector: ['Value', 'Vector'],
+    'square matrix': ['Value', 'Mat2 | Mat3 | Mat4'],
+    matrix: ['Value', 'AnyMatrix'],
+    any: ['Value', 'Expression'],
+    'vector of inputs': ['Inputs', 'Vector'],
+  }
+  const types = { number: 'Operand', vec3: 'Vec3', input: 'Scalar', 'vec3 of inputs': 'Vec3' }
+  const isFixed = ['number', 'vec3', 'mat3'].includes(operation.result)
+  const isNamed = (kind) => !isFixed || kinds.filter((other) => other === kind).length > 1
+  const typeOf = (kind) => generics[kind]?.[isNamed(kind) ? 0 : 1] ?? types[kind]
+  const bounds = Object.entries(generics)
+    .filter(([kind]) => kinds.includes(kind) && isNamed(kind))
+    .map(([, generic]) => generic.join(' extends '))
+  const list = operands.map((name, i) => `${name}: ${typeOf(kinds[i])}`).join(', ')
+  const start = bounds.length ? `<${bounds.join(', ')}>` : ''
+  return `${start}(${list}): ${resultType(operation, 'Value')}`
+}
+
+/** What comes of operands of which the widest is a `self`. */
+function resultType({ kinds, result }, self) {
+  if (result === 'number') return 'Scalar'
+  if (result === 'vec3') return 'Vec3'
+  if (result === 'mat3') return 'Mat3'
+  const ofInputs = kinds.includes('vector of inputs')
+  if (result === 'matrix') return ofInputs ? `Jacobian<${self}, Inputs>` : `Transposed<${self}>`
+  return ofInputs ? 'Inputs' : self
+}
