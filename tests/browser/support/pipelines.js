@@ -1,0 +1,77 @@
+// Runs compiled text on the real GPU pipelines of a browser, and gives back the float32 numbers
+// that it computed: the text of `glsl100` in WebGL 1, that of `glsl300` in WebGL 2, that of `wgsl`
+// in WebGPU.
+import { launchBrowser, openPage } from './browser.js'
+import { servePages } from './server.js'
+
+const modules = { glsl300: 'webgl2', glsl100: 'webgl1', wgsl: 'webgpu' }
+
+const html = `<!doctype html>
+<meta charset="utf-8">
+<script type="module">
+const modules = ${JSON.stringify(modules)}
+const bytesOf = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0))
+function textOf(bytes) {
+  let text = ''
+  for (let i = 0; i < bytes.length; i += 8192)
+    text += String.fromCharCode(...bytes.subarray(i, i + 8192))
+  return btoa(text)
+}
+const opened = {}
+async function pipeline(target) {
+  const { open } = await import('/tests/browser/support/pipelines/' + modules[target] + '.js')
+  return open()
+}
+window.run = async (target, program, points) => {
+  const work = await (opened[target] ??= pipeline(target))
+  const results = await work(program, new Float32Array(bytesOf(points).buffer))
+  return textOf(new Uint8Array(results.buffer))
+}
+</script>`
+
+const webgpuFlags = [
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--enable-features=Vulkan',
+]
+
+/** The dialects that there are pipelines for. */
+export const targets = Object.keys(modules)
+
+/**
+ * Starts a browser → { run, close }.
+ *
+ * `run(target, program, points)` computes a program at many points at once. The program is { code,
+ * declarations, inputs, outputs }; inputs and outputs are lists of { name, shape }, the variables
+ * that the code reads and declares. Shapes are 1 for a number, 2 to 4 for vectors, 'mat2' to 'mat4'
+ * (column after column) and 'bool' (1 or 0). A point is a list of the floats of all inputs, and so
+ * is each result of all outputs, as a Float32Array. A text that does not compile throws an error
+ * with the compiler's log and the whole shader, and so does a pipeline that is not there.
+ */
+export async function openPipelines() {
+  const browser = await launchBrowser(webgpuFlags)
+  const server = await servePages()
+  const { page } = await openPage(browser, server.page(html))
+  await page.waitForFunction(() => window.run)
+
+  async function run(target, { code, declarations, inputs, outputs }, points) {
+    const given = Float32Array.from(points.flat())
+    const text = await page.evaluate(
+      ([target, program, points]) => window.run(target, program, points),
+      [
+        target,
+        { code, declarations, inputs, outputs },
+        Buffer.from(given.buffer).toString('base64'),
+      ],
+    )
+    const results = new Float32Array(Uint8Array.from(Buffer.from(text, 'base64')).buffer)
+    const size = results.length / points.length
+    return points.map((_, i) => results.subarray(i * size, (i + 1) * size))
+  }
+
+  async function close() {
+    await browser.close()
+    await server.close()
+  }
+  return { run, close }
+}

@@ -1,0 +1,64 @@
+// What the three pipelines have in common: how GLSL and WGSL write the shapes of values, 1 to 4 for
+// a number and vectors, 'mat2' to 'mat4', 'bool', 'bvec2' to 'bvec4', and how a value is put
+// together from plain floats and taken apart again.
+
+const isTruth = (shape) => /^b/.test(shape)
+const isMatrix = (shape) => /^mat/.test(shape)
+/** Of a vector, or of each column of a matrix. */
+const lengthOf = (shape) => (shape === 'bool' ? 1 : Number(`${shape}`.at(-1)))
+
+const languages = {
+  glsl: {
+    type: (shape) => (shape === 1 ? 'float' : typeof shape === 'number' ? `vec${shape}` : shape),
+    local: (type, name, value) => `${type} ${name} = ${value};`,
+    toFloat: (truth) => `(${truth} ? 1.0 : 0.0)`,
+  },
+  wgsl: {
+    type(shape) {
+      if (shape === 1) return 'f32'
+      if (typeof shape === 'number') return `vec${shape}f`
+      if (shape === 'bool') return shape
+      return isTruth(shape) ? `vec${lengthOf(shape)}<bool>` : `${shape}x${lengthOf(shape)}f`
+    },
+    local: (type, name, value) => `let ${name}: ${type} = ${value};`,
+    toFloat: (truth) => `select(0.0, 1.0, ${truth})`,
+  },
+}
+
+/** The number of floats of a shape; those of a matrix are its columns, one after the other. */
+export const sizeOf = (shape) => lengthOf(shape) ** (isMatrix(shape) ? 2 : 1)
+
+export const totalSize = (variables) =>
+  variables.reduce((size, { shape }) => size + sizeOf(shape), 0)
+
+/** Statements that declare the inputs, given the text that reads the float number i. */
+export function declareInputs(language, inputs, floatAt) {
+  const { type, local } = languages[language]
+  let next = 0
+  return inputs
+    .map(({ name, shape }) => {
+      const floats = Array.from({ length: sizeOf(shape) }, () => floatAt(next++))
+      const parts = isTruth(shape) ? floats.map((float) => `${float} > 0.5`) : floats
+      return local(type(shape), name, `${type(shape)}(${parts.join(', ')})`)
+    })
+    .join('\n')
+}
+
+/** The outputs as a list of texts, each a float. */
+const outputFloats = (language, outputs) =>
+  outputs.flatMap(({ name, shape }) => {
+    const length = lengthOf(shape)
+    const columns = isMatrix(shape) ? [...'0123'.slice(0, length)].map((i) => `[${i}]`) : ['']
+    const rows = length > 1 ? [...'xyzw'.slice(0, length)].map((letter) => `.${letter}`) : ['']
+    const parts = columns.flatMap((column) => rows.map((row) => `${name}${column}${row}`))
+    return isTruth(shape) ? parts.map(languages[language].toFloat) : parts
+  })
+
+/** The same, four in a vector; `type` is the vector's. The last one is filled up with zeros. */
+export function outputVectors(language, outputs, type) {
+  const floats = outputFloats(language, outputs)
+  return Array.from({ length: Math.ceil(floats.length / 4) }, (_, i) => {
+    const four = [0, 1, 2, 3].map((k) => floats[4 * i + k] ?? '0.0')
+    return `${type}(${four.join(', ')})`
+  })
+}

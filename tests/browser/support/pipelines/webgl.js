@@ -1,0 +1,88 @@
+// WebGL of both versions: programs, their inputs, and how a vertex shader gives back more floats
+// than it has outputs. Runs in the page.
+import { declareInputs, outputVectors, totalSize } from './text.js'
+
+function compile(gl, type, source) {
+  const shader = gl.createShader(type)
+  gl.shaderSource(shader, source)
+  gl.compileShader(shader)
+  if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
+    throw new Error(`${gl.getShaderInfoLog(shader)}\n${source}`)
+  return shader
+}
+
+/**
+ * A linked program; an error has the log and the text. `prepare` may ask for transform feedback
+ * first.
+ */
+export function link(gl, vertexSource, fragmentSource, prepare = () => {}) {
+  const program = gl.createProgram()
+  const shaders = [
+    compile(gl, gl.VERTEX_SHADER, vertexSource),
+    compile(gl, gl.FRAGMENT_SHADER, fragmentSource),
+  ]
+  for (const shader of shaders) gl.attachShader(program, shader)
+  prepare(program)
+  gl.linkProgram(program)
+  for (const shader of shaders) gl.deleteShader(shader)
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+    throw new Error(`${gl.getProgramInfoLog(program)}\n${vertexSource}`)
+  return program
+}
+
+const floatAt = (i) => `given${i >> 2}.${'xyzw'[i & 3]}`
+
+/**
+ * The parts of a vertex shader around a program: `attributes` are the names of its inputs, four
+ * floats each; `body` reads them, runs the code, and puts the vec4s number `pass * width` and on
+ * into the variables `result0`, `result1`, …
+ */
+export function vertexParts({ code, inputs, outputs }, width) {
+  const vectors = outputVectors('glsl', outputs, 'vec4')
+  const passes = Math.ceil(vectors.length / width)
+  const choices = Array.from({ length: passes }, (_, pass) => {
+    const assignments = vectors
+      .slice(pass * width, (pass + 1) * width)
+      .map((vector, i) => `result${i} = ${vector};`)
+    return `if (pass == ${pass}) {\n${assignments.join('\n')}\n}`
+  })
+  return {
+    attributes: Array.from({ length: Math.ceil(totalSize(inputs) / 4) }, (_, i) => `given${i}`),
+    body: [declareInputs('glsl', inputs, floatAt), code, ...choices].join('\n'),
+    passes,
+  }
+}
+
+/**
+ * Hands `points`, `size` floats each, to the attributes, four floats one after the other → a
+ * function that takes them back. An attribute that stayed on without its buffer would stop the next
+ * draw.
+ */
+export function feed(gl, program, attributes, points, size) {
+  const buffer = gl.createBuffer()
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer)
+  gl.bufferData(gl.ARRAY_BUFFER, points, gl.STREAM_DRAW)
+  // An input that the code does not read is not there.
+  const locations = attributes.map((name) => gl.getAttribLocation(program, name))
+  const used = locations.filter((location) => location >= 0)
+  locations.forEach((location, i) => {
+    if (location < 0) return
+    gl.enableVertexAttribArray(location)
+    gl.vertexAttribPointer(location, Math.min(4, size - 4 * i), gl.FLOAT, false, 4 * size, 16 * i)
+  })
+  return () => {
+    for (const location of used) gl.disableVertexAttribArray(location)
+    gl.deleteBuffer(buffer)
+  }
+}
+
+/**
+ * Four floats of each point at a time, as `take(point, vector)` gives them → all the floats of each
+ * point.
+ */
+export function gather(count, size, take) {
+  const results = new Float32Array(count * size)
+  for (let point = 0; point < count; point++)
+    for (let k = 0; k < size; k++) results[point * size + k] = take(point, k >> 2, k & 3)
+  return results
+}

@@ -1,0 +1,65 @@
+// The vertex shader of WebGL 2, read by transform feedback. Runs in the page.
+import { totalSize } from './text.js'
+import { feed, gather, link, vertexParts } from './webgl.js'
+
+/**
+ * vec4s that a draw gives back of each point. More than a few take SwiftShader longer to compile
+ * than more draws take.
+ */
+const width = 2
+const names = Array.from({ length: width }, (_, i) => `result${i}`)
+
+const vertexSource = (declarations, { attributes, body }) => `#version 300 es
+precision highp float;
+${attributes.map((name) => `in vec4 ${name};`).join('\n')}
+uniform int pass;
+out vec4 ${names.join(', ')};
+${declarations}
+void main() {
+${names.map((name) => `${name} = vec4(0.0);`).join('\n')}
+${body}
+gl_Position = vec4(0.0);
+}`
+
+const fragmentSource = '#version 300 es\nvoid main() {}'
+
+export function open() {
+  const gl = document.createElement('canvas').getContext('webgl2')
+  if (!gl) throw new Error('There is no WebGL 2 here.')
+  gl.enable(gl.RASTERIZER_DISCARD)
+  return (program, points) => run(gl, program, points)
+}
+
+function run(gl, program, points) {
+  const size = totalSize(program.inputs)
+  const count = points.length / size
+  const parts = vertexParts(program, width)
+  const source = vertexSource(program.declarations, parts)
+  const linked = link(gl, source, fragmentSource, (unlinked) =>
+    gl.transformFeedbackVaryings(unlinked, names, gl.INTERLEAVED_ATTRIBS),
+  )
+  gl.useProgram(linked)
+  const discardInputs = feed(gl, linked, parts.attributes, points, size)
+  const taken = gl.createBuffer()
+  gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, taken)
+  const results = new Float32Array(parts.passes * count * width * 4)
+  gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, results.byteLength, gl.STREAM_READ)
+  const bytes = results.byteLength / parts.passes
+  for (let pass = 0; pass < parts.passes; pass++) {
+    gl.uniform1i(gl.getUniformLocation(linked, 'pass'), pass)
+    gl.bindBufferRange(gl.TRANSFORM_FEEDBACK_BUFFER, 0, taken, pass * bytes, bytes)
+    gl.beginTransformFeedback(gl.POINTS)
+    gl.drawArrays(gl.POINTS, 0, count)
+    gl.endTransformFeedback()
+  }
+  gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, results)
+  const error = gl.getError()
+  if (error) throw new Error(`WebGL 2 reports the error ${error}.`)
+  discardInputs()
+  gl.deleteBuffer(taken)
+  gl.deleteProgram(linked)
+  return gather(count, totalSize(program.outputs), (point, vector, k) => {
+    const row = Math.floor(vector / width) * count + point
+    return results[4 * (row * width + (vector % width)) + k]
+  })
+}

@@ -1,0 +1,45 @@
+// What a measurement must show, wherever a program ran: lists of what is wrong, in words.
+import { errorOf, measure } from './measure.js'
+
+/** On the CPU: values in double precision, and derivatives as well as differences can tell. */
+export const inDouble = {
+  value: 1e-12,
+  derivative: 1e-9,
+  because: 'double precision, and differences are good to 1e-10',
+}
+
+const inWords = (kind, { error, at, got, expected, by }, allowed) =>
+  `${kind}${by === undefined ? '' : ` by number ${by} of the operands`} is ${got} at ` +
+  `(${at.join(', ')}), expected ${expected}: ${error.toExponential(1)} off, ${allowed} allowed`
+
+/** Measures a case of the reference → what is wrong; see `measure` for `run`. */
+export async function problemsOf(operation, run, tolerance = operation.tolerance) {
+  const measured = await measure(operation, run)
+  const problems = ['value', 'derivative']
+    .filter((kind) => !(measured[kind].error <= tolerance[kind]))
+    .map((kind) => inWords(kind, measured[kind], tolerance[kind]))
+  if (measured.fewest < 200)
+    problems.push(`a derivative is compared at ${measured.fewest} points only`)
+  if (measured.excluded && !operation.kinks)
+    problems.push(`there are ${measured.excluded} kinks, and the reference has none`)
+  return problems.map((problem) => `${operation.title}: ${problem}`)
+}
+
+/** The same for the conventions of a case. */
+export async function brokenConventions(
+  { operation, points },
+  run,
+  tolerance = operation.tolerance,
+) {
+  const results = await run(points.map(({ at }) => at))
+  return points.flatMap(({ at, value, slopes }, i) =>
+    [...value, ...slopes].flatMap((expected, k) => {
+      const kind = k < value.length ? 'value' : 'derivative'
+      const [got, error] = [results[i][k], errorOf(results[i][k], expected, 1)]
+      const by = k < value.length ? undefined : Math.floor(k / value.length) - 1
+      const found = { error, at, got, expected, by }
+      if (error <= tolerance[kind]) return []
+      return [`${operation.title}: ${inWords(kind, found, tolerance[kind])}`]
+    }),
+  )
+}

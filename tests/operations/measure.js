@@ -1,0 +1,108 @@
+// How far a case of the reference is off, wherever its program runs: the value, and every
+// derivative by every number of every operand, against differences of the reference. Nothing here
+// knows what is right but the reference.
+import { sizeOf } from '../browser/support/pipelines/text.js'
+import { seededRandom } from '../warps/random.js'
+import { jacobian } from './numeric.js'
+
+/** A few are lost to kinks; 200 must be left for each derivative. */
+const pointCount = 240
+
+/**
+ * The same points for a case on every run; float32 numbers, so that all pipelines get the very
+ * same.
+ */
+function samplePoints({ title, inputs, domains, adjust }) {
+  const seed = [...title].reduce((hash, letter) => (hash * 31 + letter.charCodeAt(0)) % 1e6, 1)
+  const random = seededRandom(seed + 1)
+  return Array.from({ length: pointCount }, () => {
+    const operands = inputs.map(({ shape }, i) =>
+      Array.from({ length: sizeOf(shape) }, () => (domains[i] ?? domains.at(-1))(random)),
+    )
+    return adjust(operands, random).flat().map(Math.fround)
+  })
+}
+
+/** The numbers of a point as operands. */
+function operandsOf({ inputs }, point) {
+  let next = 0
+  return inputs.map(({ shape }) => point.slice(next, (next += sizeOf(shape))))
+}
+
+const known = new Map()
+
+/**
+ * What must come out at each point, [{ point, value, slopes, sensitivity }]; slopes are as
+ * `jacobian` gives them, and the sensitivities of the value and its derivatives have a number for
+ * each component.
+ */
+function expectations(operation) {
+  if (!known.has(operation)) {
+    const f = (point) => operation.reference(...operandsOf(operation, point))
+    const expected = samplePoints(operation).map((point) => {
+      const value = f(point)
+      const sensitivity = (kind) => {
+        const given = operation.sensitivity[kind]?.(...operandsOf(operation, point)) ?? [1]
+        return value.map((_, k) => given[k % given.length])
+      }
+      return {
+        point,
+        value,
+        slopes: jacobian(f, point),
+        sensitivity: { value: sensitivity('value'), derivative: sensitivity('derivative') },
+      }
+    })
+    known.set(operation, expected)
+  }
+  return known.get(operation)
+}
+
+/** In proportion to the expected number where that is above 1. A NaN is infinitely far off. */
+export function errorOf(got, expected, sensitivity) {
+  const error = Math.abs(got - expected) / Math.max(1, Math.abs(expected)) / sensitivity
+  return Number.isNaN(error) ? Infinity : error
+}
+
+/**
+ * Runs a case: `run(points)` gives all numbers that come out at each point → {
+ * - `value`, `derivative`: the worst errors, { error, at, got, expected, by }, each after division
+ *   by the sensitivity;
+ * - `points`;
+ * - `derivatives`: how many were compared, and `excluded`, how many were not, since the differences
+ *   show a kink;
+ * - `fewest`: the least number of points at which one of the partial derivatives was compared }.
+ */
+export async function measure(operation, run) {
+  const expected = expectations(operation)
+  const results = await run(expected.map(({ point }) => point))
+  const worst = { value: { error: 0 }, derivative: { error: 0 } }
+  const raise = (kind, found) => {
+    if (!(found.error <= worst[kind].error)) worst[kind] = found
+  }
+  const size = expected[0].value.length
+  const compared = expected[0].slopes.map(() => Array(size).fill(0))
+
+  expected.forEach(({ point, value, slopes, sensitivity }, i) => {
+    value.forEach((x, k) => {
+      const got = results[i][k]
+      raise('value', { error: errorOf(got, x, sensitivity.value[k]), at: point, got, expected: x })
+    })
+    slopes.forEach((row, by) =>
+      row.forEach((found, k) => {
+        if (!found) return
+        compared[by][k]++
+        const got = results[i][size * (by + 1) + k]
+        const error = errorOf(got, found.slope, sensitivity.derivative[k])
+        raise('derivative', { error, at: point, got, expected: found.slope, by })
+      }),
+    )
+  })
+  const derivatives = compared.flat().reduce((sum, count) => sum + count, 0)
+  return {
+    ...worst,
+    points: expected.length,
+    derivatives,
+    excluded: compared.flat().length * expected.length - derivatives,
+    fewest: Math.min(...compared.flat()),
+  }
+}

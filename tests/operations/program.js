@@ -1,0 +1,76 @@
+// A case of the reference as a program: its value and the derivatives by every component of every
+// input.
+import { compile } from '../../dist/warpjet.js'
+import { sizeOf } from '../browser/support/pipelines/text.js'
+
+const makers = {
+  1: 'param',
+  2: 'vec2Param',
+  3: 'vec3Param',
+  4: 'vec4Param',
+  mat2: 'mat2Param',
+  mat3: 'mat3Param',
+  mat4: 'mat4Param',
+}
+
+/** The builder's functions that make inputs; each has a case, as its shape is an input of one. */
+export const inputMakers = Object.values(makers)
+
+/** The numbers of an input, as expressions; a matrix column after column. */
+export function components(input, shape) {
+  if (shape === 1) return [input]
+  const letters = [...'xyzw'].slice(0, Number(`${shape}`.at(-1)))
+  const letterOf = (vector) => letters.map((letter) => vector[letter]())
+  return typeof shape === 'number'
+    ? letterOf(input)
+    : letters.flatMap((_, i) => letterOf(input.column(i)))
+}
+
+/** The derivative of a condition is a number, 0. */
+const slopeShape = (shape) => (/^b/.test(shape) ? Number(`${shape}`.at(-1)) || 1 : shape)
+
+/**
+ * The ways to call the operation: as a method of its first operand, and as a function of the
+ * builder.
+ */
+export const forms = ({ only }) => (only ? [only] : ['method', 'builder'])
+
+/**
+ * The text for `target` → { code, declarations, inputs, outputs, evaluate }, as the pipelines want
+ * it. The outputs are the value and then its derivative by each number of the inputs.
+ */
+export function programOf(operation, target, form = forms(operation).at(-1)) {
+  const { name, inputs, result, build } = operation
+  const slopes = inputs.flatMap(({ shape }) => Array(sizeOf(shape)).fill(slopeShape(result)))
+  const { code, declarations, evaluate } = compile(
+    (glsl) => {
+      const call = (first, ...others) =>
+        form === 'method' ? first[name](...others) : glsl[name](first, ...others)
+      const operands = inputs.map((input) => glsl[makers[input.shape]](input.name))
+      const value = build({ glsl, call }, ...operands)
+      const numbers = operands.flatMap((operand, i) => components(operand, inputs[i].shape))
+      return {
+        value,
+        ...Object.fromEntries(numbers.map((by, i) => [`by${i}`, glsl.derivative(value, by)])),
+      }
+    },
+    { target },
+  )
+  const outputs = [
+    { name: 'value', shape: result },
+    ...slopes.map((shape, i) => ({ name: `by${i}`, shape })),
+  ]
+  return { code, declarations, inputs, outputs, evaluate }
+}
+
+/** Runs a program on the CPU, in double precision: all floats of its outputs for each point. */
+export const runOnCpu = ({ inputs, outputs, evaluate }, points) =>
+  points.map((point) => {
+    let next = 0
+    const given = inputs.map(({ name, shape }) => {
+      const numbers = point.slice(next, (next += sizeOf(shape)))
+      return [name, shape === 1 ? numbers[0] : numbers]
+    })
+    const results = evaluate(Object.fromEntries(given))
+    return outputs.flatMap(({ name }) => results[name])
+  })

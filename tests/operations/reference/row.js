@@ -1,0 +1,81 @@
+// What the rows of the reference are written with: domains to sample, and operations by component.
+
+/** -0.1 to 0.1, mostly much less. */
+export const close = (random) => (random() < 0.5 ? -1 : 1) * 10 ** -(1 + 3 * random())
+
+export const pick = (list, random) => list[Math.floor(list.length * random())]
+
+/**
+ * A domain: numbers from `from` to `to`. One in twelve is one of `at`, two in ten are close to one
+ * of `near`, which are kinks or the ends of the domain. A domain is a function of a source of
+ * random numbers.
+ */
+export const span =
+  (from, to, { at = [], near = at } = {}) =>
+  (random) => {
+    const chance = random()
+    if (at.length && chance < 0.08) return pick(at, random)
+    const nearby = near.length && chance < 0.3 ? pick(near, random) + close(random) : NaN
+    return nearby >= from && nearby <= to ? nearby : from + (to - from) * random()
+  }
+
+/** Numbers of either sign, at least `least` from zero. */
+export const awayFromZero = (least, most) => (random) =>
+  (random() < 0.5 ? -1 : 1) * (least + (most - least) * random())
+
+/** Whole numbers and halves, from -`most` to `most`. */
+export const wholes = (most) => Array.from({ length: 2 * most + 1 }, (_, i) => i - most)
+export const halves = (most) => wholes(most).map((n) => n + 0.5)
+
+/**
+ * For `adjust`: brings some components of the other operands close to those of the first, or upon
+ * them.
+ */
+export const meeting = (operands, random) =>
+  operands.map((operand, k) =>
+    operand.map((x, c) => {
+      const chance = k === 0 ? 1 : random()
+      if (chance > 0.3) return x
+      return operands[0][c % operands[0].length] + (chance < 0.07 ? 0 : close(random))
+    }),
+  )
+
+/** A function of numbers as one of vectors, component by component; a number counts for each. */
+export const byComponent =
+  (f) =>
+  (...operands) => {
+    const widestOne = operands.reduce((most, operand) =>
+      operand.length > most.length ? operand : most,
+    )
+    return widestOne.map((_, i) => f(...operands.map((x) => x[x.length === 1 ? 0 : i])))
+  }
+
+/** The shape of a result by component. */
+export const widest = (shapes) => Math.max(...shapes)
+
+export const unary = [[1], [2], [3], [4]]
+export const binary = [
+  [1, 1],
+  [2, 2],
+  [3, 3],
+  [4, 4],
+  [3, 1],
+  [1, 2],
+]
+export const ternary = [
+  [1, 1, 1],
+  [2, 2, 2],
+  [3, 3, 3],
+  [4, 4, 4],
+  [3, 1, 1],
+  [1, 2, 1],
+  [1, 1, 4],
+]
+
+/** The names of a vector's components. */
+export const letterSets = ['xyzw', 'rgba', 'stpq', 'uv']
+
+const indexOf = (letter) => Math.max(...letterSets.map((letters) => letters.indexOf(letter)))
+
+/** The numbers that a swizzle takes from a vector. */
+export const swizzled = (name, v) => [...name].map((letter) => v[indexOf(letter)])

@@ -1,0 +1,177 @@
+// Operations of whole vectors, and how vectors are made. See scalars.js for what a row has.
+import { span, swizzled } from './row.js'
+
+const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0)
+const length = (v) => Math.sqrt(dot(v, v))
+const minus = (a, b) => a.map((x, i) => x - b[i])
+const times = (v, factor) => v.map((x) => x * factor)
+const unit = (v) => (length(v) === 0 ? v : times(v, 1 / length(v)))
+
+const coordinate = span(-2, 2, { at: [0] })
+const sizes = [2, 3, 4]
+const pairs = sizes.map((size) => [size, size])
+const first = ([shape]) => shape
+const number = () => 1
+
+/**
+ * For `adjust`: sometimes all operands are the same, or the first is zero, and often it is short.
+ */
+const short = (operands, random) => {
+  const chance = random()
+  if (chance < 0.04) return operands.map(() => operands[0])
+  const factor = chance < 0.08 ? 0 : chance < 0.3 ? 10 ** (-3 * random()) : 1
+  return operands.map((operand, k) => (k === 0 ? times(operand, factor) : operand))
+}
+
+/** For `adjust`: nearly, but not quite, of length 1, as normals in a shader are. */
+const nearlyUnit = (random) => (v) =>
+  times(length(v) < 0.1 ? v.map(() => 1) : unit(v), 0.8 + 0.4 * random())
+
+/** What reflect and refract are given: an incident vector, a normal and whatever follows. */
+const light = ([incident, normal, ...others], random) => [
+  ...[incident, normal].map(nearlyUnit(random)),
+  ...others,
+]
+
+const underRoot = (incident, normal, eta) => 1 - eta * eta * (1 - dot(normal, incident) ** 2)
+
+function refract(incident, normal, [eta]) {
+  const k = underRoot(incident, normal, eta)
+  if (k < 0) return incident.map(() => 0)
+  const along = eta * dot(normal, incident) + Math.sqrt(k)
+  return minus(times(incident, eta), times(normal, along))
+}
+
+const made = (name, shapes, note, reference, more) => ({
+  name,
+  note,
+  only: 'builder',
+  shapes: [shapes],
+  result: () => Number(name.at(-1)),
+  domains: [coordinate],
+  reference,
+  ...more,
+})
+
+const joined = (...parts) => parts.flat()
+
+/** Named by their letters, as methods; tests/js/operations.test.js has all of them. */
+const swizzles = {
+  2: ['x', 'g', 'u', 'yx', 'ss', 'vu', 'rgrg'],
+  3: ['z', 'b', 'xx', 'zyx', 'gbr', 'ptsp'],
+  4: ['w', 'q', 'a', 'wy', 'qqs', 'wzyx', 'aaaa', 'xyzw'],
+}
+
+const swizzle = (name, size) => ({
+  name,
+  group: 'swizzles',
+  only: 'method',
+  shapes: [[size]],
+  result: () => name.length,
+  domains: [coordinate],
+  reference: (v) => swizzled(name, v),
+})
+
+export const vectors = [
+  {
+    name: 'scale',
+    shapes: sizes.map((size) => [size, 1]),
+    domains: [coordinate],
+    reference: (v, [factor]) => times(v, factor),
+  },
+  {
+    name: 'dot',
+    shapes: pairs,
+    result: number,
+    domains: [coordinate],
+    reference: (a, b) => [dot(a, b)],
+  },
+  {
+    name: 'length',
+    shapes: sizes.map((size) => [size]),
+    result: number,
+    domains: [coordinate],
+    adjust: short,
+    kinks: 'at 0',
+    reference: (v) => [length(v)],
+  },
+  ...['dist', 'distance'].map((name) => ({
+    name,
+    shapes: pairs,
+    result: number,
+    domains: [coordinate],
+    adjust: short,
+    kinks: 'where both are the same point',
+    reference: (a, b) => [length(minus(a, b))],
+  })),
+  {
+    name: 'cross',
+    shapes: [[3, 3]],
+    domains: [coordinate],
+    reference: ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x],
+  },
+  {
+    name: 'normalize',
+    shapes: sizes.map((size) => [size]),
+    domains: [coordinate],
+    adjust: short,
+    kinks: 'at 0',
+    // The derivatives of a short vector are large, and those along it are small differences of
+    // them.
+    sensitivity: {
+      derivative: (v) => [1 + 1 / Math.max(1e-7, length(v))],
+      because: '1 + 1 / length',
+    },
+    reference: unit,
+  },
+  {
+    name: 'reflect',
+    shapes: pairs,
+    domains: [coordinate],
+    adjust: light,
+    reference: (incident, normal) => minus(incident, times(normal, 2 * dot(normal, incident))),
+  },
+  {
+    name: 'refract',
+    shapes: sizes.map((size) => [size, size, 1]),
+    result: first,
+    domains: [coordinate, coordinate, span(0.4, 1.7)],
+    adjust: light,
+    kinks: 'where total reflection begins',
+    // The root of what is close to zero.
+    sensitivity: {
+      derivative: (incident, normal, [eta]) => [
+        1 / Math.max(1e-7, Math.min(1, Math.abs(underRoot(incident, normal, eta)))),
+      ],
+      because: '1 / what is under the root',
+    },
+    reference: refract,
+  },
+  {
+    name: 'faceforward',
+    shapes: sizes.map((size) => [size, size, size]),
+    domains: [coordinate],
+    kinks: 'where the incident vector is at right angles to the reference',
+    reference: (normal, incident, reference) =>
+      dot(reference, incident) < 0 ? normal : times(normal, -1),
+  },
+
+  made('vec2', [1, 1], 'of numbers', joined),
+  made('vec3', [1, 1, 1], 'of numbers', joined),
+  made('vec3', [2, 1], 'of a vector and a number', joined),
+  made('vec3', [1, 2], 'of a number and a vector', joined),
+  made('vec4', [1, 1, 1, 1], 'of numbers', joined),
+  made('vec4', [2, 2], 'of two vectors', joined),
+  made('vec4', [1, 2, 1], 'of a vector amid numbers', joined),
+  made('vec4', [1, 3], 'of a number and a vector', joined),
+  made('vec3', [2], 'of a vector and a constant', ([x, y]) => [x, 0.5, y], {
+    build: ({ call }, v) => call(v.x(), 0.5, v.y()),
+  }),
+  ...[2, 3, 4].map((size) =>
+    made(`vec${size}`, [1], 'of one number for all', ([x]) => Array(size).fill(x)),
+  ),
+
+  ...Object.entries(swizzles).flatMap(([size, names]) =>
+    names.map((name) => swizzle(name, Number(size))),
+  ),
+]
