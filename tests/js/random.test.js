@@ -1,0 +1,112 @@
+// 2,000 random expressions of every operation, on the CPU in double precision: values against plain numbers, first and second
+// derivatives against differences. A failure prints its seed and a small case that fails in the same way.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compile } from '../../dist/warpjet.js'
+import { inputs, nodesOf, textOf } from '../random/ast.js'
+import { addCounts, callbackOf, checkCase, kinds, noCounts } from '../random/check.js'
+import { randomCase } from '../random/generate.js'
+import { operationNames } from '../random/operations.js'
+import { plainOperations } from '../random/plain.js'
+import { describe, shrink } from '../random/shrink.js'
+
+const count = 2000
+const cases = Array.from({ length: count }, (_, seed) => randomCase(seed))
+
+/** Our results at a point. */
+function evaluateCase(source) {
+  const compiled = compile(callbackOf(source))
+  return (point) =>
+    compiled.evaluate(
+      Object.fromEntries(
+        inputs
+          .filter(({ name }) => compiled.uniforms.includes(name))
+          .map(({ name, shape }) => [name, shape === 'float' ? point[name][0] : point[name]]),
+      ),
+    )
+}
+
+/** The first `most` failures, shrunk, as text. */
+async function failuresOf(check, most) {
+  const failures = []
+  for (const test of cases) {
+    const { failure } = check(test)
+    if (failure) failures.push(await shrink(test, failure, (smaller) => check(smaller).failure))
+    if (failures.length === most) break
+  }
+  return failures
+}
+
+test('a seed always gives the same expression', () => {
+  for (const seed of [0, 7, 1999])
+    assert.equal(textOf(randomCase(seed).root), textOf(cases[seed].root))
+})
+
+test('every operation is used often', () => {
+  const uses = new Map(operationNames.map((name) => [name, 0]))
+  for (const { root } of cases)
+    for (const { op } of nodesOf(root)) if (uses.has(op)) uses.set(op, uses.get(op) + 1)
+  const rare = [...uses].filter(([, times]) => times < 20)
+  assert.deepEqual(rare, [])
+})
+
+test(`${count} random expressions have the right values and derivatives`, async (t) => {
+  const counts = noCounts()
+  const check = (test) => {
+    const result = checkCase(test, evaluateCase)
+    addCounts(counts, result.counts)
+    return result
+  }
+  const failures = await failuresOf(check, 5)
+  assert.equal(failures.map(describe).join('\n\n'), '')
+
+  // Elsewhere there are kinks and jumps, or small errors grow.
+  for (const kind of kinds) {
+    const { compared, total } = counts[kind]
+    t.diagnostic(`${kind}: ${compared} of ${total} numbers compared`)
+    assert(compared >= 0.95 * total, `too few numbers of ${kind} compared: ${compared} of ${total}`)
+  }
+  assert(counts.value.total > 35000 && counts.derivative.total > 150000)
+  assert(counts.second.total > 20000)
+})
+
+const operationsOf = ({ test }) =>
+  [...nodesOf(test.root)].map(({ op }) => op).filter((op) => op !== 'input' && op !== 'number')
+
+test('a wrong value is found, and shrunk to that operation', async () => {
+  const wrong = {
+    smoothstep: (low, high, x) => Math.min(Math.max((x - low) / (high - low), 0), 1),
+    reflect: (v, normal) => v.map((x, i) => x - normal[i]),
+    trunc: Math.floor,
+  }
+  for (const [name, operation] of Object.entries(wrong)) {
+    const operations = { ...plainOperations, [name]: operation }
+    const [failure] = await failuresOf((test) => checkCase(test, evaluateCase, operations), 1)
+    assert.deepEqual(operationsOf(failure), [name], describe(failure))
+  }
+})
+
+test('a wrong derivative is found, and shrunk to that operation', async () => {
+  // The value of one expression, and the derivatives of another.
+  const evaluateWrong = (source) => {
+    const wrong = source.replace(/^ *const value = (.*)$/m, (line, text) =>
+      [line, `  const other = ${text.replaceAll('tanh(', 'atan(')}`].join('\n'),
+    )
+    return evaluateCase(wrong.replaceAll('(value,', '(other,'))
+  }
+  const [failure] = await failuresOf((test) => checkCase(test, evaluateWrong), 1)
+  assert.deepEqual(operationsOf(failure), ['tanh'], describe(failure))
+})
+
+test('what our compiler refuses is found, and shrunk', async () => {
+  const refusing = (source) => {
+    if (/inverse\(.*sinh\(/.test(source)) throw new Error('inverse: not after sinh.')
+    return () => ({})
+  }
+  const check = (test) => {
+    const { failure } = checkCase(test, refusing)
+    return { failure: failure?.kind === 'error' ? failure : undefined }
+  }
+  const [failure] = await failuresOf(check, 1)
+  assert(operationsOf(failure).length <= 5, describe(failure))
+})

@@ -1,0 +1,130 @@
+// Whether a compiled expression is right: its value against plain numbers, its derivatives against differences of these.
+// Points where these cannot tell, near kinks and jumps and where rounding errors grow, are not compared, but counted.
+import {
+  callbackText,
+  components,
+  derivativeResults,
+  evaluate,
+  inputsOf,
+  secondResult,
+  valueResult,
+} from './ast.js'
+import { choicesAt } from './choices.js'
+import { derivative, outermost } from './differences.js'
+import { randomOf } from './generate.js'
+import { isFirm, roundingSpread } from './noise.js'
+
+/** Of a value of size 1, or else relative to its size. */
+const derivativeTolerance = 1e-6
+/** Rounding errors of double precision, beside those of `noise.js`. */
+const doubleTolerance = 1e-12
+const doublePerFloat = 1e-8
+/** More than this part of a value must not be uncertain. */
+const mostUncertain = 1e-2
+
+export const kinds = ['value', 'derivative', 'second']
+
+const scaleOf = (x) => Math.max(1, Math.abs(x))
+export const kindOf = ({ entries }) => kinds[entries?.[0]?.by.length ?? 0]
+
+/** All results to ask for: the value, its first derivatives, and for each third seed two second ones. */
+export function resultsOf({ seed, root }) {
+  const random = randomOf(seed)
+  const firsts = derivativeResults(root, random)
+  return [valueResult(root), ...firsts, ...(seed % 3 ? [] : secondResults(root, random, 2))]
+}
+
+/** `count` second derivatives, by any two components of inputs that are there. */
+export function secondResults(root, random, count) {
+  const used = inputsOf(root)
+  const usable = components.filter(({ name }) => used.has(name))
+  if (root.shape === 'bool' || !usable.length) return []
+  const pick = () => usable[Math.floor(usable.length * random())]
+  const results = Array.from({ length: count }, () => secondResult(root, pick(), pick()))
+  return results.filter(({ name }, i) => results.findIndex((each) => each.name === name) === i)
+}
+
+/**
+ * The derivatives that a result consists of, by differences → [{ value, error }]. The error is infinite where there is a kink at
+ * the point or close by.
+ */
+export function differentiate(root, { entries }, point, operations) {
+  const f = (at) => evaluate(root, at, { operations })
+  const [middle, choices] = [f(point), choicesAt(root, point)]
+  const known = new Map()
+  return entries.map(({ place, by }) => {
+    const key = by.map(({ text }) => text).join()
+    if (!known.has(key)) {
+      const isSmooth = outermost(point, by).every((at) => choicesAt(root, at) === choices)
+      known.set(key, isSmooth ? derivative(f, point, by, middle) : undefined)
+    }
+    return known.get(key)?.[place] ?? { value: middle[place], error: Infinity }
+  })
+}
+
+/** The numbers that a result must have at a point → [{ value, tolerance }], or null where they are not known well. */
+export function expectedAt(root, result, point, operations) {
+  if (result.entries)
+    return differentiate(root, result, point, operations).map(({ value, error }) =>
+      error <= derivativeTolerance * scaleOf(value)
+        ? { value, tolerance: 2 * derivativeTolerance * scaleOf(value) }
+        : null,
+    )
+  const middle = evaluate(root, point, { operations })
+  const uncertain = roundingSpread(root, middle, (f) => f(point), operations)
+  return middle.map((value, i) =>
+    uncertain[i] <= mostUncertain * scaleOf(value)
+      ? { value, tolerance: doubleTolerance * scaleOf(value) + doublePerFloat * uncertain[i] }
+      : null,
+  )
+}
+
+/** The callback of a text. */
+export const callbackOf = (source) => new Function(`return ${source}`)()
+
+const createCounts = () => ({ compared: 0, total: 0 })
+
+/**
+ * Compares a case on the CPU → { counts, failure }. `counts` has { compared, total } numbers of each kind. `evaluateCase(source)`
+ * compiles a callback's text and gives its results at a point, as compile(…).evaluate does.
+ */
+export function checkCase(test, evaluateCase, operations) {
+  const { root, points } = test
+  const counts = Object.fromEntries(kinds.map((kind) => [kind, createCounts()]))
+  const results = resultsOf(test)
+  const source = callbackText(root, results)
+  const fail = (kind, details) => ({ counts, failure: { kind, source, ...details } })
+
+  let given
+  try {
+    given = points.map(evaluateCase(source))
+  } catch (error) {
+    return fail('error', { message: error.message })
+  }
+  for (const [p, point] of points.entries()) {
+    const firm = isFirm(root, point)
+    for (const result of results) {
+      const kind = kindOf(result)
+      const got = [given[p][result.name]].flat()
+      const known = expectedAt(root, result, point, operations)
+      const expected = known.map((each) => (firm ? each : null))
+      const details = { point, result, got, expected: expected.map((each) => each?.value) }
+      if (got.length !== expected.length) return fail('shape', details)
+      counts[kind].total += expected.length
+      counts[kind].compared += expected.filter(Boolean).length
+      if (!expected.every((each, i) => isNear(got[i], each))) return fail(kind, details)
+    }
+  }
+  return { counts }
+}
+
+export const isNear = (got, expected) =>
+  !expected || Math.abs(got - expected.value) <= expected.tolerance
+
+/** Adds up what `checkCase` counts. */
+export function addCounts(sum, counts) {
+  for (const kind of kinds)
+    for (const key of ['compared', 'total']) sum[kind][key] += counts[kind][key]
+  return sum
+}
+export const noCounts = () => Object.fromEntries(kinds.map((kind) => [kind, createCounts()]))

@@ -1,0 +1,55 @@
+// Which pieces of its kinked operations an expression is on at a point. Where these stay the same on all sides it is smooth; at a
+// kink itself, where differences may see nothing, the slope is a matter of convention.
+import { evaluate } from './ast.js'
+
+/** How operands compare, each pair of them. */
+const order = (...operands) =>
+  operands.flatMap((x, i) => operands.slice(i + 1).map((y) => Math.sign(x - y)))
+const side = (x) => [Math.sign(x)]
+/** Between two whole numbers, or on one. */
+const step = (x) => [Math.floor(x) + Math.ceil(x)]
+
+const byComponent = {
+  abs: side,
+  sign: side,
+  floor: step,
+  ceil: step,
+  trunc: step,
+  fract: step,
+  round: (x) => step(x + 0.5),
+  mod: (x, y) => step(x / y),
+}
+const compared = `step min max clamp vecMin vecMax vecClamp smoothstep lt le gt ge eq ne`
+for (const op of compared.split(' ')) byComponent[op] = order
+
+const dot = (v, w) => v.reduce((sum, x, i) => sum + x * w[i], 0)
+
+const ofVectors = {
+  faceforward: (_, v, reference) => side(dot(reference, v)),
+  // Total reflection begins where this is below zero.
+  refract: (v, normal, [eta]) => side(1 - eta * eta * (1 - dot(normal, v) ** 2)),
+  length: (v) => side(dot(v, v)),
+  normalize: (v) => side(dot(v, v)),
+  dist: (v, w) => [v.every((x, i) => x === w[i])],
+}
+ofVectors.distance = ofVectors.dist
+
+/** What an expression chooses at a point, as a text. `around`, as of `evaluate`, may change values on their way. */
+export function choicesAt(root, point, around = (_, values, compute) => compute(values)) {
+  const choices = []
+  const record = ({ op }, values) => {
+    if (ofVectors[op]) choices.push(...ofVectors[op](...values))
+    const choose = byComponent[op]
+    const size = choose ? Math.max(...values.map(({ length }) => length)) : 0
+    for (let i = 0; i < size; i++)
+      choices.push(...choose(...values.map((value) => value[value.length === 1 ? 0 : i])))
+  }
+  evaluate(root, point, {
+    around: (node, values, compute) =>
+      around(node, values, (changed) => {
+        record(node, changed)
+        return compute(changed)
+      }),
+  })
+  return choices.join()
+}

@@ -1,0 +1,179 @@
+// Which operations there are for the generator: for each shape of a result, what arguments of which shapes lead to it, and
+// the domains where they make sense.
+import { chained } from './plain.js'
+import { dimension, matrixShapes, vectorShapes } from './shapes.js'
+
+/** By component; the domain of each argument. */
+const componentwise = {
+  neg: 'any',
+  add: 'any any',
+  sub: 'any any',
+  mult: 'any any',
+  div: 'any nonzero',
+  pow: 'positive small',
+  sqrt: 'positive',
+  inversesqrt: 'positive',
+  sin: 'any',
+  cos: 'any',
+  tan: 'unit',
+  asin: 'unit',
+  acos: 'unit',
+  atan: 'any',
+  sinh: 'small',
+  cosh: 'small',
+  tanh: 'any',
+  asinh: 'any',
+  acosh: 'above1',
+  atanh: 'unit',
+  exp: 'small',
+  exp2: 'small',
+  log: 'positive',
+  log2: 'positive',
+  abs: 'any',
+  sign: 'any',
+  floor: 'any',
+  ceil: 'any',
+  round: 'any',
+  trunc: 'any',
+  fract: 'any',
+  mod: 'any nonzero',
+  min: 'any any',
+  max: 'any any',
+  clamp: 'any any any',
+  mix: 'any any any',
+  step: 'any any',
+  smoothstep: 'negative positive any',
+  radians: 'any',
+  degrees: 'unit',
+  sum: 'any any',
+  prod: 'any any',
+}
+const onVectors = {
+  vecSum: 'any any',
+  vecProd: 'any any',
+  vecMix: 'any any any',
+  vecClamp: 'any any any',
+  vecMin: 'any any',
+  vecMax: 'any any',
+}
+const comparisons = ['lt', 'le', 'gt', 'ge', 'eq', 'ne']
+
+const signature = (op, shapes, domains = '', weight = 1) => {
+  const each = domains.split(' ')
+  return { op, weight, arguments: shapes.map((shape, i) => ({ shape, domain: each[i] || 'any' })) }
+}
+
+/** Arguments of one shape; where that is a vector, some of them may become numbers. */
+function componentSignature(op, shape, domains, weight) {
+  const { length } = domains.split(' ')
+  const row = signature(op, Array(length).fill(shape), domains, weight)
+  return { ...row, broadcasts: shape !== 'float', chained: chained.has(op) }
+}
+
+const rows = (table, shape) =>
+  Object.entries(table).map(([op, domains]) => componentSignature(op, shape, domains))
+
+const ofFloat = [
+  ...rows(componentwise, 'float'),
+  componentSignature('atan', 'float', 'nonzero any', 2),
+  { ...signature('pow', ['float'], 'nonzero', 2), exponent: true },
+  signature('ifElse', ['bool', 'float', 'float'], '', 3),
+  ...vectorShapes.flatMap((v) => [
+    signature('swizzle', [v], '', 2),
+    signature('dot', [v, v]),
+    signature('length', [v], 'direction'),
+    signature('dist', [v, v], 'direction'),
+    signature('distance', [v, v], 'direction'),
+  ]),
+  ...matrixShapes.map((m) => signature('determinant', [m], '', 2)),
+]
+
+const ofVector = (v) => {
+  const n = dimension(v)
+  const m = `mat${n}`
+  return [
+    ...rows({ ...componentwise, ...onVectors }, v),
+    componentSignature('atan', v, 'nonzero any', 2),
+    { ...signature('pow', [v], 'nonzero', 2), exponent: true },
+    ...['ifElse', 'vecIfElse'].flatMap((op) =>
+      ['bool', `b${v}`].map((condition) => signature(op, [condition, v, v])),
+    ),
+    ...vectorShapes.map((from) => signature('swizzle', [from], '', 2)),
+    ...parts(n).map((shapes) => signature(v, shapes)),
+    signature('scale', [v, 'float'], '', 2),
+    signature('normalize', [v], 'direction', 2),
+    signature('reflect', [v, v], '', 2),
+    signature('refract', [v, v, 'float'], 'direction direction unit', 2),
+    signature('faceforward', [v, v, v], '', 2),
+    ...(n === 3 ? [signature('cross', [v, v], '', 4)] : []),
+    signature('mult', [m, v], '', 3),
+    signature('mult', [v, m], '', 3),
+    { ...signature('column', [m], '', 2), indexed: true },
+    { ...signature('row', [m], '', 2), indexed: true },
+  ]
+}
+
+/** The ways to put a vector together: floats and shorter vectors, or one number. */
+function parts(n) {
+  const shapes = ['float', 'vec2', 'vec3']
+  const ways = (rest) =>
+    rest === 0
+      ? [[]]
+      : shapes
+          .slice(0, Math.min(rest, n - 1))
+          .flatMap((shape) => ways(rest - dimension(shape)).map((way) => [shape, ...way]))
+  return [['float'], ...ways(n)]
+}
+
+const ofMatrix = (m) => {
+  const n = dimension(m)
+  return [
+    signature('add', [m, m]),
+    signature('sub', [m, m]),
+    signature('neg', [m]),
+    signature('mult', [m, m], '', 2),
+    signature('mult', [m, 'float']),
+    signature('div', [m, 'float'], 'any nonzero'),
+    signature('transpose', [m]),
+    signature('inverse', [m], 'invertible'),
+    signature(m, Array(n).fill(`vec${n}`)),
+    signature(`${m}Rows`, Array(n).fill(`vec${n}`)),
+    signature(m, Array(n * n).fill('float'), '', 0.5),
+    signature(m, ['float']),
+    ...(n === 3 ? rotations : []),
+  ]
+}
+const rotations = [
+  signature('rotate', ['vec3', 'float'], 'direction'),
+  ...['rotateX', 'rotateY', 'rotateZ'].map((op) => signature(op, ['float'])),
+]
+
+/** A condition (bool) from numbers, or one for each component (bvec) from vectors. */
+const ofCondition = (shape) => {
+  const operand = shape === 'bool' ? 'float' : shape.slice(1)
+  return [
+    ...comparisons.map((op) => componentSignature(op, operand, 'any any')),
+    componentSignature('and', shape, 'any any', 2),
+    componentSignature('or', shape, 'any any', 2),
+    componentSignature('not', shape, 'any'),
+  ]
+}
+
+const table = { float: ofFloat, bool: ofCondition('bool') }
+for (const shape of vectorShapes) {
+  table[shape] = ofVector(shape)
+  table[`b${shape}`] = ofCondition(`b${shape}`)
+}
+for (const shape of matrixShapes) table[shape] = ofMatrix(shape)
+
+/** The signatures that result in `shape`. */
+export const signaturesFor = (shape) => table[shape]
+
+/** Every name that the generator can use. */
+export const operationNames = [
+  ...new Set(
+    Object.values(table)
+      .flat()
+      .map(({ op }) => op),
+  ),
+]

@@ -1,0 +1,95 @@
+// Makes a failing expression small: takes away whatever is not needed for it to fail.
+import { inputNode, inputs, nodesOf, number } from './ast.js'
+import { chained } from './plain.js'
+import { isCondition, isMatrix } from './shapes.js'
+
+/** `root` with one node in another's place. */
+function replaced(root, from, to) {
+  if (root === from) return to
+  const args = root.args.map((argument) => replaced(argument, from, to))
+  return args.every((argument, i) => argument === root.args[i]) ? root : { ...root, args }
+}
+
+/** How many nodes; constants count more if they have many digits, and operands less than operations. */
+function weight(root) {
+  let sum = 0
+  for (const { op, value, raw } of nodesOf(root)) {
+    if (op === 'number') sum += 1 + String(value).length / 10 + (raw ? 0 : 0.05)
+    else sum += op === 'input' ? 1.5 : 4
+  }
+  return sum
+}
+
+const constants = [0, 1, 2, -1]
+
+/** Numbers may stand for vectors; an operation that does not take them says so, and the candidate is dropped. */
+const mayBeNumber = ({ shape }) => !isMatrix(shape) && !isCondition(shape)
+
+/** What may stand in a node's place. */
+function* simpler(node, isRoot) {
+  const fits = ({ shape }) =>
+    isRoot
+      ? !shape.startsWith('bvec')
+      : shape === node.shape || (shape === 'float' && mayBeNumber(node))
+  for (const below of nodesOf(node)) if (below !== node && fits(below)) yield below
+  for (const input of inputs) if (input.shape === node.shape) yield inputNode(input)
+  if (mayBeNumber(node)) for (const value of constants) yield number(value)
+  if (node.op === 'number')
+    for (const digits of [0, 1]) yield number(Number(node.value.toFixed(digits)))
+  if (chained.has(node.op) && node.args.length > 2)
+    for (let i = 0; i < node.args.length; i++) yield { ...node, args: node.args.toSpliced(i, 1) }
+}
+
+const isSame = (a, b) => a?.kind === b.kind && stem(a.message) === stem(b.message)
+/** An error's message without what differs from case to case. */
+const stem = (message = '') => message.replace(/".*?"|[-\d.]+|\w+\(.*/gs, '').slice(0, 60)
+
+/**
+ * The smallest case it finds that fails in the same way → { test, failure }. `check(test)` gives the failure, if any, or a
+ * promise of it.
+ */
+export async function shrink(test, failure, check) {
+  let best = { test, failure }
+  const tried = new Set()
+  for (let isSmaller = true; isSmaller;) {
+    isSmaller = false
+    search: for (const node of nodesOf(best.test.root))
+      for (const candidate of simpler(node, node === best.test.root)) {
+        const root = replaced(best.test.root, node, candidate)
+        const key = JSON.stringify(root)
+        if (weight(root) >= weight(best.test.root) || tried.has(key)) continue
+        tried.add(key)
+        const found = await attempt(check, { ...best.test, root })
+        if (!isSame(found, failure)) continue
+        best = { test: { ...best.test, root }, failure: found }
+        isSmaller = true
+        break search
+      }
+  }
+  return best
+}
+
+/** A candidate that makes no sense, such as a cross product of numbers, throws; that is no failure of the compiler. */
+async function attempt(check, test) {
+  try {
+    return await check(test)
+  } catch {
+    return undefined
+  }
+}
+
+/** Numbers that are not known well enough to be compared show as a question mark. */
+const numbers = (list) => `[${list.map((x) => x ?? '?').join(', ')}]`
+
+/** A failure as text for the reader of a test's report. */
+export function describe({ test, failure }) {
+  const { kind, message, point, result, got, expected, source } = failure
+  const lines = [`seed ${test.seed}: ${kind} ${result?.text ?? ''}`, source]
+  if (message) lines.push(message)
+  if (point) {
+    const read = Object.entries(point).filter(([name]) => source.includes(`'${name}'`))
+    lines.push(`at ${read.map(([name, value]) => `${name} = ${numbers(value)}`).join(', ')}`)
+    lines.push(`expected ${numbers(expected)}`, `but got  ${numbers(got)}`)
+  }
+  return lines.join('\n')
+}

@@ -1,0 +1,137 @@
+// Keeps random expressions within domains: looks at their values at the points, and wraps them where that is needed.
+import { seededRandom } from '../warps/random.js'
+import { apply } from './plain.js'
+import { node as plainNode, number } from './ast.js'
+import { isCondition } from './shapes.js'
+
+/** Where each domain's values lie, with room to the edge. */
+const domains = {
+  any: () => true,
+  positive: (x) => x > 0.05,
+  negative: (x) => x < -0.05,
+  above1: (x) => x > 1.05,
+  nonzero: (x) => Math.abs(x) > 0.2,
+  unit: (x) => Math.abs(x) < 0.95,
+  small: (x) => Math.abs(x) < 3,
+}
+
+/** Values and slopes beyond these are squashed. */
+const largest = 20
+const steepest = 12
+const step = 1e-4
+
+export function createTamer({ points, random, make, allowed }) {
+  // Each point, and one nearby.
+  const near = seededRandom(Math.floor(1e9 * random()) + 1)
+  const nearby = points.map((point) =>
+    Object.fromEntries(
+      Object.entries(point).map(([name, value]) => [
+        name,
+        value.map((x) => x + step * (near() < 0.5 ? -1 : 1) * (0.5 + near())),
+      ]),
+    ),
+  )
+  const places = [...points, ...nearby]
+  const known = new WeakMap()
+
+  /** The values of a node at all places, from those of its arguments. */
+  function valuesOf(node) {
+    if (!known.has(node)) known.set(node, computed(node))
+    return known.get(node)
+  }
+  function computed(node) {
+    if (node.op === 'input') return places.map((point) => point[node.name])
+    if (node.op === 'number') return places.map(() => [node.value])
+    const lists = node.args.map(valuesOf)
+    return places.map((_, i) =>
+      apply(
+        node,
+        lists.map((values) => values[i]),
+      ),
+    )
+  }
+
+  const constant = (low, high) => number(Number((low + (high - low) * random()).toFixed(2)))
+  /** Wrappers are chosen among those whose operations there are. */
+  function choose(...ways) {
+    const usable = ways.filter(([names]) => names.split(' ').every(allowed))
+    return usable[Math.floor(random() * usable.length)][1]()
+  }
+  const call = (op, first, ...others) => make(op, first.shape, [first, ...others])
+
+  const wrappers = {
+    positive: (x) =>
+      choose(
+        ['abs add', () => call('add', call('abs', x), constant(0.1, 1))],
+        ['pow add', () => call('add', call('pow', x, number(2)), constant(0.1, 1))],
+        ['sin exp', () => call('exp', call('sin', x))],
+        ['cos add', () => call('add', call('cos', x), constant(1.2, 2))],
+      ),
+    negative: (x) => call('neg', wrappers.positive(x)),
+    above1: (x) => call('add', wrappers.positive(x), number(1)),
+    nonzero: (x) => call('add', wrappers.positive(x), constant(0.1, 0.5)),
+    unit: (x) =>
+      choose(
+        ['sin mult', () => call('mult', call('sin', x), constant(0.3, 0.9))],
+        ['tanh mult', () => call('mult', call('tanh', x), constant(0.3, 0.9))],
+        ['abs add div', () => call('div', x, call('add', call('abs', x), constant(1.1, 2)))],
+        ['atan mult', () => call('mult', call('atan', x), constant(0.3, 0.6))],
+        ['clamp', () => call('clamp', x, constant(-0.9, -0.2), constant(0.2, 0.9))],
+      ),
+    small: (x) => call('mult', wrappers.unit(x), constant(1, 3)),
+  }
+
+  const holds = (node, domain) => valuesOf(node).every((value) => value.every(domains[domain]))
+
+  /** Bounded, and mostly of moderate slope. */
+  function isModerate(node) {
+    const values = valuesOf(node)
+    if (!values.flat().every((x) => Math.abs(x) <= largest)) return false
+    const steep = points.filter((_, i) =>
+      values[i].some((x, k) => Math.abs(x - values[i + points.length][k]) > steepest * step),
+    )
+    return steep.length <= points.length / 2
+  }
+
+  /** Scaled down to about 1, or put through a function that is bounded. */
+  function squash(node) {
+    const size = Math.max(...valuesOf(node).flat().map(Math.abs))
+    const factor = number(Number((1 / size).toPrecision(2)))
+    if (!isFinite(size) || !(factor.value > 0)) return withoutNaN(node)
+    return call('mult', node, factor)
+  }
+  /** Only a gap in the domains above could lead here: a choice that is not taken where it has no value. */
+  const withoutNaN = (node) => {
+    if (node.shape === 'float') return constant(-1, 1)
+    const parts = Array.from({ length: node.size }, () => constant(-1, 1))
+    return plainNode(node.shape, node.shape, parts, { form: 'builder' })
+  }
+
+  const lengthsOf = (node) => valuesOf(node).map((value) => Math.hypot(...value))
+  /** A vector that is not near zero. */
+  function direction(node) {
+    if (lengthsOf(node).every((length) => length > 0.3)) return node
+    const tries = [1, -1, 2, -2, 3, -3, 4, 5].map((shift) => call('add', node, number(shift)))
+    return tries.find((moved) => lengthsOf(moved).every((length) => length > 0.3)) ?? tries.at(-1)
+  }
+
+  /** A matrix whose diagonal outweighs the rest. */
+  function invertible(node) {
+    const scaled = call('mult', node, number(0.2))
+    const { shape } = node
+    const diagonal = plainNode(shape, shape, [constant(2, 3)], { form: 'builder' })
+    const size = Math.max(...valuesOf(node).flat().map(Math.abs))
+    const factor =
+      size > 2 ? call('mult', scaled, number(Number((2 / size).toPrecision(2)))) : scaled
+    return make('add', shape, [factor, diagonal])
+  }
+
+  return function tame(node, domain) {
+    if (isCondition(node.shape)) return node
+    let tamed = isModerate(node) ? node : squash(node)
+    if (domain === 'direction') tamed = direction(tamed)
+    else if (domain === 'invertible') tamed = invertible(tamed)
+    else if (!holds(tamed, domain)) tamed = wrappers[domain](tamed)
+    return tamed
+  }
+}
