@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { warps } from '../warps/index.js'
 import { stackedSines } from '../warps/stress.js'
-import { compileWarp } from '../../dist/warpjet.js'
+import { compile, compileWarp, gen } from '../../dist/warpjet.js'
 
 const calls = (text, name) => text.match(new RegExp(`\\b${name}\\(`, 'g'))?.length ?? 0
 
@@ -28,4 +28,136 @@ test('positions alone carry no derivatives', () => {
   const { code } = compileWarp(stackedSines(30).warp, { normals: false })
   assert.equal(calls(code, 'cos'), 0)
   assert.doesNotMatch(code, /normal/i)
+})
+
+test('the wobble has at most 9 sines and 6 cosines', () => {
+  const { code } = warps.find(({ name }) => name === 'wobble').compile()
+  assert.ok(calls(code, 'sin') <= 9, `${calls(code, 'sin')} sines`)
+  assert.ok(calls(code, 'cos') <= 6, `${calls(code, 'cos')} cosines`)
+})
+
+/** In each component sines within sines, of the coordinate that `axes` names for it. */
+const nestedSines =
+  (depth, axes) =>
+  ({ glsl, position }) => {
+    const chain = (axis) => {
+      let value = position[axis]()
+      for (let i = 0; i < depth; i++) value = value.mult(1.1).add(0.3).sin()
+      return value
+    }
+    return glsl.vec3(...[...axes].map(chain))
+  }
+
+/** The place warped by the place, `depth` times: every component depends on every coordinate. */
+const nestedWarps =
+  (depth) =>
+  ({ position }) => {
+    let place = position
+    for (let i = 0; i < depth; i++) place = place.add(place.yzx()).sin()
+    return place
+  }
+
+for (const [axes, chains] of Object.entries({ xxx: 1, xxy: 2, xyz: 3 }))
+  test(`sines nested 24 deep, ${chains} different chains: 24 sines and 24 cosines for each`, () => {
+    const { code } = compileWarp(nestedSines(24, axes))
+    assert.deepEqual([calls(code, 'sin'), calls(code, 'cos')], [24 * chains, 24 * chains])
+  })
+
+test('warps nested 24 deep have 24 sines and 24 cosines for each component', () => {
+  const { code } = compileWarp(nestedWarps(24))
+  assert.deepEqual([calls(code, 'sin'), calls(code, 'cos')], [72, 72])
+})
+
+for (const [name, nested] of Object.entries({
+  sines: (depth) => nestedSines(depth, 'xyz'),
+  warps: nestedWarps,
+}))
+  test(`the text of nested ${name} grows with their depth alone`, () => {
+    const size = (depth) => compileWarp(nested(depth)).code.length
+    for (const depth of [12, 24, 48]) {
+      const [first, second] = [size(2 * depth) - size(depth), size(4 * depth) - size(2 * depth)]
+      // Twice as many levels; the rest is longer numbers in the names.
+      assert.ok(
+        second <= 1.1 * 2 * first,
+        `${first} characters for ${depth} levels, then ${second}`,
+      )
+    }
+  })
+
+test('a square is one multiplication', () => {
+  for (const square of [(x) => x.pow(2), (x, glsl) => glsl.pow(x, 2), (x) => x.mult(x)]) {
+    const { code, stats } = compile((glsl) => ({ y: square(glsl.param('x'), glsl) }))
+    assert.match(code, /y = x \* x;/)
+    assert.equal(stats.operations, 1)
+  }
+  const { code, stats } = compile((glsl) => ({ y: glsl.param('x').sin().pow(2) }))
+  assert.equal(stats.operations, 2)
+  assert.equal(calls(code, 'sin'), 1)
+})
+
+test('a warp that does not depend on x has no column for x', () => {
+  // Each component has one sine of its own for each of these coordinates.
+  const sinesOf = (axes) => (glsl, position) => {
+    const component = (i) =>
+      axes.map((axis, k) =>
+        position[axis]()
+          .mult(2 + axes.length * i + k)
+          .sin(),
+      )
+    return glsl.vec3(...[0, 1, 2].map((i) => glsl.sum(...component(i))))
+  }
+  const count = (axes) => {
+    const { code } = compileWarp(({ glsl, position }) => sinesOf(axes)(glsl, position))
+    const reads = (name) => code.split(name).length - 1
+    const normal = ['x', 'y', 'z'].map((axis) => reads(`normal.${axis}`))
+    return { derivatives: calls(code, 'cos'), x: reads('position.x') > 0, normal }
+  }
+  assert.deepEqual(count(['x', 'y', 'z']), { derivatives: 9, x: true, normal: [3, 3, 3] })
+  // The first column of I + J is (1, 0, 0), so y and z of the normal say nothing of its new x.
+  assert.deepEqual(count(['y', 'z']), { derivatives: 6, x: false, normal: [3, 2, 2] })
+
+  const code = gen((ad) => {
+    const position = ad.vec3Param('position')
+    sinesOf(['y', 'z'])(ad, position).outputDeriv('byX', position.x())
+  })
+  assert.match(code, /^vec3 byX;\s*\{\s*byX = vec3\(0\.0\);\s*\}\s*$/)
+})
+
+/** The wobble's offset and its derivatives, one number each. */
+function wobbleByComponent(glsl) {
+  const { warp } = warps.find(({ name }) => name === 'wobble')
+  const position = glsl.vec3Param('position')
+  const offset = warp({ glsl, position, millis: glsl.param('millis') })
+  const results = {}
+  for (const row of ['x', 'y', 'z']) {
+    results[row] = offset[row]()
+    for (const column of ['x', 'y', 'z'])
+      results[`${row}By${column}`] = glsl.derivative(offset[row](), position[column]())
+  }
+  return results
+}
+
+/** Its lines. A temporary has its type before it; the results are declared above. */
+function wobbleLines(maxDepthPerVariable) {
+  const write = (ad) => {
+    for (const [name, result] of Object.entries(wobbleByComponent(ad))) result.output(name)
+  }
+  const text = gen(write, { maxDepthPerVariable })
+  const lines = text.matchAll(/^ *(float|bool)? ?(\w+) = (.*);$/gm)
+  return [...lines].map(([, type, name, value]) => ({ isTemporary: !!type, name, value }))
+}
+
+test('maxDepthPerVariable 1 gives one operation a line', () => {
+  const operation = /\w\(| [-+*/?<>] |\|\||^-[a-z]/g
+  const counts = wobbleLines(1).map(({ value }) => value.match(operation)?.length ?? 0)
+  // None for the results that are constants.
+  assert.deepEqual([...new Set(counts)].sort(), [0, 1])
+  assert.equal(counts.filter(Boolean).length, compile(wobbleByComponent).stats.operations)
+})
+
+test('maxDepthPerVariable Infinity gives temporaries to what is read twice only', () => {
+  const lines = wobbleLines(Infinity)
+  const words = lines.flatMap(({ value }) => value.match(/\w+/g))
+  for (const { name } of lines.filter(({ isTemporary }) => isTemporary))
+    assert.ok(words.filter((word) => word === name).length > 1, `${name} is read only once`)
 })
