@@ -1,5 +1,5 @@
 # WebAssembly build: core.mjs (a factory function) and core.wasm, which .scripts/build.mjs inlines.
-add_executable(warpjet_wasm js-bindings/bindings.cpp)
+add_executable(warpjet_wasm js-bindings/bindings.cpp .cmake/math.cpp)
 target_link_libraries(warpjet_wasm PRIVATE warpjet_core)
 set_target_properties(warpjet_wasm PROPERTIES OUTPUT_NAME core SUFFIX .mjs
   LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/embind.js)

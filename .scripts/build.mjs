@@ -32,6 +32,7 @@ async function buildAll() {
       'CMakePresets.json',
       '.cmake/wasm.cmake',
       '.cmake/embind.js',
+      '.cmake/math.cpp',
       'src',
       ...sources(/\.[ch]pp$/),
     ],

@@ -2,7 +2,7 @@
 // methods of expressions.
 import type { Compilation, Shape } from './compilation.js'
 import { getCore } from './core.js'
-import { WarpError } from './errors.js'
+import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './functions.js'
 
@@ -48,7 +48,10 @@ const params: Record<string, Shape> = {
 export function createBuilder(compilation: Compilation): Builder {
   installMethods()
   const builder: Builder = {
-    val: (value) => toExpression(compilation, 'val', value, 1),
+    val: (value, ...others) => {
+      expectNoMore('val', others)
+      return toExpression(compilation, 'val', value, 1)
+    },
     fn: ((options: unknown) => declareFunction(compilation, options)) as never,
   }
   for (const [name, shape] of Object.entries(params))
@@ -104,7 +107,8 @@ function installMethods() {
   if (installed) return
   installed = true
   for (const [name, indices] of swizzles())
-    define(name, function () {
+    define(name, function (...others) {
+      expectNoMore(name, others)
       return this.compilation.swizzle(name, this, indices)
     })
   for (const { name, number, isConstructor } of getOperations())
@@ -115,6 +119,11 @@ function installMethods() {
         return compilation.call(number, name, [this, ...operands], true)
       })
   for (const [name, method] of Object.entries(results)) define(name, method)
+}
+
+function expectNoMore(name: string, others: readonly unknown[]) {
+  if (others.length > 0)
+    throw new WarpError(`${name}: it takes fewer arguments; ${describe(others[0])} is too many.`)
 }
 
 function define(name: string, method: (this: Expression, ...operands: unknown[]) => unknown) {

@@ -1,6 +1,6 @@
 // From a callback to shader text: builds the graph, asks for results, and closes the compilation.
 import { createBuilder, operationNumber } from './builder.js'
-import { Compilation, type Target } from './compilation.js'
+import { Compilation, type Target, type Variable } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import { type Numbers, evaluate } from './evaluate.js'
 import { Expression, toExpression } from './expression.js'
@@ -62,15 +62,17 @@ export interface CompiledWarp extends Compiled {
  * is no function, returns no vec3, or misuses an operation, and for wrong options.
  */
 export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): CompiledWarp {
-  return compileWarpFor('compileWarp', offset, options)
+  return compileWarpFor('compileWarp', offset, options).warp
 }
 
-/** The same for another public function, which `method` names in messages. */
+/**
+ * The same for another public function, which `method` names in messages; with the sketch's own parameters.
+ */
 export function compileWarpFor(
   method: string,
   offset: OffsetFunction,
   options: WarpOptions,
-): CompiledWarp {
+): { warp: CompiledWarp; parameters: Variable[] } {
   checkCallback(method, offset)
   checkOptions(method, options, ['target', 'names', 'outputs', 'normals'])
   checkOptions(`${method} names`, options.names, Object.keys(inputSizes))
@@ -110,14 +112,15 @@ export function compileWarpFor(
     const { code, declarations, stats, inputs: read } = compilation.build()
     const used = read.map(({ name }) => name)
     const isRead = (name: string) => used.includes(labels[name]!)
-    const isOwn = (label: string) => !Object.values(labels).includes(label)
-    return {
+    const parameters = read.filter(({ name }) => !Object.values(labels).includes(name))
+    const warp = {
       code,
       declarations,
       stats,
-      uniforms: [...Object.keys(drawInputs).filter(isRead), ...used.filter(isOwn)],
+      uniforms: [...Object.keys(drawInputs).filter(isRead), ...parameters.map(({ name }) => name)],
       attributes: Object.keys(vertexInputs).filter(isRead),
     }
+    return { warp, parameters }
   })
 }
 

@@ -10,8 +10,8 @@ export function describe(value: unknown): string {
   if (typeof value === 'number') return `the number ${value}`
   if (typeof value === 'function') return 'a function'
   if (Array.isArray(value)) return `an array of ${value.length}`
-  if (typeof value === 'object' && Object.keys(value).length === 0) return 'an empty object'
-  if (typeof value === 'object') return 'then' in value ? 'a promise' : 'an object'
+  if (typeof value === 'object' && 'then' in value) return 'a promise'
+  if (typeof value === 'object') return Object.keys(value).length ? 'an object' : 'an empty object'
   return `the ${typeof value} ${shorten(String(value))}`
 }
 

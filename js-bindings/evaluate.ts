@@ -9,7 +9,7 @@ export interface Program {
   instructions: number
 }
 
-export type Numbers = number | readonly number[]
+export type Numbers = number | ArrayLike<number>
 
 const sizeOf = ({ shape: [columns, rows] }: Variable) => columns * rows
 const totalSize = (variables: readonly Variable[]) =>
@@ -35,7 +35,7 @@ export function evaluate(
   )
 }
 
-function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>): Numbers {
+function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>): number[] {
   const value: unknown = given?.[input.name]
   const size = sizeOf(input)
   const list = size === 1 && typeof value === 'number' ? [value] : value
@@ -45,7 +45,7 @@ function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>):
     [...(list as number[])].every((number) => typeof number === 'number')
   if (fits) return [...(list as number[])]
   throw new WarpError(
-    `evaluate: "${input.name}" must be ${size === 1 ? 'a number' : `an array of ${size} numbers`}, but is ${describe(value)}.`,
+    `evaluate: "${input.name}" must be ${size === 1 ? 'a number' : `an array of ${size} numbers${input.shape[0] > 1 ? ', column by column' : ''}`}, but is ${describe(value)}.`,
   )
 }
 

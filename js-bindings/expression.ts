@@ -42,7 +42,9 @@ export function toExpression(
     return compilation.constant(operand, method)
   }
   if (!(operand instanceof Expression))
-    return refuse(`must be a number or an expression, but is ${describe(operand)}.`)
+    return refuse(
+      `must be a number or an expression, but is ${describe(operand)}${Array.isArray(operand) ? '; write glsl.vec3(x, y, z) for a vector' : ''}.`,
+    )
   if (operand.compilation !== compilation)
     refuse(
       'comes from another warp; an expression can only be used inside the function that made it.',

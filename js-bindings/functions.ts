@@ -30,7 +30,7 @@ export function declareFunction(compilation: Compilation, options: unknown) {
   const text = source && typeof source === 'object' ? Reflect.get(source, wanted) : source
   if (typeof text !== 'string')
     throw new WarpError(
-      `fn: the option "source" of ${name} must be a text of ${wanted.toUpperCase()}, or an object { glsl, wgsl } with one, but is ${describe(source)}.`,
+      `fn: the option "source" of ${name} must be a text of ${wanted.toUpperCase()} for the target ${compilation.target}, or an object { ${wanted}: … } with one, but is ${describe(source)}.`,
     )
   const isList = Array.isArray(derivatives) && derivatives.length === arity
   if (derivatives !== undefined && !isList)

@@ -326,7 +326,7 @@ export interface MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethod
 export interface SquareMethods<Self> {
   /** The determinant. */
   determinant(): Scalar
-  /** The inverse; infinite where the determinant is 0. */
+  /** The inverse; infinite or NaN where the determinant is 0. */
   inverse(): Self
 }
 
@@ -465,7 +465,7 @@ export interface Functions {
   transpose<Value extends AnyMatrix>(m: Value): Transposed<Value>
   /** The determinant. */
   determinant(m: Mat2 | Mat3 | Mat4): Scalar
-  /** The inverse; infinite where the determinant is 0. */
+  /** The inverse; infinite or NaN where the determinant is 0. */
   inverse<Value extends Mat2 | Mat3 | Mat4>(m: Value): Value
   /**
    * The mat3 that turns by an angle in radians about the x axis, counterclockwise for an eye

@@ -58,12 +58,12 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
 
   const renderer = webglOf(canvas)
   const target = renderer?.webglVersion === 'webgl' ? 'glsl100' : 'glsl300'
-  const warp = compileWarpFor('createWarp', offset, {
+  const { warp, parameters } = compileWarpFor('createWarp', offset, {
     target,
     names: namesFor(style),
     outputs: results,
   })
-  refuseUndeclared(warp.uniforms, material, settings.defs)
+  refuseUndeclared(parameters, material, settings.defs)
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {
     renderer,

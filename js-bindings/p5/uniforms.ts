@@ -1,4 +1,5 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
+import type { Shape, Variable } from '../compilation.js'
 import { WarpError, describe } from '../errors.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
 
@@ -49,15 +50,18 @@ export const uniformDeclarations = (names: string[]) =>
     .join('\n')
 
 /** A parameter that neither p5 nor `defs` declares would break the shader, and p5 would print all of it. */
-export function refuseUndeclared(parameters: string[], shader: Shader, defs: string) {
+export function refuseUndeclared(parameters: readonly Variable[], shader: Shader, defs: string) {
   const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
-  for (const name of parameters) {
-    if (/^(?!gl_)[A-Za-z_]\w*$/.test(name) && !(name in inputs) && !declared.has(name))
+  for (const { name, shape } of parameters) {
+    if (/^(?!gl_)[A-Za-z_]\w*$/.test(name) && !declared.has(name))
       throw new WarpError(
-        `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform float ${name};" }.`,
+        `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform ${typeOf(shape)} ${name};" }.`,
       )
   }
 }
+
+const typeOf = ([columns, rows]: Shape) =>
+  columns > 1 ? `mat${columns}` : rows > 1 ? `vec${rows}` : 'float'
 
 export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
   for (const { uniform, read } of inputsAmong(names)) shader.setUniform(uniform, read(canvas))
@@ -75,8 +79,10 @@ export function setUniforms(shader: Shader, uniforms: WarpUniforms, defs: string
   }
 }
 
-/** WebGL's number. */
 const mat2 = 0x8b5a
+
+/** Of the matrices, by WebGL's number. */
+const matrixSizes: Record<number, number> = { [mat2]: 4, 0x8b5b: 9, 0x8b5c: 16 }
 
 function readValue(name: string, value: unknown, { type, isArray: isList = false }: Uniform) {
   if (type === mat2 && !isList)
@@ -88,6 +94,11 @@ function readValue(name: string, value: unknown, { type, isArray: isList = false
   if (wrong || (isList && typeof value !== 'object'))
     throw new WarpError(
       `The warp's uniform "${name}" must be ${isList ? 'an array of numbers' : 'a number'}, but is ${describe(value)}.`,
+    )
+  const size = matrixSizes[type ?? 0]
+  if (size && Array.isArray(value) && !(value.length === size && value.every(Number.isFinite)))
+    throw new WarpError(
+      `The warp's uniform "${name}" must be an array of ${size} numbers, column by column, but is ${describe(value)}.`,
     )
   return isList ? listOf(value as object) : value
 }

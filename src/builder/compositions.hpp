@@ -127,7 +127,7 @@ inline constexpr std::array compositions{
                 "m",
                 Kind::Number,
                 [](auto&, auto x) -> Value { return determinant(x[0]); }},
-    Composition{{"inverse", "m", "The inverse; infinite where the determinant is 0."},
+    Composition{{"inverse", "m", "The inverse; infinite or NaN where the determinant is 0."},
                 "m",
                 Kind::Square,
                 [](auto&, auto x) { return inverse(x[0]); },

@@ -20,7 +20,8 @@ inline constexpr std::string_view notFinite =
 inline constexpr std::string_view dividesByZero =
     "it divides by zero, or by a number too close to zero for a shader to hold.";
 inline constexpr std::string_view tooLarge =
-    "this warp has more than four million operations; does a loop never end?";
+    "these are more than four million operations; does a loop never end, or is a derivative of a "
+    "very high order?";
 
 // A text from outside, on one line and not too long, in quotation marks.
 std::string quotedShort(std::string_view text);

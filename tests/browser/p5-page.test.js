@@ -83,7 +83,9 @@ for (const [version, p5] of Object.entries(p5Versions)) {
         'createWarp(warp, { type: "shiny" })': /"type" must be "specular" or "normal"/,
         'createWarp(warp, { space: "moon" })': /"space" must be "local" or "world" or "camera"/,
         'createWarp(warp, { defs: 3 })': /"defs" must be a text of GLSL/,
-        'createWarp(warp)': /reads "shift", which nothing declares; add the option/,
+        'createWarp(warp)': /reads "turn", which nothing declares; add .* "uniform mat3 turn;"/,
+        'createWarp(({ glsl }) => glsl.vec3Param("shift"))':
+          /reads "shift", .* "uniform vec3 shift;"/,
         'flat2d.createWarp(warp)': /needs a 3D canvas/,
         'distort(3)': /takes an object of uniforms/,
         'distort([3])': /takes an object of uniforms/,
@@ -92,6 +94,8 @@ for (const [version, p5] of Object.entries(p5Versions)) {
         'distort({ amount: NaN })': /uniform "amount" must be a number/,
         'distort({ amount: "a" })': /uniform "amount" must be a number, but is the text "a"/,
         'distort({ shift: 3 })': /uniform "shift" must be an array of numbers/,
+        'distort({ turn: [1, 2, 3, 4] })':
+          /uniform "turn" must be an array of 9 numbers, column by column, but is an array of 4/,
         'layer.remove(); inLayer()': /canvas that this warp was made for is gone/,
         'remove(); distort()': /canvas that this warp was made for is gone/,
       }
@@ -99,10 +103,11 @@ for (const [version, p5] of Object.entries(p5Versions)) {
         browser,
         server,
         [p5, addon],
-        `const warp = ({ glsl }) => glsl.vec3Param('shift').add(glsl.param('amount'))
+        `const warp = ({ glsl }) =>
+          glsl.mat3Param('turn').mult(glsl.vec3Param('shift')).add(glsl.param('amount'))
         function setup() {
           createCanvas(100, 100, WEBGL)
-          const defs = 'uniform vec3 shift; uniform float amount; uniform float unused;'
+          const defs = 'uniform vec3 shift; uniform float amount, unused; uniform mat3 turn;'
           distort = createWarp(warp, { defs })
           flat2d = createGraphics(10, 10)
           layer = createGraphics(10, 10, WEBGL)

@@ -164,14 +164,18 @@ TEST_F(BuilderTest, CommentsStandAboveTheStatements) {
             "}\n");
 }
 
-TEST_F(BuilderTest, TenThousandValuesKeepTheirHandles) {
+TEST_F(BuilderTest, TwentyThousandValuesKeepTheirHandles) {
   std::vector<int> handles;
-  for (int i = 0; i < 10'000; ++i)
-    handles.push_back(call("add", {i % 2 == 0 ? x : v3, number(i + 1)}));
-  for (int i = 0; i < 10'000; ++i)
-    ASSERT_EQ(builder.shape(handles[i]), i % 2 == 0 ? oneNumber : vectorOf(3)) << i;
-  const int sum = call("add", {handles[7000], handles[9998], handles[0]});
-  EXPECT_EQ(text(sum), "x + 7001.0 + (x + 9999.0) + (x + 1.0)");
+  for (int i = 0; i < 20'000; ++i)
+    handles.push_back(call("add", {i % 2 == 0 ? x : m3, number(i + 1)}));
+  for (int i = 0; i < 20'000; ++i)
+    ASSERT_EQ(builder.shape(handles[i]), i % 2 == 0 ? oneNumber : matrixOf(3, 3)) << i;
+  EXPECT_EQ(text(handles[0]), "x + 1.0");
+  EXPECT_EQ(text(handles[19'998]), "x + 19999.0");
+  EXPECT_EQ(text(method("row", {handles[1], number(0)})),
+            "vec3(m3[0].x + 2.0, m3[1].x + 2.0, m3[2].x + 2.0)");
+  EXPECT_EQ(text(method("row", {handles[19'999], number(0)})),
+            "vec3(m3[0].x + 20000.0, m3[1].x + 20000.0, m3[2].x + 20000.0)");
 }
 
 TEST_F(BuilderTest, TheProgramOfAllResults) {

@@ -79,6 +79,23 @@ TEST_F(EmitTest, ADerivativeFollowsItsValue) {
             "}\n");
 }
 
+// cos(x * x) belongs to the sketch, which wrote it after the sine whose derivative needs it too.
+TEST_F(EmitTest, ADerivativeWaitsForAnOperandThatWasWrittenLater) {
+  const Expression u = sin(x * x), later = cos(x * x);
+  Differentiator differentiator(graph);
+  const Expression slope{&graph, differentiator.derivative(u.id, x.id)};
+  EXPECT_EQ(code(u + later * slope, 1),
+            "float y;\n{\n"
+            "  float t0 = x * x;\n"
+            "  float t1 = x + x;\n"
+            "  float t2 = sin(t0);\n"
+            "  float t3 = cos(t0);\n"
+            "  float t4 = t3 * t1;\n"
+            "  float t5 = t3 * t4;\n"
+            "  y = t2 + t5;\n"
+            "}\n");
+}
+
 TEST_F(EmitTest, TemporariesAvoidTheNamesInUse) {
   const Expression t0 = scalar(graph, "t0"), u = sin(t0);
   const std::vector<Output> outputs{result("t1", u * u)};

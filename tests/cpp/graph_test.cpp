@@ -175,6 +175,13 @@ TEST_F(GraphTest, ClampOfCrossedConstantsIsTheUpperBound) {
   EXPECT_TRUE(graph.is(clamped(1, 1), rowNamed("clamp")));
 }
 
+// 1e-60 is zero in float32, and 1e60 infinite, where x * 1e30 need not be.
+TEST_F(GraphTest, ConstantFactorsMeetOnlyIfFloat32HoldsTheirProduct) {
+  EXPECT_EQ((x * 2.0 * 3.0).id, (x * 6.0).id);
+  EXPECT_TRUE(graph.is(graph.operand((x * 1e-30 * 1e-30).id, 0), rowNamed("mult")));
+  EXPECT_TRUE(graph.is(graph.operand((x * 1e30 * 1e30).id, 0), rowNamed("mult")));
+}
+
 TEST_F(GraphTest, RepeatedSquaringStaysSmall) {
   Expression v = x;
   for (int i = 0; i < 40; ++i) v = v * v + v;

@@ -301,7 +301,8 @@ TEST_F(Refusals, OfMoreThanFourMillionOperations) {
   EXPECT_EQ(value, Builder::failed);
   EXPECT_GT(calls, 4'000'000u);
   EXPECT_EQ(builder.problem(),
-            "sin: this warp has more than four million operations; does a loop never end?");
+            "sin: these are more than four million operations; does a loop never end, or is a "
+            "derivative of a very high order?");
 }
 
 }  // namespace

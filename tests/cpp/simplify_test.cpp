@@ -181,6 +181,30 @@ TEST(SimplifyExceptions, AnIntermediateThatOverflowsOrUnderflows) {
   expectValues(0, 0x1p-1040, squared, 0x1p520);
 }
 
+// --- what random graphs seldom meet
+
+// x where y > 0 and zero elsewhere, or the other way round.
+template <class X, class Y>
+Expression chosen(X x, Y y, bool ifPositive) {
+  return ifPositive ? ifElse(gt(y, 0.0), x, 0.0) : ifElse(gt(y, 0.0), 0.0, x);
+}
+
+TEST(Simplify, SumsOfChoicesOfOneConditionAreOneChoice) {
+  for (const bool first : {true, false}) {
+    for (const bool second : {true, false}) {
+      for (const double x : {2.0, -3.0, infinity}) {
+        for (const double y : {1.0, -1.0, 0.0, infinity}) {
+          const auto sum = [&](auto a, auto b) {
+            return chosen(a, b, first) + chosen(a * a, b, second);
+          };
+          const Both values = both(sum, x, y);
+          EXPECT_TRUE(same(values.folded, values.unfolded)) << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
 // --- random graphs
 
 // How the value of an operation differs from that of what it was simplified to.
