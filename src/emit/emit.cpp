@@ -147,6 +147,8 @@ class Emitter {
 
   void writeComment(NodeId id) {
     const auto& comments = options_.comments;
+    // What was lowered is younger than all comments, and belongs to the node that it stands for.
+    if (!comments.empty() && comments.back().end <= id) id = graph_.origin(id);
     const auto at =
         std::lower_bound(comments.begin(), comments.end(), id,
                          [](const Comment& comment, NodeId node) { return comment.end <= node; });

@@ -9,11 +9,12 @@ namespace warpjet {
 
 // A simpler node of the same value, or nothing; may put the constant of a sum or product last.
 //
-// Ignored on purpose: that x may be infinite or NaN in x * 0 = 0, x - x = 0, 0 / x = 0 and at the
-// ends of mix, or NaN in a clamp between constants that cross; and the sign of a zero. Rounded in
-// another order, by an ulp or two: (x * a) * b = x * (a * b) for constants, x * (1 / y) = x / y,
-// and whole powers as products; an intermediate that overflows or underflows in one order may not
-// in the other. All else is exact. tests/cpp/simplify_test.cpp has an example of each.
+// Ignored on purpose: that x may be infinite or NaN in x * 0 = 0, x - x = 0, 0 / x = 0 (or zero
+// there) and at the ends of mix, or NaN in a clamp between constants that cross; and the sign of a
+// zero. Rounded in another order: by an ulp or two (x * a) * b = x * (a * b) for constants and
+// x * (1 / y) = x / y, by up to n ulps whole powers as products; an intermediate that overflows or
+// underflows in one order may not in the other. All else is exact. tests/cpp/simplify_test.cpp has
+// an example of each.
 std::optional<NodeId> simplify(Graph& graph, Op op, Operands& operands);
 
 }  // namespace warpjet

@@ -164,6 +164,23 @@ TEST_F(BuilderTest, CommentsStandAboveTheStatements) {
             "}\n");
 }
 
+// trunc is lowered in GLSL ES 1.00, and so the product is made anew.
+TEST_F(BuilderTest, CommentsStandAboveLoweredStatementsToo) {
+  Bench old(glsl100);
+  old.builder.comment("inputs");
+  const int u = old.call("trunc", {old.x});
+  old.builder.comment("let u = trunc(x)");
+  ASSERT_TRUE(old.builder.output("gen", "y", old.call("mult", {u, u})));
+  old.builder.comment("return u * u");
+  EXPECT_EQ(old.builder.build(8)->emitted.code,
+            "float y;\n{\n"
+            "  // let u = trunc(x)\n"
+            "  float t0 = sign(x) * floor(abs(x));\n"
+            "  // return u * u\n"
+            "  y = t0 * t0;\n"
+            "}\n");
+}
+
 TEST_F(BuilderTest, TwentyThousandValuesKeepTheirHandles) {
   std::vector<int> handles;
   for (int i = 0; i < 20'000; ++i)

@@ -275,50 +275,27 @@ TEST(Ops, LoweredFormulasHaveTheSameValuesAtEdges) {
     while (infos[i].name != name) ++i;
     return i;
   };
-  const double halfways[] = {-3.5,
-                             -2.5,
-                             -1.5,
-                             -0.5,
-                             0.5,
-                             1.5,
-                             2.5,
-                             3.5,
-                             -3,
-                             -2,
-                             -1,
-                             -0.0,
-                             0,
-                             1,
-                             2,
-                             3,
-                             0.49999999999999994,
-                             -0.49999999999999994,
-                             1e-12,
-                             -1e-12,
-                             0.7,
-                             -0.7,
-                             2.7,
-                             -2.7,
-                             1e9 + 0.5,
-                             -1e9 - 0.5,
-                             1e9 - 0.5,
-                             1e15,
-                             -1e15};
-  for (const double x : halfways) {
-    checkFormula<number("round")>({x});
-    checkFormula<number("trunc")>({x});
-    for (const double divisor : {1.0, -1.0, 3.0, 0.25}) checkFormula<number("mod")>({x, divisor});
-  }
-  for (const double x : {0.0, 1e-9, 1.0, 20.0, 50.0, 300.0, 700.0, 1e5, 1e300, infinity}) {
-    for (const double signedX : {x, -x}) checkFormula<number("tanh")>({signedX});
-  }
-  for (const double x : {0.0, 1e-9, 20.0, 700.0, 1e5}) {
-    for (const double signedX : {x, -x}) {
-      checkFormula<number("sinh")>({signedX});
-      checkFormula<number("cosh")>({signedX});
-      checkFormula<number("asinh")>({signedX});
+  const auto forBothSigns = [](std::vector<double> points, auto check) {
+    for (const double x : points) {
+      check(x);
+      check(-x);
     }
-  }
+  };
+  const double almostHalf = 0.49999999999999994;
+  forBothSigns({0, 0.5, 1.5, 2.5, 3.5, 1, 2, 3, almostHalf, 1e-12, 0.7, 2.7, 1e9 + 0.5, 1e15},
+               [&](double x) {
+                 checkFormula<number("round")>({x});
+                 checkFormula<number("trunc")>({x});
+                 for (const double divisor : {1.0, -1.0, 3.0, 0.25})
+                   checkFormula<number("mod")>({x, divisor});
+               });
+  forBothSigns({0, 1e-9, 1, 20, 50, 300, 700, 1e5, 1e300, infinity},
+               [&](double x) { checkFormula<number("tanh")>({x}); });
+  forBothSigns({0, 1e-9, 20, 700, 1e5}, [&](double x) {
+    checkFormula<number("sinh")>({x});
+    checkFormula<number("cosh")>({x});
+    checkFormula<number("asinh")>({x});
+  });
   checkFormula<number("acosh")>({1});
   checkFormula<number("acosh")>({1e9});
   for (const double x : {0.0, 1.0, -1.0, 0.999}) checkFormula<number("atanh")>({x});
