@@ -140,7 +140,7 @@ export class Compilation {
       throw new WarpError(
         `${name}: its derivatives are needed here; give glsl.fn the option "derivatives", one for each argument.`,
       )
-    if (++this.nesting > 100)
+    if (this.nesting === 100)
       throw new WarpError(
         `${name}: its derivative needs a derivative of itself; write it with calls of functions instead.`,
       )
@@ -148,15 +148,20 @@ export class Compilation {
       { length: arity },
       (_, i) => new Expression(this, this.core._argumentOfCall(session, call, i)),
     )
-    const partials = Array.from(derivatives, (given, i) =>
+    const partialOf = (given: unknown, i: number) =>
       toExpression(
         this,
         name,
         typeof given === 'function' ? given(...operands) : given,
         `derivative ${i + 1}`,
-      ),
-    )
-    this.nesting--
+      )
+    this.nesting++
+    let partials: Expression[]
+    try {
+      partials = Array.from(derivatives, partialOf)
+    } finally {
+      this.nesting--
+    }
     for (const { handle } of partials) this.core._push(session, handle)
     if (!this.core._setPartials(session, call)) this.refuse()
   }

@@ -44,6 +44,10 @@ constexpr auto formulas = []<std::size_t... Row>(std::index_sequence<Row...>) {
 }
 (std::make_index_sequence<ops::count>{});
 
+bool lacks(ops::Language language, Op op) {
+  return ops::info(op).spellings.in(language).isMissing();
+}
+
 class Lowering {
  public:
   Lowering(Graph& graph, ops::Language language)
@@ -59,8 +63,6 @@ class Lowering {
   NodeId lowered(NodeId id) const { return graph_.isLeaf(id) ? id : lowered_[index(id)]; }
 
  private:
-  bool isMissing(Op op) const { return ops::info(op).spellings.in(language_).isMissing(); }
-
   NodeId visitOperation(NodeId id) {
     Operands operands{};
     bool changed = false;
@@ -69,7 +71,7 @@ class Lowering {
       changed |= operands[i] != graph_.operand(id, i);
     }
     const Op op = graph_.node(id).op;
-    if (isMissing(op)) return formulas[index(op)](graph_, operands);
+    if (lacks(language_, op)) return formulas[index(op)](graph_, operands);
     return changed ? graph_.apply(op, operands) : id;
   }
 
@@ -87,7 +89,7 @@ class Lowering {
 // Whether the language has all operations of a graph.
 bool hasAll(const Graph& graph, ops::Language language) {
   for (std::size_t row = 0; row < ops::count; ++row) {
-    if (graph.has(Op(row)) && ops::infos[row].spellings.in(language).isMissing()) return false;
+    if (graph.has(Op(row)) && lacks(language, Op(row))) return false;
   }
   return true;
 }

@@ -58,8 +58,6 @@ inline Expression sin(Expression x) { return build(ops::find("sin"), x); }
 
 inline Expression cos(Expression x) { return build(ops::find("cos"), x); }
 
-inline Expression tan(Expression x) { return build(ops::find("tan"), x); }
-
 inline Expression atan(Expression x) { return build(ops::find("atan"), x); }
 
 inline Expression asin(Expression x) { return build(ops::find("asin"), x); }
@@ -110,9 +108,6 @@ requires SomeExpression<X, Y> Expression le(X x, Y y) { return build(ops::find("
 
 template <class X, class Y>
 requires SomeExpression<X, Y> Expression gt(X x, Y y) { return build(ops::find("gt"), x, y); }
-
-template <class X, class Y>
-requires SomeExpression<X, Y> Expression ge(X x, Y y) { return build(ops::find("ge"), x, y); }
 
 template <class X, class Y>
 requires SomeExpression<X, Y> Expression eq(X x, Y y) { return build(ops::find("eq"), x, y); }

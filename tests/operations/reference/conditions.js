@@ -1,6 +1,6 @@
 // Comparisons, logic and choices. A comparison of vectors goes by component. See scalars.js for
 // what a row has.
-import { meeting, span } from './row.js'
+import { binary, meeting, span } from './row.js'
 
 const number = span(-2, 2, { at: [0, 1] })
 const truth = (condition) => (condition ? 1 : 0)
@@ -11,14 +11,7 @@ const truths = (shapes) => {
 
 const comparison = (name, holds) => ({
   name,
-  shapes: [
-    [1, 1],
-    [2, 2],
-    [3, 3],
-    [4, 4],
-    [3, 1],
-    [1, 2],
-  ],
+  shapes: binary,
   result: truths,
   domains: [number],
   adjust: meeting,
