@@ -5,11 +5,12 @@ set_target_properties(warpjet_wasm PROPERTIES OUTPUT_NAME core SUFFIX .mjs
   LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/embind.js)
 
 # What runs once per warp, or per name in it, is compiled for size; what runs per node stays at -O3
-# (-Os everywhere made a warp of 3,000 nodes six times slower).
+# (-Os everywhere made a warp of 3,000 nodes six times slower), but for what of it was no slower when it was small:
+# emit.cpp, statements.cpp, schedule.cpp.
 set_source_files_properties(js-bindings/bindings.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 set_source_files_properties(
   src/algebra/derivatives.cpp src/algebra/matrices.cpp src/algebra/vectors.cpp src/builder/call.cpp src/builder/construct.cpp
-  src/builder/host.cpp src/builder/results.cpp src/builder/sentences.cpp src/diff/partials.cpp src/emit/dialect.cpp src/emit/literal.cpp src/emit/lower.cpp src/emit/names.cpp
+  src/builder/host.cpp src/builder/results.cpp src/builder/sentences.cpp src/diff/partials.cpp src/emit/dialect.cpp src/emit/emit.cpp src/emit/literal.cpp src/emit/lower.cpp src/emit/names.cpp src/emit/schedule.cpp src/emit/statements.cpp
   src/emit/syntax.cpp src/eval/program.cpp src/ops/ops.cpp src/warp/warp.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
 

@@ -176,9 +176,9 @@ bool outputSum(Address session, const std::string& method, const std::string& na
   return at(session).builder.outputSum(method, name, handle, input, term);
 }
 
-// Whether there is a text.
+// Whether there is a text. A depth of 0 leaves it to us.
 bool buildText(Address session, int maxDepth) {
-  auto built = at(session).builder.build(maxDepth);
+  auto built = at(session).builder.build(maxDepth > 0 ? std::optional(maxDepth) : std::nullopt);
   if (built) at(session).built = std::move(*built);
   return built.has_value();
 }

@@ -190,7 +190,8 @@ export class Compilation {
     }
   }
 
-  build(maxDepth = 8): Emitted {
+  /** A `maxDepth` makes temporaries by depth, and not by how much an expression reads. */
+  build(maxDepth = 0): Emitted {
     const session = this.open('build')
     if (!this.core.build(session, Math.min(maxDepth, 2 ** 30))) this.refuse()
     return {

@@ -168,7 +168,8 @@ export function compile(
 }
 
 export interface GenSettings extends CompileOptions {
-  /** The number of nested operations at which an expression becomes a variable; 8 unless given. */
+  /** The number of nested operations at which an expression becomes a variable. Unless it is given, that is 8, and an
+   * expression that reads many variables is cut too, so that few are alive at a time. */
   maxDepthPerVariable?: number
   /** Adds the line of the sketch that each statement comes from. */
   debug?: boolean
@@ -182,8 +183,11 @@ export interface GenSettings extends CompileOptions {
 export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): string {
   checkCallback('gen', callback)
   checkOptions('gen', settings, ['target', 'maxDepthPerVariable', 'debug'])
-  const { maxDepthPerVariable = 8, debug = false, target } = settings
-  if (!(typeof maxDepthPerVariable === 'number' && maxDepthPerVariable >= 1))
+  const { maxDepthPerVariable, debug = false, target } = settings
+  if (
+    maxDepthPerVariable !== undefined &&
+    !(typeof maxDepthPerVariable === 'number' && maxDepthPerVariable >= 1)
+  )
     throw new WarpError(
       `gen: maxDepthPerVariable must be a number of at least 1, but is ${describe(maxDepthPerVariable)}.`,
     )

@@ -138,8 +138,10 @@ int Builder::swizzle(int handle, int count, unsigned indices) {
 void Builder::comment(std::string_view text) {
   const NodeId first{static_cast<std::uint32_t>(commented_)};
   const NodeId end{static_cast<std::uint32_t>(graph_.size())};
-  if (first != end) comments_.push_back({first, end, std::string(text)});
   commented_ = graph_.size();
+  if (first == end) return;
+  comments_.ranges.push_back({first, end, static_cast<std::uint32_t>(comments_.texts.size())});
+  comments_.texts.emplace_back(text);
 }
 
 }  // namespace warpjet

@@ -71,8 +71,9 @@ class Builder {
   bool output(std::string_view method, std::string_view name, int handle);
   bool outputSum(std::string_view method, std::string_view name, int handle, int input, int term);
 
-  // The text of all outputs, or nothing and a problem.
-  std::optional<Built> build(int maxDepth);
+  // The text of all outputs, or nothing and a problem. With a `maxDepth`, depth makes a temporary
+  // of a node that is used once, and what it reads only far above what a person writes.
+  std::optional<Built> build(std::optional<int> maxDepth = {});
 
   const std::vector<Output>& outputs() const { return outputs_; }
   // All outputs for the CPU, from the numbers of these inputs; nothing if a function of the host is
@@ -110,7 +111,7 @@ class Builder {
   bool hasAllPartials(const Value& value);
   bool hidesWhatIsRead(const Emitted& emitted);
   std::vector<NodeId> roots() const;
-  std::vector<Output> lowered();
+  std::vector<Output> lowered(Comments& comments);
 
   // The handle of a value, unless nodes made since `before` are not what a shader can hold.
   int finish(std::optional<Value> value, std::size_t before, std::string_view method);
@@ -133,7 +134,7 @@ class Builder {
   std::vector<Value> operands_;
   std::vector<Output> outputs_;
   std::vector<HostFunction> functions_;
-  std::vector<Comment> comments_;
+  Comments comments_;
   std::size_t commented_ = 0;
   std::vector<NodeId> pendingCalls_;
   std::vector<bool> needed_;  // kept for its memory

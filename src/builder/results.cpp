@@ -48,7 +48,7 @@ std::optional<Program> Builder::program(std::span<const std::uint32_t> inputs) c
   return warpjet::program(graph_, inputs, roots());
 }
 
-std::optional<Built> Builder::build(int maxDepth) {
+std::optional<Built> Builder::build(std::optional<int> maxDepth) {
   constexpr std::string_view site = "A result";
   problem_.clear();
   // Every value was searched when it was made; but a sketch may catch a problem and go on.
@@ -57,10 +57,16 @@ std::optional<Built> Builder::build(int maxDepth) {
       if (const auto* why = impossible(id)) return refuse(site, {*why});
     }
   }
-  const std::vector<Output> outputs = lowered();
+  Comments comments = comments_;
+  const std::vector<Output> outputs = lowered(comments);
   if (graph_.full()) return refuse(site, {tooLarge});
 
-  Built built{emit(graph_, dialect_, outputs, {maxDepth, comments_}), {}};
+  EmitOptions options;
+  if (maxDepth) {
+    options.maxDepth = *maxDepth;
+    options.maxReads = EmitOptions::mostReads;
+  }
+  Built built{emit(graph_, dialect_, outputs, options, comments), {}};
   for (const std::uint32_t function : built.emitted.functions)
     built.declarations += functions_[function].source + '\n';
   if (hidesWhatIsRead(built.emitted)) return std::nullopt;
@@ -68,8 +74,8 @@ std::optional<Built> Builder::build(int maxDepth) {
 }
 
 // The outputs in operations that the language has.
-std::vector<Output> Builder::lowered() {
-  const std::vector<NodeId> nodes = lower(graph_, roots(), dialect_.language);
+std::vector<Output> Builder::lowered(Comments& comments) {
+  const std::vector<NodeId> nodes = lower(graph_, roots(), dialect_.language, comments);
   std::vector<Output> outputs = outputs_;
   auto node = nodes.begin();
   for (Output& output : outputs) {

@@ -1,5 +1,6 @@
 #include "diff/differentiator.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "diff/partials.hpp"
@@ -32,62 +33,110 @@ class Sum {
 }  // namespace
 
 Differentiator::Tangents& Differentiator::tangentsBy(NodeId input) {
-  for (auto& [by, tangents] : tangents_) {
-    if (by == input) return tangents;
+  for (Tangents& tangents : tangents_) {
+    if (tangents.input == input) return tangents;
   }
-  return tangents_.emplace_back(input, Tangents{}).second;
+  return tangents_.emplace_back(Tangents{input});
 }
 
-NodeId Differentiator::chainRuleOfCall(NodeId call, const Tangents& tangents) {
-  const std::vector<NodeId> by = graph_.arguments(call), given = graph_.partials(call);
+const Differentiator::Components& Differentiator::componentsOf(std::uint32_t input) {
+  std::size_t place = 0;
+  while (place < components_.size() && components_[place].input != input) ++place;
+  if (place == components_.size()) components_.push_back({input});
+  auto& bits = components_[place].bits;
+  std::size_t i = bits.size();
+  bits.resize(graph_.size());
+  for (; i < bits.size(); ++i) {
+    const NodeId id{static_cast<std::uint32_t>(i)};
+    const Node& node = graph_.node(id);
+    if (graph_.isInput(id) && node.operands[0] == input) bits[i] = 1u << node.operands[1];
+    for (int k = 0; k < graph_.arity(id); ++k) bits[i] |= bits[index(graph_.operand(id, k))];
+  }
+  return components_[place];
+}
+
+NodeId Differentiator::whole(NodeId id, const Tangents& tangents) {
+  return graph_.apply(ops::find("mult"), {tangents.factors[index(id)], tangents.bases[index(id)]});
+}
+
+// The base of all operands, if they depend on the same components as the node does. A choice begins
+// with bases of its own: the one of the branch that is not taken may be infinite, and a factor 0
+// before it would not keep it out.
+std::optional<NodeId> Differentiator::commonBase(NodeId id, const Tangents& tangents,
+                                                 const Components& components) const {
+  constexpr Op choices[] = {ops::find("ifElse"), ops::find("min"), ops::find("max"),
+                            ops::find("clamp")};
+  if (std::find(std::begin(choices), std::end(choices), graph_.node(id).op) != std::end(choices))
+    return {};
+  const auto& bits = components.bits;
+  std::optional<NodeId> base;
+  for (int i = 0; i < graph_.arity(id); ++i) {
+    const NodeId operand = graph_.operand(id, i);
+    if (bits[index(operand)] == 0) continue;
+    if (graph_.isList(operand)) return {};  // the arguments of a call, each with a tangent
+    if (bits[index(operand)] != bits[index(id)]) return {};
+    if (base && tangents.bases[index(operand)] != *base) return {};
+    base = tangents.bases[index(operand)];
+  }
+  return base;
+}
+
+void Differentiator::findTangent(NodeId id, Tangents& tangents, const Components& components) {
+  NodeId& factor = tangents.factors[index(id)] = graph_.constant(1);
+  NodeId& base = tangents.bases[index(id)] = graph_.constant(1);
+  if (graph_.isList(id)) return;  // not zero; the call asks for the tangent of each argument
+  const auto common = commonBase(id, tangents, components);
+  (common ? factor : base) = chainRule(id, [&](NodeId operand) {
+    return common ? tangents.factors[index(operand)] : whole(operand, tangents);
+  });
+  if (common) base = *common;
+}
+
+template <class TangentOf>
+NodeId Differentiator::chainRule(NodeId id, TangentOf tangent) {
   Sum sum(graph_);
-  for (std::size_t i = 0; i < by.size(); ++i)
-    sum.add(tangents[index(by[i])], [&] { return given[i]; });
-  return sum.total();
-}
-
-NodeId Differentiator::tangentOf(NodeId id, const Tangents& tangents) {
-  if (graph_.isList(id)) return id;  // not zero; the call asks for that of each argument
-  return graph_.isCall(id) ? chainRuleOfCall(id, tangents) : chainRule(id, tangents);
-}
-
-NodeId Differentiator::chainRule(NodeId id, const Tangents& tangents) {
+  const auto add = [&](NodeId operand, auto partial) { sum.add(tangent(operand), partial); };
+  if (graph_.isCall(id)) {
+    const std::vector<NodeId> arguments = graph_.arguments(id), partials = graph_.partials(id);
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      add(arguments[i], [&] { return partials[i]; });
+    return sum.total();
+  }
   const int arity = graph_.arity(id);
-  const Partials& rowPartials = partialsOf(graph_.node(id).op);
+  const Partials& partials = partialsOf(graph_.node(id).op);
   Arguments x{};
   for (int i = 0; i < arity; ++i) x[i] = {&graph_, graph_.operand(id, i)};
-
-  Sum sum(graph_);
   for (int i = 0; i < arity; ++i) {
-    if (rowPartials[i] == nullptr) continue;
-    sum.add(tangents[index(x[i].id)], [&] { return rowPartials[i](graph_, x, {&graph_, id}); });
+    if (partials[i] != nullptr) add(x[i].id, [&] { return partials[i](graph_, x, {&graph_, id}); });
   }
   return sum.total();
 }
 
 NodeId Differentiator::derivative(NodeId root, NodeId input) {
+  const Components& components = componentsOf(graph_.node(input).operands[0]);
   Tangents& tangents = tangentsBy(input);
-  tangents.resize(graph_.size(), unknown);
-  const auto isKnown = [&](NodeId id) { return tangents[index(id)] != unknown; };
+  tangents.factors.resize(graph_.size(), unknown);
+  tangents.bases.resize(graph_.size(), unknown);
   const NodeId zero = graph_.constant(0), one = graph_.constant(1);
+  const auto isKnown = [&](NodeId id) { return tangents.factors[index(id)] != unknown; };
   const auto dependsOnInput = [&](NodeId id) {
     for (int i = 0; i < graph_.arity(id); ++i) {
-      if (tangents[index(graph_.operand(id, i))] != zero) return true;
+      if (tangents.factors[index(graph_.operand(id, i))] != zero) return true;
     }
     return false;
   };
 
   for (const NodeId id : reachable(graph_, {&root, 1}, isKnown)) {
-    NodeId tangent = zero;
+    NodeId& factor = tangents.factors[index(id)] = zero;
+    NodeId& base = tangents.bases[index(id)] = one;
     if (id == input) {
-      tangent = one;
+      factor = one;
     } else if (dependsOnInput(id)) {
-      const Graph::OriginScope scope(graph_, id);
-      tangent = tangentOf(id, tangents);
+      findTangent(id, tangents, components);
+      if (base == zero) factor = zero;
     }
-    tangents[index(id)] = tangent;
   }
-  return tangents[index(root)];
+  return whole(root, tangents);
 }
 
 }  // namespace warpjet

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "graph/graph.hpp"
@@ -20,17 +20,33 @@ class Differentiator {
   NodeId derivative(NodeId root, NodeId input);
 
  private:
-  // By node index, its derivative.
-  using Tangents = std::vector<NodeId>;
+  // By node index, its derivative as a product: the base is the derivative of an earlier node, the
+  // factor what the chain rule has made since. Where all components of an input have come by that
+  // node, the factor is the same for each of them, so that the columns of a Jacobian share it.
+  struct Tangents {
+    NodeId input;
+    std::vector<NodeId> factors = {}, bases = {};
+  };
+  // By node index, on which components of an input it depends, a bit each.
+  struct Components {
+    std::uint32_t input;
+    std::vector<std::uint32_t> bits = {};
+  };
   static constexpr NodeId unknown{~std::uint32_t{0}};
 
   Tangents& tangentsBy(NodeId input);
-  NodeId tangentOf(NodeId id, const Tangents& tangents);
-  NodeId chainRule(NodeId id, const Tangents& tangents);
-  NodeId chainRuleOfCall(NodeId call, const Tangents& tangents);
+  const Components& componentsOf(std::uint32_t input);
+  void findTangent(NodeId id, Tangents& tangents, const Components& components);
+  std::optional<NodeId> commonBase(NodeId id, const Tangents& tangents,
+                                   const Components& components) const;
+  template <class TangentOf>
+  NodeId chainRule(NodeId id, TangentOf tangent);
+  NodeId whole(NodeId id, const Tangents& tangents);
 
   Graph& graph_;
-  std::vector<std::pair<NodeId, Tangents>> tangents_;  // by input; there are few
+  // There are few inputs.
+  std::vector<Tangents> tangents_;
+  std::vector<Components> components_;
 };
 
 }  // namespace warpjet

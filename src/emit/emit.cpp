@@ -4,6 +4,7 @@
 
 #include "emit/names.hpp"
 #include "emit/schedule.hpp"
+#include "emit/statements.hpp"
 #include "emit/writer.hpp"
 #include "graph/reachable.hpp"
 
@@ -14,11 +15,12 @@ namespace {
 class Emitter {
  public:
   Emitter(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-          const EmitOptions& options)
+          const EmitOptions& options, const Comments& comments)
       : graph_(graph),
         dialect_(dialect),
         outputs_(outputs),
         options_(options),
+        comments_(comments),
         nodes_(reachable(graph, roots(outputs))),
         writer_(graph, dialect) {}
 
@@ -27,8 +29,6 @@ class Emitter {
     statements_.reserve(nodes_.size() * usualLength);
     reserveNames();
     bindInputs();
-    bindScalarOutputs();
-    bindTemporaries();
     writeStatements();
     result_.nodes = nodes_.size();
     result_.operations = static_cast<std::size_t>(
@@ -92,83 +92,45 @@ class Emitter {
     statements_ += "  " + dialect_.definition(type, name);
   }
 
-  // A scalar result is its own temporary.
-  void bindScalarOutputs() {
-    for (const Output& output : outputs_) {
-      const NodeId id = output.components[0];
-      if (!output.sum && output.shape.isNumber() && !graph_.isLeaf(id) && !writer_.isNamed(id))
-        writer_.name(id, output.name);
-    }
-  }
-
-  void bindTemporaries() {
-    std::vector<std::uint32_t> uses(graph_.size());
-    for (const NodeId root : roots(outputs_)) ++uses[index(root)];
-    for (const NodeId id : nodes_) {
-      for (int i = 0; i < graph_.arity(id); ++i) ++uses[index(graph_.operand(id, i))];
-    }
-
-    const std::vector<NodeId> order = schedule(graph_, nodes_);
-    std::vector<int> depths(graph_.size());
-    for (const NodeId id : order) {
-      if (graph_.isLeaf(id)) continue;
-      int& depth = depths[index(id)];
-      for (int i = 0; i < graph_.arity(id); ++i)
-        depth = std::max(depth, depths[index(graph_.operand(id, i))]);
-      if (graph_.isList(id)) continue;
-      ++depth;
-      const bool shared = uses[index(id)] > 1 && !isCheap(id);
-      const bool isOutput = writer_.isNamed(id);
-      if (!shared && !isOutput && depth < options_.maxDepth) continue;
-      depth = 0;
-      writeTemporary(id, isOutput);
-    }
-  }
-
-  // Not worth a temporary: the negative of a variable.
-  bool isCheap(NodeId id) const {
-    return graph_.is(id, ops::find("neg")) && graph_.isLeaf(graph_.operand(id, 0));
-  }
-
-  void writeTemporary(NodeId id, bool isOutput) {
-    writeComment(id);
-    if (isOutput) {
-      statements_ += "  " + writer_.nameOf(id) + " = ";
-      writer_.writeOperation(statements_, id);
-    } else {
-      const std::string name = temporaries_.next();
-      define(dialect_.typeName(graph_.type(id), oneNumber), name);
-      writer_.writeOperation(statements_, id);
-      writer_.name(id, name);
-      ++result_.temporaries;
-    }
-    statements_ += ";\n";
-  }
-
-  void writeComment(NodeId id) {
-    const auto& comments = options_.comments;
-    // What was lowered is younger than all comments, and belongs to the node that it stands for.
-    if (!comments.empty() && comments.back().end <= id) id = graph_.origin(id);
-    const auto at =
-        std::lower_bound(comments.begin(), comments.end(), id,
-                         [](const Comment& comment, NodeId node) { return comment.end <= node; });
-    if (at != comments.end() && at->first <= id) statements_ += "  // " + at->text + '\n';
-  }
-
   void writeStatements() {
-    for (const Output& output : outputs_) {
-      const NodeId first = output.components[0];
-      if (output.shape.isNumber() && writer_.isNamed(first) && writer_.nameOf(first) == output.name)
-        continue;
-      statements_ += "  " + output.name + " = ";
-      if (output.sum) {
-        statements_ +=
-            writer_.inputName(output.sum->input) + " + " + outputs_[output.sum->output].name;
+    const Statements statements = makeStatements(graph_, nodes_, outputs_, options_);
+    for (const std::uint32_t i : schedule(statements)) {
+      const Statement& statement = statements.all[i];
+      if (statement.node) {
+        compute(*statement.node, statement.output);
       } else {
-        writer_.writeValue(statements_, output.shape, output.components);
+        assign(*statement.output);
       }
       statements_ += ";\n";
     }
+  }
+
+  void compute(NodeId id, const Output* output) {
+    writeComment(id);
+    std::string name = output ? output->name : temporaries_.next();
+    if (output) {
+      statements_ += "  " + name + " = ";
+    } else {
+      define(dialect_.typeName(graph_.type(id), oneNumber), name);
+      ++result_.temporaries;
+    }
+    writer_.writeOperation(statements_, id);
+    writer_.name(id, std::move(name));
+  }
+
+  void assign(const Output& output) {
+    statements_ += "  " + output.name + " = ";
+    if (output.sum) {
+      statements_ +=
+          writer_.inputName(output.sum->input) + " + " + outputs_[output.sum->output].name;
+    } else {
+      writer_.writeValue(statements_, output.shape, output.components);
+    }
+  }
+
+  void writeComment(NodeId id) {
+    if (const Comments::Range* comment = comments_.find(id))
+      statements_ += "  // " + comments_.texts[comment->text] + '\n';
   }
 
   // Results are declared outside of a block that holds the temporaries, so that two texts can be
@@ -192,6 +154,7 @@ class Emitter {
   const Dialect& dialect_;
   std::span<const Output> outputs_;
   const EmitOptions& options_;
+  const Comments& comments_;
   std::vector<NodeId> nodes_;
   Writer writer_;
   Temporaries temporaries_;
@@ -202,9 +165,9 @@ class Emitter {
 }  // namespace
 
 Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-             const EmitOptions& options) {
+             const EmitOptions& options, const Comments& comments) {
   if (outputs.empty()) return {};
-  return Emitter(graph, dialect, outputs, options).run();
+  return Emitter(graph, dialect, outputs, options, comments).run();
 }
 
 }  // namespace warpjet

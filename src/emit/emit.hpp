@@ -1,7 +1,7 @@
 // Emission: roots of a graph enter, the statements that compute them leave.
 //
 // A node that is used once is written where it is used; a node that is used more often becomes a
-// temporary, and so does one that would nest deeper than `maxDepth`. Nothing here recurses, so
+// temporary, and so does one that would nest too deep or read too much. Nothing here recurses, so
 // depth is no limit. Emission knows nothing of warps.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "emit/comments.hpp"
 #include "emit/dialect.hpp"
 #include "graph/graph.hpp"
 
@@ -32,16 +33,14 @@ struct Output {
   std::optional<Sum> sum = {};
 };
 
-// A line for above the statements of the nodes from `first` to before `end`.
-struct Comment {
-  NodeId first, end;
-  std::string text;
-};
-
 struct EmitOptions {
   // The number of nested operations at which an expression becomes a temporary.
   int maxDepth = 8;
-  std::vector<Comment> comments = {};  // in the order of the nodes
+  // The number of temporaries that an expression reads at most, as far as it can be cut, since what
+  // waits to be read stays alive; see schedule.hpp for what was tried.
+  std::uint32_t maxReads = 4;
+  // As good as no limit, but a bound for what is remembered of an expression.
+  static constexpr std::uint32_t mostReads = 64;
 };
 
 struct Emitted {
@@ -56,6 +55,6 @@ struct Emitted {
 // Names must have passed `inputProblem` and `outputProblem`, and be distinct. The outputs must have
 // been lowered to what the dialect has.
 Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-             const EmitOptions& options);
+             const EmitOptions& options = {}, const Comments& comments = {});
 
 }  // namespace warpjet

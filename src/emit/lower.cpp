@@ -50,14 +50,16 @@ bool lacks(ops::Language language, Op op) {
 
 class Lowering {
  public:
-  Lowering(Graph& graph, ops::Language language)
-      : graph_(graph), language_(language), lowered_(graph.size()) {}
+  Lowering(Graph& graph, ops::Language language, Comments& comments)
+      : graph_(graph), language_(language), comments_(comments), lowered_(graph.size()) {}
 
   // Operands are visited before their users.
   void visit(NodeId id) {
     if (graph_.isLeaf(id) || graph_.isList(id)) return;
-    const Graph::OriginScope scope(graph_, id);
+    const NodeId first = end();
     lowered_[index(id)] = graph_.isCall(id) ? visitCall(id) : visitOperation(id);
+    const Comments::Range* comment = comments_.find(id);
+    if (comment && first != end()) comments_.ranges.push_back({first, end(), comment->text});
   }
 
   NodeId lowered(NodeId id) const { return graph_.isLeaf(id) ? id : lowered_[index(id)]; }
@@ -81,8 +83,11 @@ class Lowering {
     return graph_.call(graph_.node(id).operands[1], arguments);
   }
 
+  NodeId end() const { return NodeId{static_cast<std::uint32_t>(graph_.size())}; }
+
   Graph& graph_;
   ops::Language language_;
+  Comments& comments_;
   std::vector<NodeId> lowered_;  // by node
 };
 
@@ -96,9 +101,10 @@ bool hasAll(const Graph& graph, ops::Language language) {
 
 }  // namespace
 
-std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language) {
+std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language,
+                          Comments& comments) {
   if (hasAll(graph, language)) return {roots.begin(), roots.end()};
-  Lowering lowering(graph, language);
+  Lowering lowering(graph, language, comments);
   for (const NodeId id : reachable(graph, roots)) lowering.visit(id);
   std::vector<NodeId> found(roots.size());
   std::transform(roots.begin(), roots.end(), found.begin(),

@@ -4,13 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "emit/comments.hpp"
 #include "graph/graph.hpp"
 
 namespace warpjet {
 
-// Nodes of the same values as `roots`, which the language can write. New nodes belong to the values
-// that they stand for. Derivatives must have been taken before: a row's own are shorter than those
-// of what it is lowered to.
-std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language);
+// Nodes of the same values as `roots`, which the language can write; what was made for a node gets
+// its comment. Derivatives must have been taken before: a row's own are shorter than those of what
+// it is lowered to.
+std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language,
+                          Comments& comments);
 
 }  // namespace warpjet

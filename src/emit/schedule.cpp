@@ -4,21 +4,121 @@
 
 namespace warpjet {
 
-std::vector<NodeId> schedule(const Graph& graph, const std::vector<NodeId>& nodes) {
-  // A node is due with its origin, but not before its operands are: interning can make a derivative
-  // need a node that the sketch wrote later.
-  std::vector<NodeId> due(graph.size());
-  std::vector<std::uint32_t> start(graph.size() + 1);
-  for (const NodeId id : nodes) {
-    NodeId& at = due[index(id)] = graph.origin(id);
-    for (int i = 0; i < graph.arity(id); ++i) at = std::max(at, due[index(graph.operand(id, i))]);
-    ++start[index(at) + 1];
+namespace {
+
+class Scheduler {
+ public:
+  explicit Scheduler(const Statements& statements)
+      : statements_(statements), size_(static_cast<std::uint32_t>(statements.all.size())) {
+    states_.resize(size_);
+    findReaders();
+    findHeights();
   }
-  // A counting sort by due node; within one, ascending ids keep operands first.
-  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  std::vector<NodeId> order(nodes.size());
-  for (const NodeId id : nodes) order[start[index(due[index(id)])]++] = id;
-  return order;
+
+  std::vector<std::uint32_t> run() {
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      if (states_[i].unwritten == 0) offer(i);
+    }
+    std::vector<std::uint32_t> order;
+    order.reserve(size_);
+    while (!heap_.empty()) {
+      std::pop_heap(heap_.begin(), heap_.end());
+      const std::uint32_t next = ~static_cast<std::uint32_t>(heap_.back());
+      heap_.pop_back();
+      if (states_[next].isWritten) continue;
+      write(next);
+      order.push_back(next);
+    }
+    return order;
+  }
+
+ private:
+  struct State {
+    std::uint32_t unwritten = 0;    // statements that it reads and that are not written yet
+    std::uint32_t readers = 0;      // statements that are not written yet and read it
+    std::uint32_t firstReader = 0;  // in readers_
+    std::uint32_t endReader = 0;
+    std::uint32_t height = 0;  // of the longest way to a result
+    bool isWritten = false;
+  };
+
+  void findReaders() {
+    std::uint32_t total = 0;
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      const auto reads = statements_.readsOf(i);
+      states_[i].unwritten = static_cast<std::uint32_t>(reads.size());
+      for (const std::uint32_t read : reads) ++states_[read].readers;
+      total += states_[i].unwritten;
+    }
+    readers_.resize(total);
+    total = 0;
+    for (State& state : states_) {
+      state.firstReader = state.endReader = total;
+      total += state.readers;
+    }
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      for (const std::uint32_t read : statements_.readsOf(i))
+        readers_[states_[read].endReader++] = i;
+    }
+  }
+
+  void findHeights() {
+    for (std::uint32_t i = size_; i-- > 0;) {
+      for (const std::uint32_t read : statements_.readsOf(i))
+        states_[read].height = std::max(states_[read].height, states_[i].height + 1);
+    }
+  }
+
+  std::span<const std::uint32_t> readersOf(std::uint32_t i) const {
+    const State& state = states_[i];
+    return {readers_.data() + state.firstReader, state.endReader - state.firstReader};
+  }
+
+  // A value dies with its last reader, a result never.
+  bool diesWithNext(std::uint32_t i) const {
+    return states_[i].readers == 1 && !statements_.all[i].output;
+  }
+
+  void offer(std::uint32_t i) {
+    std::uint64_t dying = 0;
+    for (const std::uint32_t read : statements_.readsOf(i)) dying += diesWithNext(read);
+    heap_.push_back(std::min<std::uint64_t>(dying, 255) << 56 |
+                    std::uint64_t{states_[i].height} << 32 | ~i);
+    std::push_heap(heap_.begin(), heap_.end());
+  }
+
+  void write(std::uint32_t i) {
+    states_[i].isWritten = true;
+    for (const std::uint32_t read : statements_.readsOf(i)) {
+      --states_[read].readers;
+      if (diesWithNext(read)) offerAgain(read);
+    }
+    for (const std::uint32_t reader : readersOf(i)) {
+      if (--states_[reader].unwritten == 0) offer(reader);
+    }
+  }
+
+  // The last reader of a value has become a better candidate; what it was stays in the heap, and
+  // is passed over.
+  void offerAgain(std::uint32_t read) {
+    for (const std::uint32_t reader : readersOf(read)) {
+      if (!states_[reader].isWritten && states_[reader].unwritten == 0) offer(reader);
+    }
+  }
+
+  const Statements& statements_;
+  std::uint32_t size_;
+  std::vector<State> states_;
+  std::vector<std::uint32_t> readers_;
+  // Candidates, the best at the top, each as one number: how many values die with it, its height,
+  // and the complement of its own number.
+  std::vector<std::uint64_t> heap_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> schedule(const Statements& statements) {
+  return Scheduler(statements).run();
 }
 
 }  // namespace warpjet

@@ -57,7 +57,6 @@ NodeId Graph::intern(const Node& node) {
 
   const auto id = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
-  origins_.push_back(origin_.value_or(NodeId{id}));
   has_[index(node.op)] = true;
   table_[slot] = id + 1;
   if (nodes_.size() * 2 > table_.size()) growTable();

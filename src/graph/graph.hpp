@@ -123,12 +123,6 @@ class Graph {
   int arity(NodeId id) const { return arities[index(node(id).op)]; }
   NodeId operand(NodeId id, int i) const { return NodeId{node(id).operands[i]}; }
 
-  // The value that a node belongs to: itself, or that of the OriginScope it was made in. The order
-  // of emission keeps the two together.
-  NodeId origin(NodeId id) const { return origins_[index(id)]; }
-
-  class OriginScope;
-
  private:
   // The slot that holds an equal node, or the empty one where it belongs.
   std::size_t slotOf(const Node& node) const;
@@ -141,29 +135,12 @@ class Graph {
 
   std::vector<Node> nodes_;
   std::array<bool, arities.size()> has_{};
-  std::vector<NodeId> origins_;
   std::vector<std::uint32_t> table_;  // open addressing; an entry is a node's index plus one
   std::vector<Input> inputs_;
   std::vector<Function> functions_;
   std::vector<NodeId> partials_;  // by call, a list; as long as there are calls with any
-  std::optional<NodeId> origin_;
   std::size_t capacity_;
   Simplification simplification_;
-};
-
-// While it lives, new nodes of the graph belong to `value`.
-class Graph::OriginScope {
- public:
-  OriginScope(Graph& graph, NodeId value) : graph_(graph), previous_(graph.origin_) {
-    graph.origin_ = graph.origin(value);
-  }
-  ~OriginScope() { graph_.origin_ = previous_; }
-  OriginScope(const OriginScope&) = delete;
-  OriginScope& operator=(const OriginScope&) = delete;
-
- private:
-  Graph& graph_;
-  std::optional<NodeId> previous_;
 };
 
 }  // namespace warpjet

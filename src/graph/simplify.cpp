@@ -42,14 +42,26 @@ Simplified mergeChoices(Graph& graph, NodeId x, NodeId y) {
   return graph.apply(IfElse, {graph.operand(x, 0), yes, no});
 }
 
+// (x + a) + b, for constants: offsets that turn about a point take it away and add it again.
+Simplified mergeConstantTerms(Graph& graph, NodeId sum, double b) {
+  if (!graph.is(sum, Add) && !graph.is(sum, Sub)) return {};
+  const NodeId term = graph.operand(sum, 1);
+  if (!graph.isConstant(term)) return {};
+  const double a = graph.is(sum, Add) ? graph.value(term) : -graph.value(term), total = a + b;
+  if (total != 0 && !isNormalFloat32(total)) return {};
+  return graph.apply(Add, {graph.operand(sum, 0), graph.constant(total)});
+}
+
 Simplified simplifyAdd(Graph& graph, Operands& operands) {
   putConstantLast(graph, operands);
   const auto [x, y, unused] = operands;
   if (graph.isConstant(y, 0)) return x;
   if (graph.is(y, Neg)) return graph.apply(Sub, {x, graph.operand(y, 0)});
   if (graph.is(x, Neg)) return graph.apply(Sub, {y, graph.operand(x, 0)});
-  if (graph.isConstant(y) && graph.value(y) < 0)
-    return graph.apply(Sub, {x, graph.constant(-graph.value(y))});
+  if (graph.isConstant(y)) {
+    if (const auto merged = mergeConstantTerms(graph, x, graph.value(y))) return merged;
+    if (graph.value(y) < 0) return graph.apply(Sub, {x, graph.constant(-graph.value(y))});
+  }
   return mergeChoices(graph, x, y);
 }
 
@@ -59,8 +71,10 @@ Simplified simplifySub(Graph& graph, const Operands& operands) {
   if (graph.isConstant(x, 0)) return graph.apply(Neg, {y});
   if (x == y) return graph.constant(0);
   if (graph.is(y, Neg)) return graph.apply(Add, {x, graph.operand(y, 0)});
-  if (graph.isConstant(y) && graph.value(y) < 0)
-    return graph.apply(Add, {x, graph.constant(-graph.value(y))});
+  if (graph.isConstant(y)) {
+    if (const auto merged = mergeConstantTerms(graph, x, -graph.value(y))) return merged;
+    if (graph.value(y) < 0) return graph.apply(Add, {x, graph.constant(-graph.value(y))});
+  }
   return {};
 }
 

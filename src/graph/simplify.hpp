@@ -12,9 +12,14 @@ namespace warpjet {
 // Ignored on purpose: that x may be infinite or NaN in x * 0 = 0, x - x = 0, 0 / x = 0 (or zero
 // there) and at the ends of mix, or NaN in a clamp between constants that cross; and the sign of a
 // zero. Rounded in another order: by an ulp or two (x * a) * b = x * (a * b) for constants and
-// x * (1 / y) = x / y, by up to n ulps whole powers as products; an intermediate that overflows or
-// underflows in one order may not in the other. All else is exact. tests/cpp/simplify_test.cpp has
-// an example of each.
+// x * (1 / y) = x / y, by up to n ulps whole powers as products, by an ulp or two of the largest
+// term (x + a) + b = x + (a + b) for constants; an intermediate that overflows or underflows in one
+// order may not in the other. All else is exact. tests/cpp/simplify_test.cpp has an example of
+// each.
+//
+// sin²(x) + cos²(x) stays: where a GPU's sine and cosine are inexact, the other cofactors of a
+// rotation are by the same factor, so that the normal's direction is right (1 there doubled the
+// largest error of a twist on SwiftShader).
 std::optional<NodeId> simplify(Graph& graph, Op op, Operands& operands);
 
 }  // namespace warpjet

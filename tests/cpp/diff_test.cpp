@@ -119,6 +119,50 @@ TEST_F(DiffTest, ValueAndDerivativeShareTheirWork) {
   EXPECT_LE(graph.size() - before, 4u) << "cos(u), its factor and constants; u is there already";
 }
 
+// With u = |p|^2, the gradient of exp(sin(u)) u is one factor times (2x, 2y, 2z).
+TEST_F(DiffTest, ColumnsShareWhatComesAfterTheirInputsHaveMet) {
+  const Value p = vector3(graph, "p");
+  const Expression u = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+  const Expression f = exp(sin(u)) * u;
+  const NodeId by[] = {derivative(f, p[0]).id, derivative(f, p[1]).id, derivative(f, p[2]).id};
+  for (const NodeId id : by) {
+    EXPECT_TRUE(graph.is(id, rowNamed("mult")));
+    EXPECT_EQ(graph.operand(id, 0), graph.operand(by[0], 0));
+  }
+  const double a = 0.3, b = -0.7, c = 0.4, v = a * a + b * b + c * c;
+  EXPECT_DOUBLE_EQ(evaluateNode(graph, by[1], {{p[0].id, a}, {p[1].id, b}, {p[2].id, c}}),
+                   (std::exp(std::sin(v)) * std::cos(v) * v + std::exp(std::sin(v))) * 2 * b);
+}
+
+// By y, x / y is infinite at y = 0, where 10 is taken.
+TEST_F(DiffTest, AnInfinityInTheBranchNotTakenStaysThereUnderAChain) {
+  const Value p = vector3(graph, "p");
+  const Expression quotient = p[0] / p[1], ten{&graph, graph.constant(10)};
+  const Expression clamped{
+      &graph, graph.apply(rowNamed("clamp"), {quotient.id, graph.constant(0), ten.id})};
+  for (const Expression chosen :
+       {min(quotient, ten), clamped, ifElse(lt(quotient, ten), quotient, ten),
+        -max(-quotient, -ten)}) {
+    const NodeId slope = derivative(sin(chosen), p[1]).id;
+    EXPECT_EQ(evaluateNode(graph, slope, {{p[0].id, 1}, {p[1].id, 0}}), 0);
+    EXPECT_DOUBLE_EQ(evaluateNode(graph, slope, {{p[0].id, 1}, {p[1].id, 2}}),
+                     std::cos(0.5) * -0.25);
+  }
+}
+
+// x comes by u, and once more without it.
+TEST_F(DiffTest, AnInputThatComesByTwoWaysCountsTwice) {
+  const Value p = vector3(graph, "p");
+  const Expression u = p[0] * p[1];
+  const Expression f = sin(u) * p[0] + u;
+  const double a = 0.9, b = -0.6;
+  const Inputs inputs{{p[0].id, a}, {p[1].id, b}};
+  EXPECT_DOUBLE_EQ(evaluateNode(graph, derivative(f, p[0]).id, inputs),
+                   std::cos(a * b) * b * a + std::sin(a * b) + b);
+  EXPECT_DOUBLE_EQ(evaluateNode(graph, derivative(f, p[1]).id, inputs),
+                   std::cos(a * b) * a * a + a);
+}
+
 TEST_F(DiffTest, ALongChainNeitherRecursesNorTakesLong) {
   Expression f = x;
   for (int i = 0; i < 100'000; ++i) f = sin(f);

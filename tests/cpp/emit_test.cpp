@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "diff/differentiator.hpp"
 #include "support.hpp"
 
 namespace warpjet {
@@ -14,6 +13,8 @@ class EmitTest : public testing::Test {
   Graph graph;
   Expression x = scalar(graph, "x");
   Expression y = scalar(graph, "y");
+
+  Expression zero() { return {&graph, graph.constant(0)}; }
 };
 
 TEST_F(EmitTest, ANodeUsedOnceIsWrittenInPlace) {
@@ -61,38 +62,59 @@ TEST_F(EmitTest, TheDepthOfAnExpressionIsBounded) {
             "}\n");
 }
 
-TEST_F(EmitTest, ADerivativeFollowsItsValue) {
-  Differentiator differentiator(graph);
-  const Expression u = sin(x);
-  const Expression v = sin(u * 2.0);
-  const Expression slope{&graph, differentiator.derivative(v.id, x.id)};
-  EXPECT_EQ(code(v * slope, 1),
-            "float y;\n{\n"
-            "  float t0 = sin(x);\n"
-            "  float t1 = cos(x);\n"
-            "  float t2 = t0 * 2.0;\n"
-            "  float t3 = t1 * 2.0;\n"
-            "  float t4 = sin(t2);\n"
-            "  float t5 = cos(t2);\n"
-            "  float t6 = t5 * t3;\n"
-            "  y = t4 * t6;\n"
+// Four angles are read by the sum and by its slope before there are many more.
+TEST_F(EmitTest, FewValuesWaitToBeRead) {
+  Expression sum = zero(), slope = zero();
+  for (int i = 1; i <= 6; ++i) {
+    const Expression angle = x * double(i) + y;
+    sum = sum + sin(angle);
+    slope = slope + cos(angle) * double(i);
+  }
+  EXPECT_EQ(emit(graph, glsl300, std::vector{result("sum", sum), result("slope", slope)}).code,
+            "float sum, slope;\n{\n"
+            "  float t0 = x + y;\n"
+            "  float t1 = x * 2.0 + y;\n"
+            "  float t2 = x * 3.0 + y;\n"
+            "  float t3 = x * 4.0 + y;\n"
+            "  float t4 = x * 5.0 + y;\n"
+            "  float t5 = sin(t0) + sin(t1) + sin(t2) + sin(t3);\n"
+            "  float t6 = cos(t0) + cos(t1) * 2.0 + cos(t2) * 3.0 + cos(t3) * 4.0;\n"
+            "  float t7 = x * 6.0 + y;\n"
+            "  sum = t5 + sin(t4) + sin(t7);\n"
+            "  slope = t6 + cos(t4) * 5.0 + cos(t7) * 6.0;\n"
             "}\n");
 }
 
-// cos(x * x) belongs to the sketch, which wrote it after the sine whose derivative needs it too.
-TEST_F(EmitTest, ADerivativeWaitsForAnOperandThatWasWrittenLater) {
-  const Expression u = sin(x * x), later = cos(x * x);
-  Differentiator differentiator(graph);
-  const Expression slope{&graph, differentiator.derivative(u.id, x.id)};
-  EXPECT_EQ(code(u + later * slope, 1),
+TEST_F(EmitTest, AnExpressionThatReadsManyTemporariesIsCut) {
+  Expression sum = zero();
+  for (int i = 0; i < 6; ++i) {
+    const Expression wave = sin(x + double(i));
+    sum = sum + wave * wave;
+  }
+  EXPECT_EQ(code(sum),
             "float y;\n{\n"
-            "  float t0 = x * x;\n"
-            "  float t1 = x + x;\n"
-            "  float t2 = sin(t0);\n"
-            "  float t3 = cos(t0);\n"
-            "  float t4 = t3 * t1;\n"
-            "  float t5 = t3 * t4;\n"
-            "  y = t2 + t5;\n"
+            "  float t0 = sin(x);\n"
+            "  float t1 = sin(x + 1.0);\n"
+            "  float t2 = sin(x + 2.0);\n"
+            "  float t3 = sin(x + 3.0);\n"
+            "  float t4 = t0 * t0 + t1 * t1 + t2 * t2 + t3 * t3;\n"
+            "  float t5 = sin(x + 4.0);\n"
+            "  float t6 = sin(x + 5.0);\n"
+            "  y = t4 + t5 * t5 + t6 * t6;\n"
+            "}\n");
+}
+
+TEST_F(EmitTest, AnOutputIsAssignedAsSoonAsThatEndsALife) {
+  const Expression u = sin(x), v = cos(y);
+  Value pair(graph, vectorOf(2));
+  pair.set(0, (u * 2.0).id);
+  pair.set(1, (u * u).id);
+  EXPECT_EQ(emit(graph, glsl300, std::vector{result("r", v * v), result("pair", pair)}).code,
+            "float r;\nvec2 pair;\n{\n"
+            "  float t0 = sin(x);\n"
+            "  pair = vec2(t0 * 2.0, t0 * t0);\n"
+            "  float t1 = cos(y);\n"
+            "  r = t1 * t1;\n"
             "}\n");
 }
 
@@ -196,15 +218,15 @@ TEST_F(EmitTest, ACallThatIsUsedTwiceIsMadeOnce) {
 
 TEST_F(EmitTest, ACommentStandsAboveTheStatementsOfItsNodes) {
   const auto nodes = [&] { return NodeId{static_cast<std::uint32_t>(graph.size())}; };
-  EmitOptions options;
+  Comments comments{{"u", "the sum"}, {}};
   const NodeId start = nodes();
   const Expression u = sin(x);
-  options.comments.push_back({start, nodes(), "u"});
+  comments.ranges.push_back({start, nodes(), 0});
   const Expression v = cos(y);
   const NodeId middle = nodes();
   const Expression sum = u * u + v * v;
-  options.comments.push_back({middle, nodes(), "the sum"});
-  EXPECT_EQ(emit(graph, glsl300, std::vector{result("r", sum)}, options).code,
+  comments.ranges.push_back({middle, nodes(), 1});
+  EXPECT_EQ(emit(graph, glsl300, std::vector{result("r", sum)}, {}, comments).code,
             "float r;\n{\n"
             "  // u\n"
             "  float t0 = sin(x);\n"
@@ -224,6 +246,33 @@ TEST_F(EmitTest, CountsWhatTheResultsNeed) {
   EXPECT_EQ(emitted.operations, 2u);
   EXPECT_EQ(emitted.temporaries, 1u);
   EXPECT_EQ(emitted.inputs, std::vector<std::uint32_t>{0}) << "y is not read";
+}
+
+TEST_F(EmitTest, CallsWithinCallsAreBoundedInDepthToo) {
+  const std::uint32_t noise = graph.addFunction("noise", 2);
+  Expression v = x;
+  for (int i = 0; i < 9; ++i) {
+    const NodeId arguments[] = {v.id, y.id};
+    v = {&graph, graph.call(noise, arguments)};
+  }
+  EXPECT_EQ(code(v, 4),
+            "float y;\n{\n"
+            "  float t0 = noise(noise(noise(noise(x, y), y), y), y);\n"
+            "  float t1 = noise(noise(noise(noise(t0, y), y), y), y);\n"
+            "  y = noise(t1, y);\n"
+            "}\n");
+}
+
+TEST_F(EmitTest, ASumOfManyTemporariesTakesLittleToRemember) {
+  Expression sum = zero();
+  for (int i = 1; i <= 20'000; ++i) {
+    const Expression wave = sin(x * double(i));
+    sum = sum + wave * wave;
+  }
+  EmitOptions options;
+  options.maxDepth = 1 << 30;
+  options.maxReads = EmitOptions::mostReads;
+  EXPECT_EQ(emit(graph, glsl300, std::vector{result("r", sum)}, options).temporaries, 20'317u);
 }
 
 TEST_F(EmitTest, ALongChainIsManyShortStatements) {

@@ -21,7 +21,8 @@ class LowerTest : public testing::Test {
   Value v = variable(graph, "v", vectorOf(3));
 
   Expression lowered(Expression root, Language language) {
-    return {&graph, lower(graph, {&root.id, 1}, language)[0]};
+    Comments none;
+    return {&graph, lower(graph, {&root.id, 1}, language, none)[0]};
   }
 
   Expression apply(std::string_view row) {
@@ -122,7 +123,8 @@ TEST_F(LowerTest, ACallWithNothingToLowerStaysTheSameNode) {
 TEST_F(LowerTest, LeavesAndRepeatedRootsAreFine) {
   const NodeId seven = graph.constant(7), truncated = apply("trunc").id;
   const std::vector<NodeId> roots{v[0].id, seven, truncated, truncated, v[0].id};
-  const std::vector<NodeId> low = lower(graph, roots, Language::Glsl100);
+  Comments none;
+  const std::vector<NodeId> low = lower(graph, roots, Language::Glsl100, none);
   ASSERT_EQ(low.size(), 5u);
   EXPECT_EQ(low[0], v[0].id);
   EXPECT_EQ(low[1], seven);
@@ -130,13 +132,16 @@ TEST_F(LowerTest, LeavesAndRepeatedRootsAreFine) {
   EXPECT_EQ(low[4], v[0].id);
 }
 
-// A derivative belongs right after its value; so does what stands for it.
-TEST_F(LowerTest, NewNodesBelongToTheValuesThatTheyStandFor) {
+TEST_F(LowerTest, NewNodesHaveTheCommentOfTheNodeThatTheyStandFor) {
+  const auto end = [&] { return NodeId{static_cast<std::uint32_t>(graph.size())}; };
+  const NodeId first = end();
   const Expression truncated = apply("trunc");
-  const Expression later = cos(v[1]);
-  const Expression low = lowered(truncated, Language::Glsl100);
-  EXPECT_EQ(graph.origin(low.id), graph.origin(truncated.id));
-  EXPECT_LT(graph.origin(low.id), later.id);
+  Comments comments{{"the cut"}, {{first, end(), 0}}};
+  const NodeId root = truncated.id;
+  const NodeId low = lower(graph, {&root, 1}, Language::Glsl100, comments)[0];
+  ASSERT_NE(low, root);
+  ASSERT_NE(comments.find(low), nullptr);
+  EXPECT_EQ(comments.texts[comments.find(low)->text], "the cut");
 }
 
 TEST_F(LowerTest, ALongChainNeitherRecursesNorTakesLong) {

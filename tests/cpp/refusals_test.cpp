@@ -252,9 +252,9 @@ TEST_F(Refusals, OfResultsThatHideAVariable) {
   const int uv = input("inputs.uv * scale", vectorOf(2));
   ASSERT_TRUE(builder.output("gen", "uv", uv)) << "a member is not hidden";
   ASSERT_TRUE(builder.output("gen", "v2", x)) << "v2 is not read";
-  ASSERT_TRUE(builder.build(8)) << builder.problem();
+  ASSERT_TRUE(builder.build()) << builder.problem();
   ASSERT_TRUE(builder.output("gen", "scale", uv));
-  refuses(builder.build(8).has_value(),
+  refuses(builder.build().has_value(),
           "The result \"scale\" has the name of a variable or function that is read for it "
           "(\"inputs.uv * scale\"); rename the result.");
 }
@@ -262,7 +262,7 @@ TEST_F(Refusals, OfResultsThatHideAVariable) {
 TEST_F(Refusals, OfResultsThatHideAFunction) {
   const int noise = builder.addFunction("noise", "float noise(float x) {}", 1);
   ASSERT_TRUE(builder.output("gen", "noise", own(noise, {x})));
-  refuses(builder.build(8).has_value(),
+  refuses(builder.build().has_value(),
           "The result \"noise\" has the name of a variable or function that is read for it "
           "(\"noise\"); rename the result.");
 }
@@ -270,7 +270,7 @@ TEST_F(Refusals, OfResultsThatHideAFunction) {
 TEST_F(Refusals, OfAVariableNamedLikeAFunction) {
   const int noise = builder.addFunction("noise", "float noise(float x) {}", 1);
   ASSERT_TRUE(builder.output("gen", "y", own(noise, {input("noise")})));
-  refuses(builder.build(8).has_value(), "\"noise\" is both a variable and a function; rename one.");
+  refuses(builder.build().has_value(), "\"noise\" is both a variable and a function; rename one.");
 }
 
 // Equal nodes are one node, so what was refused can be met again below one that is there already;
@@ -281,14 +281,14 @@ TEST_F(Refusals, AtTheEndOfWhatWasMetAgain) {
   const int again = make();
   ASSERT_GE(again, 0);
   ASSERT_TRUE(builder.output("gen", "y", again));
-  refuses(builder.build(8).has_value(),
+  refuses(builder.build().has_value(),
           "A result: it divides by zero, or by a number too close to zero for a shader to hold.");
 }
 
 TEST_F(Refusals, LeaveNothingInTheText) {
   EXPECT_EQ(call("log", {number(0)}), Builder::failed);
   ASSERT_TRUE(builder.output("gen", "y", call("sin", {x})));
-  const auto built = builder.build(8);
+  const auto built = builder.build();
   ASSERT_TRUE(built) << builder.problem();
   EXPECT_EQ(built->emitted.code, "float y;\n{\n  y = sin(x);\n}\n");
 }

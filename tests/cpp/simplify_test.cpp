@@ -139,6 +139,21 @@ TEST(SimplifyExceptions, ConstantFactorsAreMultipliedFirst) {
   EXPECT_GT(different, 0);
 }
 
+// (x - 500) + 500 is x, and keeps its digits.
+TEST(SimplifyExceptions, ConstantTermsAreAddedFirst) {
+  const auto there = [](auto x, auto) { return x - 500.0 + 500.0; };
+  const auto back = [](auto x, auto) { return x + 500.0 - 500.0; };
+  for (const double x : {0.1, -0.3, 1e-5, 499.9}) {
+    EXPECT_EQ(both(there, x).folded, x);
+    EXPECT_EQ(both(back, x).folded, x);
+    EXPECT_NEAR(both(there, x).unfolded, x, 2e-13);
+  }
+  EXPECT_NE(both(there, 0.1).unfolded, 0.1);
+  const Both sum = both([](auto x, auto) { return x + 0.1 + 0.2 - 0.7; }, 3.3);
+  EXPECT_NEAR(sum.folded, 2.9, 1e-15);
+  EXPECT_NEAR(sum.unfolded, 2.9, 2e-15);
+}
+
 // One operation instead of two, and nearer to the true value.
 TEST(SimplifyExceptions, AProductWithAReciprocalIsAQuotient) {
   for (const double y : {3.0, 49.0, -0.7, 1e10, 1e-10}) {
@@ -216,6 +231,7 @@ enum Difference {
   ZeroDividedBy,
   EndOfMix,
   ConstantFactors,
+  ConstantTerms,
   Reciprocal,
   WholePower,
   CrossedBounds,
@@ -280,9 +296,14 @@ class Judge {
     switch (op) {
       case Mult:
         return judgeProduct(operands, expected, found);
+      case Neg:  // of a difference is a difference
+        if (!graph_.is(operands[0], Sub)) return Unexplained;
+        return judgeSum({graph_.operand(operands[0], 1), graph_.operand(operands[0], 0)}, expected,
+                        found);
       case Add:
       case Sub:
-        return becameZero && isDifferenceWithItself(op, operands) ? MinusItself : Unexplained;
+        if (becameZero && isDifferenceWithItself(op, operands)) return MinusItself;
+        return judgeSum(operands, expected, found);
       case Div:
         return becameZero && isKnown(operands[0], 0) ? ZeroDividedBy : Unexplained;
       case Pow:
@@ -312,6 +333,20 @@ class Judge {
       if (!(isScaled && graph_.known(y)) && !isReciprocal) continue;
       if (distance(expected, found) <= 2) return isScaled ? ConstantFactors : Reciprocal;
       if (!std::isnormal(at(inner))) return BeyondRange;
+    }
+    return Unexplained;
+  }
+
+  // The two constants of a sum, in either order of its operands.
+  Difference judgeSum(const Operands& operands, double expected, double found) const {
+    const auto [a, b, unused] = operands;
+    for (const auto& [sum, y] : {std::pair{a, b}, std::pair{b, a}}) {
+      const bool isSum = graph_.is(sum, Add) || graph_.is(sum, Sub);
+      if (!isSum || !graph_.isConstant(graph_.operand(sum, 1)) || !graph_.known(y)) continue;
+      const double largest = std::max({std::abs(at(graph_.operand(sum, 0))),
+                                       std::abs(at(graph_.operand(sum, 1))), std::abs(at(y))});
+      constexpr double ulp = std::numeric_limits<double>::epsilon();
+      if (std::abs(expected - found) <= 2 * ulp * largest) return ConstantTerms;
     }
     return Unexplained;
   }

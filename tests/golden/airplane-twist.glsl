@@ -12,9 +12,9 @@ vec3 offset, warpedPosition, warpedNormal;
   float t9 = (t4 * t4 + t3 * t3) * normal.x + (-t3 * t8 - t4 * t7) * normal.y + (t7 * t3 - t8 * t4) * normal.z;
   float t10 = t4 * normal.y - t3 * normal.z;
   float t11 = t3 * normal.y + t4 * normal.z;
+  offset = vec3(0.0, position.y * t4 - position.z * t3 - position.y, position.y * t3 + position.z * t4 - position.z);
   float t12 = t9 * t9 + t10 * t10 + t11 * t11;
   float t13 = t12 > 0.0 ? inversesqrt(t12) : 0.0;
-  offset = vec3(0.0, position.y * t4 - position.z * t3 - position.y, position.y * t3 + position.z * t4 - position.z);
-  warpedPosition = position + offset;
   warpedNormal = vec3(t9 * t13, t10 * t13, t11 * t13);
+  warpedPosition = position + offset;
 }

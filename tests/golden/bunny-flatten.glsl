@@ -2,11 +2,11 @@ vec3 offset, warpedPosition, warpedNormal;
 {
   float t0 = clamp(sin(millis / 900.0) * 1.5 + 0.5, 0.0, 0.97);
   float t1 = 1.0 - t0;
+  offset = vec3(-position.x * t0, 0.0, 0.0);
   float t2 = t1 * normal.y;
   float t3 = t1 * normal.z;
   float t4 = normal.x * normal.x + t2 * t2 + t3 * t3;
   float t5 = t4 > 0.0 ? inversesqrt(t4) : 0.0;
-  offset = vec3(-position.x * t0, 0.0, 0.0);
-  warpedPosition = position + offset;
   warpedNormal = vec3(normal.x * t5, t2 * t5, t3 * t5);
+  warpedPosition = position + offset;
 }

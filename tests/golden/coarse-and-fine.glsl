@@ -9,12 +9,12 @@ vec3 offset, warpedPosition, warpedNormal;
   float t6 = t3 * t2;
   float t7 = -position.x * t6 - position.z * t5;
   float t8 = position.x * t5 - position.z * t6;
-  float t9 = t4 * normal.x - t3 * normal.z;
-  float t10 = (-t8 * t3 - t7 * t4) * normal.x + (t4 * t4 + t3 * t3) * normal.y + (t3 * t7 - t4 * t8) * normal.z;
+  float t9 = (-t8 * t3 - t7 * t4) * normal.x + (t4 * t4 + t3 * t3) * normal.y + (t3 * t7 - t4 * t8) * normal.z;
+  float t10 = t4 * normal.x - t3 * normal.z;
   float t11 = t3 * normal.x + t4 * normal.z;
-  float t12 = t9 * t9 + t10 * t10 + t11 * t11;
-  float t13 = t12 > 0.0 ? inversesqrt(t12) : 0.0;
   offset = vec3(position.x * t4 - position.z * t3 - position.x, 0.0, position.x * t3 + position.z * t4 - position.z);
+  float t12 = t10 * t10 + t9 * t9 + t11 * t11;
+  float t13 = t12 > 0.0 ? inversesqrt(t12) : 0.0;
+  warpedNormal = vec3(t10 * t13, t9 * t13, t11 * t13);
   warpedPosition = position + offset;
-  warpedNormal = vec3(t9 * t13, t10 * t13, t11 * t13);
 }

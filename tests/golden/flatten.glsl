@@ -1,7 +1,7 @@
 vec3 offset, warpedPosition, warpedNormal;
 {
   float t0 = normal.x * normal.x;
+  warpedNormal = vec3(normal.x * (t0 > 0.0 ? inversesqrt(t0) : 0.0), 0.0, 0.0);
   offset = vec3(-position.x, 0.0, 0.0);
   warpedPosition = position + offset;
-  warpedNormal = vec3(normal.x * (t0 > 0.0 ? inversesqrt(t0) : 0.0), 0.0, 0.0);
 }

@@ -9,11 +9,11 @@ var jacobian: mat2x2f;
 {
   inside = ((x > -1.0f && x < 1.0f) && v.x != 0.0f) || x == 2.0f;
   let t0 = sign(x);
+  let t1 = m[0].x * m[1].y - m[1].x * m[0].y;
+  back = vec2f(m[1].y / t1 * v.x - m[1].x / t1 * v.y, m[0].x / t1 * v.y - m[0].y / t1 * v.x);
   rounded = round(x) + trunc(x) + ceil(x) + t0;
   curve = sinh(x) / cosh(x) + t0 * log(abs(x) + sqrt(x * x + 1.0f)) - atan2(v.y, v.x);
   slope = x * -6.0f * bump(x * 3.0f) * 3.0f;
-  let t1 = m[0].x * m[1].y - m[1].x * m[0].y;
   chosen = vec2f(select(inverseSqrt(v.y), v.x, inside), select(inverseSqrt(v.x), v.y, inside));
-  back = vec2f(m[1].y / t1 * v.x - m[1].x / t1 * v.y, m[0].x / t1 * v.y - m[0].y / t1 * v.x);
   jacobian = mat2x2f(v.x + v.x, v.y, 0.0f, v.x);
 }

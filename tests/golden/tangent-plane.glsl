@@ -5,6 +5,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t2 = position.z * 0.04 + t0;
   float t3 = position.x * 0.04 + t0;
   float t4 = cos(t3) * 0.64;
+  offset = vec3(sin(t1) * 16.0, sin(t2) * 16.0, sin(t3) * 16.0);
   float t5 = cos(t1) * 0.64;
   float t6 = cos(t2) * 0.64;
   float t7 = normal.x + t6 * t4 * normal.y - t4 * normal.z;
@@ -12,7 +13,6 @@ vec3 offset, warpedPosition, warpedNormal;
   float t9 = t5 * t6 * normal.x - t6 * normal.y + normal.z;
   float t10 = t7 * t7 + t8 * t8 + t9 * t9;
   float t11 = t10 > 0.0 ? inversesqrt(t10) : 0.0;
-  offset = vec3(sin(t1) * 16.0, sin(t2) * 16.0, sin(t3) * 16.0);
-  warpedPosition = position + offset;
   warpedNormal = vec3(t7 * t11, t8 * t11, t9 * t11);
+  warpedPosition = position + offset;
 }

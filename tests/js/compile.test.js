@@ -89,8 +89,8 @@ test('gen has the outputs and derivatives of glsl-autodiff', () => {
     code,
     'float z, dzdx, dzdy;\n{\n' +
       '  float t0 = x * 2.0 + y;\n' +
-      '  z = sin(t0);\n' +
       '  dzdy = cos(t0);\n' +
+      '  z = sin(t0);\n' +
       '  dzdx = dzdy * 2.0;\n}\n',
   )
 })

@@ -140,7 +140,9 @@ const flatten = {
   offset: ([x]) => [-x, 0, 0],
 }
 
-/** `count` sines, each of a random coordinate with random constants, in a random component. */
+/**
+ * `count` sines, each of a random coordinate with random constants, in a random component. `waves` are the constants.
+ */
 export function stackedSines(count) {
   const random = seededRandom(count)
   const waves = Array.from({ length: count }, () => ({
@@ -153,6 +155,7 @@ export function stackedSines(count) {
   return {
     name: `${count} stacked sines`,
     size: 100,
+    waves,
     warp({ glsl, position, millis }) {
       const coordinates = [position.x(), position.y(), position.z()]
       const sums = [glsl.val(0), glsl.val(0), glsl.val(0)]

@@ -1,0 +1,31 @@
+// Comments: lines for above the statements of nodes.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+struct Comments {
+  // For the nodes from `first` to before `end`.
+  struct Range {
+    NodeId first, end;
+    std::uint32_t text;
+  };
+
+  std::vector<std::string> texts;
+  std::vector<Range> ranges;  // in the order of the nodes, none of them in two
+
+  const Range* find(NodeId id) const {
+    const auto at =
+        std::lower_bound(ranges.begin(), ranges.end(), id,
+                         [](const Range& range, NodeId node) { return range.end <= node; });
+    return at != ranges.end() && at->first <= id ? &*at : nullptr;
+  }
+};
+
+}  // namespace warpjet

@@ -1,0 +1,129 @@
+// The order of statements. Whether it is a good one is counted here from the order alone: how many
+// values are alive at a time.
+#include "emit/schedule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+namespace warpjet {
+namespace {
+
+using Order = std::vector<std::uint32_t>;
+
+const Output result{};
+
+class ScheduleTest : public testing::Test {
+ protected:
+  Statements statements;
+
+  std::uint32_t add(const Order& reads, const Output* output = nullptr) {
+    const auto first = static_cast<std::uint32_t>(statements.reads.size());
+    statements.reads.insert(statements.reads.end(), reads.begin(), reads.end());
+    statements.all.push_back({NodeId{}, output, first, static_cast<std::uint32_t>(reads.size())});
+    return static_cast<std::uint32_t>(statements.all.size() - 1);
+  }
+
+  // The most values that are alive between two statements.
+  std::size_t mostAlive(const Order& order) const {
+    std::vector<std::size_t> lastReader(order.size());
+    for (std::size_t place = 0; place < order.size(); ++place) {
+      for (const std::uint32_t read : statements.readsOf(order[place])) lastReader[read] = place;
+    }
+    std::size_t most = 0;
+    for (std::size_t place = 0; place < order.size(); ++place) {
+      std::size_t alive = 0;
+      for (std::size_t before = 0; before <= place; ++before)
+        alive += statements.all[order[before]].output || lastReader[order[before]] > place;
+      most = std::max(most, alive);
+    }
+    return most;
+  }
+
+  Order written() const {
+    Order order(statements.all.size());
+    std::iota(order.begin(), order.end(), 0);
+    return order;
+  }
+};
+
+TEST_F(ScheduleTest, WithoutStatementsThereIsNoOrder) { EXPECT_EQ(schedule(statements), Order{}); }
+
+TEST_F(ScheduleTest, WhatEndsALifeComesBeforeWhatBeginsOne) {
+  const auto a = add({}), b = add({}), endOfB = add({b}, &result), endOfA = add({a}, &result);
+  EXPECT_EQ(schedule(statements), (Order{a, endOfA, b, endOfB}));
+}
+
+// Nested sines: each angle is read by the next one, and four together by a product of slopes. No
+// chain is walked to its end before the other, which would leave a processor waiting for one sine
+// after the other.
+TEST_F(ScheduleTest, ChainsAreWalkedSideBySide) {
+  Order chains[2];
+  for (Order& angles : chains) {
+    Order slope;
+    angles.push_back(add({}));
+    for (int i = 1; i < 16; ++i) {
+      const Output* const output = i == 15 ? &result : nullptr;
+      angles.push_back(add({angles.back()}, output));
+      slope.push_back(angles[i - 1]);
+      if (i % 4 == 3) slope = {add(slope, output)};
+    }
+  }
+  const Order order = schedule(statements);
+  const auto place = [&](std::uint32_t i) {
+    return std::find(order.begin(), order.end(), i) - order.begin();
+  };
+  for (int i = 4; i < 16; ++i) {
+    EXPECT_LT(place(chains[0][i - 4]), place(chains[1][i])) << i;
+    EXPECT_LT(place(chains[1][i - 4]), place(chains[0][i])) << i;
+  }
+  EXPECT_LE(mostAlive(order), 12u);
+}
+
+// sum += sin(angle); slope += cos(angle), where the sketch wrote all sums before all slopes.
+TEST_F(ScheduleTest, ASumAndItsSlopeNeedOneAngleAtATime) {
+  Order angles;
+  std::uint32_t sum = add({}), slope = add({});
+  for (int i = 0; i < 100; ++i) {
+    angles.push_back(add({}));
+    sum = add({sum, angles.back()}, i == 99 ? &result : nullptr);
+  }
+  for (int i = 0; i < 100; ++i) slope = add({slope, angles[i]}, i == 99 ? &result : nullptr);
+  EXPECT_GT(mostAlive(written()), 100u);
+  EXPECT_LE(mostAlive(schedule(statements)), 4u);
+}
+
+TEST_F(ScheduleTest, EveryStatementIsWrittenOnceAndAfterWhatItReads) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 200; ++round) {
+    statements = {};
+    for (std::uint32_t i = 0; i < 60; ++i) {
+      Order reads;
+      for (std::uint32_t k = 0; k < i && reads.size() < random() % 5; ++k) {
+        const auto read = static_cast<std::uint32_t>(random() % i);
+        if (std::find(reads.begin(), reads.end(), read) == reads.end()) reads.push_back(read);
+      }
+      add(reads, random() % 8 == 0 ? &result : nullptr);
+    }
+    const Order order = schedule(statements);
+    Order sorted = order;
+    std::sort(sorted.begin(), sorted.end());
+    ASSERT_EQ(sorted, written());
+    std::vector<bool> isWritten(order.size());
+    for (const std::uint32_t i : order) {
+      for (const std::uint32_t read : statements.readsOf(i)) ASSERT_TRUE(isWritten[read]);
+      isWritten[i] = true;
+    }
+  }
+}
+
+TEST_F(ScheduleTest, AHundredThousandStatementsAreNotTooMany) {
+  std::uint32_t last = add({});
+  for (int i = 0; i < 100'000; ++i) last = add({0, last});
+  EXPECT_EQ(schedule(statements).size(), 100'001u);
+}
+
+}  // namespace
+}  // namespace warpjet
