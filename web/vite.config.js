@@ -1,4 +1,5 @@
-// The gallery's build: `npm start` serves it, `vite build --config web/vite.config.js` writes it to .build/gallery.
+// The gallery's build, and with it the pages of the benchmark: `npm start` serves them,
+// `vite build --config web/vite.config.js` writes them to .build/gallery.
 import { fileURLToPath } from 'node:url'
 import { exampleFiles } from './plugins/example-files.js'
 import { quietClient } from './plugins/quiet-client.js'
@@ -19,12 +20,18 @@ export default {
       'highlight.js/lib/core',
       'highlight.js/lib/languages/javascript',
       'highlight.js/lib/languages/glsl',
+      '@observablehq/plot',
+      'gl-matrix',
+      'lil-gui',
     ],
   },
   build: {
     outDir: path('../.build/gallery'),
     emptyOutDir: true,
     // Making the models takes most of a build.
-    rolldownOptions: { checks: { pluginTimings: false } },
+    rolldownOptions: {
+      input: ['index.html', 'bench/index.html', 'bench/results.html'].map(path),
+      checks: { pluginTimings: false },
+    },
   },
 }

@@ -2,9 +2,9 @@
 import { realpathSync } from 'node:fs'
 import { pathToFileURL } from 'node:url'
 
-const codes = { bold: 1, red: 31, green: 32 }
+const codes = { bold: 1, dim: 2, red: 31, green: 32 }
 const coloured = process.stdout.isTTY && !process.env.NO_COLOR
-const paint = (style, text) => (coloured ? `\x1b[${codes[style]}m${text}\x1b[0m` : text)
+export const paint = (style, text) => (coloured ? `\x1b[${codes[style]}m${text}\x1b[0m` : text)
 
 export const root = new URL('../../', import.meta.url)
 

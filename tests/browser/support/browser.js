@@ -1,23 +1,12 @@
 // A headless Chromium that draws WebGL without a GPU, and pages that remember whatever they printed.
 import { chromium } from 'playwright-core'
-
-const flags = [
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-  '--use-angle=swiftshader',
-  '--enable-unsafe-swiftshader',
-  '--ignore-gpu-blocklist',
-]
+import { softwareFlags } from '../../../.scripts/lib/flags.mjs'
 
 /** The Chromium that WARPJET_CHROMIUM names, or Debian's. `moreFlags` are added to its command line. */
 export const launchBrowser = (moreFlags = []) =>
   chromium.launch({
     executablePath: process.env.WARPJET_CHROMIUM ?? '/usr/bin/chromium',
-    args: [...flags, ...moreFlags],
+    args: [...softwareFlags, ...moreFlags],
   })
 
 /** Opens `url` → { page, messages }; `messages` collects console lines and uncaught errors, in order. */

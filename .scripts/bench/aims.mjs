@@ -1,0 +1,43 @@
+// What warpjet is to reach, as ratios within one run: information, and never a failure.
+
+const find = (records, name) => records.find(({ method }) => method === name)
+
+/** Warpjet's frame as a multiple of another method's. */
+function frameRatio(records, name) {
+  const toWarpjet = find(records, name)?.toWarpjet
+  return toWarpjet && 1 / toWarpjet
+}
+
+const MANY_NODES = 3000
+
+/**
+ * `ratio(records)`, of the records of one row, is undefined where the aim does not apply; `of` what
+ * and to what it is, with its bound, are for reading.
+ */
+export const aims = [
+  {
+    of: 'frame ×',
+    to: 'by hand ≤ 1.03',
+    ratio: (records) => frameRatio(records, 'by hand'),
+    isMet: (ratio) => ratio <= 1.03,
+  },
+  {
+    of: 'frame ×',
+    to: 'forward < 1',
+    ratio: (records) => frameRatio(records, 'forward differences'),
+    isMet: (ratio) => ratio < 1,
+  },
+  {
+    of: 'frame ×',
+    to: 'positions ≤ 1.5',
+    ratio: (records) =>
+      records[0].nodes === MANY_NODES ? find(records, 'warpjet')?.toPositions : undefined,
+    isMet: (ratio) => ratio <= 1.5,
+  },
+  {
+    of: 'first ×',
+    to: 'positions ≤ 2',
+    ratio: (records) => find(records, 'warpjet')?.firstToPositions,
+    isMet: (ratio) => ratio <= 2,
+  },
+]

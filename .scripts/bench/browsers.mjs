@@ -1,0 +1,66 @@
+// The browsers that measure: one draws as fast as it can, one as somebody sees it, both on the machine's GPU if it has one.
+import { gpuFlags, softwareFlags, uncappedFlags } from '../lib/flags.mjs'
+import { Stop } from '../lib/terminal.mjs'
+
+const software = /swiftshader|llvmpipe|softpipe|basic render/i
+
+/** Runs in the page: what draws WebGL 2, or null. */
+function findRenderer() {
+  const gl = document.createElement('canvas').getContext('webgl2')
+  const names = gl?.getExtension('WEBGL_debug_renderer_info')
+  return gl && gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)
+}
+
+async function rendererWith(launch, flags) {
+  const browser = await launch(flags)
+  try {
+    const page = await browser.newPage()
+    return await page.evaluate(findRenderer)
+  } finally {
+    await browser.close()
+  }
+}
+
+/** The flags for what this machine has: its GPU unless `withoutGpu`, else none → { flags, renderer, isSoftware } */
+async function chooseRenderer(launch, withoutGpu) {
+  if (!withoutGpu) {
+    // A driver that takes the browser down with it is none.
+    const renderer = await rendererWith(launch, gpuFlags).catch(() => null)
+    if (renderer && !software.test(renderer))
+      return { flags: gpuFlags, renderer, isSoftware: false }
+  }
+  const renderer = await rendererWith(launch, softwareFlags)
+  if (!renderer) throw new Stop('This Chromium has no WebGL 2: name another one in CHROME_PATH.')
+  return { flags: softwareFlags, renderer, isSoftware: true }
+}
+
+/**
+ * Opens the benchmark's page twice → { version, renderer, isSoftware, uncapped, capped, close() }, the two being pages.
+ * @param options { chromium, url, size, withoutGpu, progress }: `chromium` is the program; `progress(text)` is told what a page does
+ */
+export async function openBrowsers({ chromium: executablePath, url, size, withoutGpu, progress }) {
+  const { chromium } = await import('playwright-core')
+  const launch = (args) => chromium.launch({ executablePath, args, handleSIGINT: false })
+  const { flags, renderer, isSoftware } = await chooseRenderer(launch, withoutGpu)
+
+  const browsers = []
+  const close = () => Promise.all(browsers.map((browser) => browser.close()))
+  async function open(moreFlags) {
+    const browser = await launch([...flags, ...moreFlags])
+    browsers.push(browser)
+    const page = await browser.newPage({ viewport: { width: size, height: size } })
+    await page.exposeFunction('benchProgress', progress)
+    await page.goto(`${url}bench/driven.html`)
+    await page.waitForFunction('window.bench')
+    await page.evaluate((size) => void window.bench.open(size), size)
+    return page
+  }
+
+  try {
+    const pages = { uncapped: await open(uncappedFlags), capped: await open([]) }
+    return { version: browsers[0].version(), renderer, isSoftware, ...pages, close }
+  } catch (error) {
+    await close()
+    throw error
+  }
+}

@@ -1,0 +1,105 @@
+// A run of the benchmark: row by row, each with its table as soon as it is measured.
+import { relative } from 'node:path'
+import { capture } from '../lib/run.mjs'
+import { Stop, good, heading, say, seconds } from '../lib/terminal.mjs'
+import { openBrowsers } from './browsers.mjs'
+import { appendLines } from './csv.mjs'
+import { measureP5, measureRow, quick, thorough } from './measure.mjs'
+import { P5 } from './options.mjs'
+import { openProgress } from './progress.mjs'
+import { columns, fieldsOf } from './records.mjs'
+import { aimsText, legend } from './report.mjs'
+import { serveBench } from './server.mjs'
+
+/** Of the code that is measured; '' where there is no git. */
+async function commit() {
+  const id = await capture('git', ['rev-parse', '--short', 'HEAD'])
+  if (id === null) return ''
+  // The figures of the run before change nothing that is measured.
+  const others = ['--untracked-files=no', '--', '.', ':!web/bench/results.csv']
+  const changes = await capture('git', ['status', '--porcelain', ...others])
+  return `${id.trim()}${changes ? '-dirty' : ''}`
+}
+
+const now = () => new Date().toISOString().replace(/\.\d+Z$/, 'Z')
+
+/** Says what is measured, and on what. */
+function introduce({ commit, chromium, renderer }, isSoftware, { size, rounds }, rows) {
+  heading(
+    `Benchmark${commit && ` of ${commit}`}: ${rows.length} ${rows.length > 1 ? 'rows' : 'row'}`,
+  )
+  good(`Chromium ${chromium}, ${isSoftware ? 'without a GPU' : 'on the GPU'}: ${renderer}`)
+  good(`${size} × ${size} pixels, ${rounds} rounds with every method in turn`)
+  say(`\n${legend}`)
+}
+
+/** Measures every chosen row, prints it and hands it to `keep` → all records. */
+async function measureAll(browsers, run, rows, settings, { progress, keep }) {
+  const all = []
+  for (const [i, name] of rows.entries()) {
+    const begin = (stage) => progress.begin(`${i + 1}/${rows.length} ${name}: ${stage}`)
+    const { records, text } = await (name === P5
+      ? measureP5(browsers, run, settings, begin)
+      : measureRow(browsers, run, name, settings, begin))
+    progress.clear()
+    heading(name)
+    say(text)
+    keep(records)
+    all.push(...records)
+  }
+  return all
+}
+
+/**
+ * Measures, prints, and appends to `file`, if there is one.
+ * @param chromium the program
+ * @param options { rows, quick, rounds?, software }: what readOptions returns
+ */
+export async function runBench(chromium, options, file) {
+  const start = performance.now()
+  const settings = options.quick ? { ...quick } : { ...thorough }
+  settings.rounds = options.rounds ?? settings.rounds
+  const progress = openProgress()
+  const server = await serveBench()
+  let browsers
+  let isStopped = false
+  const stop = () => {
+    isStopped = true
+    browsers?.close()
+  }
+  process.once('SIGINT', stop)
+  try {
+    browsers = await openBrowsers({
+      chromium,
+      url: server.url,
+      size: settings.size,
+      withoutGpu: options.software,
+      progress: progress.detail,
+    })
+    const { version, renderer, isSoftware } = browsers
+    const { size: sizePx, rounds } = settings
+    const run = { date: now(), commit: await commit(), chromium: version, renderer, sizePx, rounds }
+    // Row by row, so that a measurement that is stopped loses nothing.
+    const keep = (records) => file && appendLines(file, columns, records.map(fieldsOf))
+    introduce(run, isSoftware, settings, options.rows)
+    const records = await measureAll(browsers, run, options.rows, settings, { progress, keep })
+
+    const aims = aimsText(records)
+    if (aims)
+      heading(
+        'What we aim at: warpjet as a multiple of other methods, in this run; with few rounds, noise decides',
+      )
+    if (aims) say(aims)
+    say()
+    if (file) good(`Appended to ${relative(process.cwd(), file)}`)
+    good(`Done in ${seconds(start)}`)
+  } catch (error) {
+    if (!isStopped) throw error
+    throw new Stop(`Stopped${file ? '; the rows that were finished are in the file' : ''}.`)
+  } finally {
+    process.off('SIGINT', stop)
+    progress.clear()
+    await browsers?.close()
+    await server.close()
+  }
+}

@@ -1,0 +1,42 @@
+// The server of the benchmark's pages, which nobody else is to see.
+import { readFile } from 'node:fs/promises'
+import { path } from '../lib/files.mjs'
+
+/** The gallery's server has what its examples load; p5 1.x is the benchmark's alone. */
+const p5v1 = 'node_modules/p5-v1/lib/p5.min.js'
+const oldP5 = () => ({
+  name: 'old-p5',
+  configureServer(server) {
+    server.middlewares.use(`/${p5v1}`, async (request, response) => {
+      response.setHeader('Content-Type', 'text/javascript; charset=utf-8')
+      response.end(await readFile(path(p5v1)))
+    })
+  },
+})
+
+/** Starts it → { url, close() }. */
+export async function serveBench() {
+  const { createServer } = await import('vite')
+  const server = await createServer({
+    configFile: path('web/vite.config.js'),
+    logLevel: 'warn',
+    clearScreen: false,
+    cacheDir: path('.build/vite-bench'),
+    plugins: [oldP5()],
+    // A dependency that is found late would reload the page in the middle of a measurement.
+    optimizeDeps: { include: ['gl-matrix'] },
+    server: {
+      port: 5400,
+      // Nobody edits the files meanwhile, and an edit would reload the page.
+      watch: null,
+      hmr: false,
+      // Pages that are alone in their process have a clock of 5 µs instead of 100.
+      headers: {
+        'Cross-Origin-Opener-Policy': 'same-origin',
+        'Cross-Origin-Embedder-Policy': 'require-corp',
+      },
+    },
+  })
+  await server.listen()
+  return { url: server.resolvedUrls.local[0], close: () => server.close() }
+}

@@ -1,0 +1,75 @@
+// What the tests of the benchmark's pages look at.
+import assert from 'node:assert/strict'
+import { fileURLToPath } from 'node:url'
+
+export const path = (relative) => fileURLToPath(new URL(`../../../${relative}`, import.meta.url))
+export const config = {
+  configFile: path('web/vite.config.js'),
+  logLevel: 'warn',
+  clearScreen: false,
+}
+
+export const patience = { timeout: 60_000 }
+export const desktop = { viewport: { width: 1280, height: 900 } }
+export const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }
+
+/** What the lines of a table of figures say, cell by cell, without the commas of large numbers. */
+export const cells = (table) =>
+  table
+    .locator('tbody tr:not(.title)')
+    .evaluateAll((lines) =>
+      lines.map((line) => [...line.cells].map((cell) => cell.textContent.replaceAll(',', ''))),
+    )
+
+/** Waits until nothing stands over the picture and every number beside it is there. */
+export function measured(page) {
+  return page.waitForFunction(
+    () =>
+      !document.querySelector('.picture output').textContent &&
+      ['rate', 'frame', 'first', 'error'].every((name) =>
+        /\d/.test(document.querySelector(`dd.${name}`).textContent),
+      ),
+    null,
+    patience,
+  )
+}
+
+export async function choose(page, method) {
+  await page.locator('.panel select').nth(1).selectOption(method)
+  await page.locator('figcaption b').getByText(method, { exact: true }).waitFor(patience)
+  await measured(page)
+}
+
+export const readOuts = (page, names) =>
+  Promise.all(
+    names.map(async (name) => {
+      const text = await page.locator(`dd.${name}`).textContent()
+      return parseFloat(text.replaceAll(',', ''))
+    }),
+  )
+
+/** The canvas in a frame in which it was drawn → its RGBA. */
+export async function pixels(page) {
+  const base64 = await page.evaluate(async () => {
+    const source = document.querySelector('canvas')
+    const { width, height } = source
+    const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })
+    // A browser empties the canvas once it has shown it, and not every frame is drawn anew.
+    for (let i = 0; i < 600; i++) {
+      await new Promise(requestAnimationFrame)
+      copy.drawImage(source, 0, 0)
+      const { data } = copy.getImageData(0, 0, width, height)
+      if (data[3]) return btoa(Array.from(data, (byte) => String.fromCharCode(byte)).join(''))
+    }
+  })
+  assert.ok(base64, 'nothing was drawn')
+  return Buffer.from(base64, 'base64')
+}
+
+/** Which share of the pixels differ visibly. */
+export function difference(a, b) {
+  let count = 0
+  for (let i = 0; i < a.length; i += 4)
+    if ([0, 1, 2].some((channel) => Math.abs(a[i + channel] - b[i + channel]) > 16)) count++
+  return (4 * count) / a.length
+}

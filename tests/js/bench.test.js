@@ -1,0 +1,268 @@
+// What the benchmark makes of its measurements: the command line, figures, tables and lines of results.csv.
+import assert from 'node:assert/strict'
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { after, before, describe, test } from 'node:test'
+import { stripVTControlCharacters } from 'node:util'
+import { Stop } from '../../.scripts/lib/terminal.mjs'
+import { aims } from '../../.scripts/bench/aims.mjs'
+import { appendLines, checkColumns, csvLine } from '../../.scripts/bench/csv.mjs'
+import { readOptions } from '../../.scripts/bench/options.mjs'
+import { openProgress } from '../../.scripts/bench/progress.mjs'
+import { columns, fieldsOf, p5Records, rowRecords } from '../../.scripts/bench/records.mjs'
+import { aimsText } from '../../.scripts/bench/report.mjs'
+import { alike, table } from '../../.scripts/bench/table.mjs'
+import { middle, ratio, shuffled, summary } from '../../web/bench/statistics.js'
+
+describe('statistics', () => {
+  test('half of the values lie from low to high, around the median', () => {
+    assert.deepEqual(summary([9, 1, 5, 3, 7]), { median: 5, low: 3, high: 7 })
+    assert.deepEqual(summary([4]), { median: 4, low: 4, high: 4 })
+  })
+
+  test('what could not be measured counts for nothing', () => {
+    assert.equal(middle([NaN, 3, Infinity, 1, 2]), 2)
+    assert.equal(middle([1, 2, 4, 8]), 3)
+    assert.equal(middle([1, 2, 4, 8], 0.25), 1.75)
+    assert.equal(middle([NaN]), NaN)
+  })
+
+  test('a round that was slow for all changes no ratio', () => {
+    assert.equal(ratio([2, 20, 2.2], [1, 10, 1]), 2)
+    assert.equal(ratio([1, 2], undefined), NaN)
+  })
+
+  test('a shuffled list is another list of the same things', () => {
+    const list = [1, 2, 3, 4]
+    assert.deepEqual(shuffled(list).sort(), list)
+    assert.notEqual(shuffled(list), list)
+  })
+})
+
+describe('the command line', () => {
+  const rows = ['14,000 × 150', '14,000 × 1,500', 'airplane twist', 'wobble']
+  const read = (...args) => readOptions(args, rows)
+
+  test('without options asks for every row, p5 last', () => {
+    assert.deepEqual(read().rows, [...rows, 'p5'])
+    assert.deepEqual(read().rounds, undefined)
+  })
+
+  test('knows a row by its name, by the name as typed, and by a part that only it has', () => {
+    assert.deepEqual(read('--row', '14,000 × 150').rows, ['14,000 × 150'])
+    assert.deepEqual(read('--row', '14000x150').rows, ['14,000 × 150'])
+    assert.deepEqual(read('--row', 'p5', '--row', 'Twist').rows, ['airplane twist', 'p5'])
+  })
+
+  test('--quick takes a few rows, unless others are named', () => {
+    assert.deepEqual(read('--quick').rows, ['14,000 × 150', 'airplane twist', 'wobble', 'p5'])
+    assert.deepEqual(read('--quick', '--row', 'wobble').rows, ['wobble'])
+  })
+
+  const refused = {
+    'an unknown option': [['--fast'], "Unknown option '--fast'; --help lists the options."],
+    'an option without its value': [
+      ['--rounds'],
+      "Option '--rounds <value>' argument missing; --help lists the options.",
+    ],
+    'an argument that is no option': [
+      ['wobble'],
+      "Unexpected argument 'wobble'; --help lists the options.",
+    ],
+    'an unknown row': [
+      ['--row', 'cube'],
+      "No row is named 'cube': choose from 14,000 × 150; 14,000 × 1,500; airplane twist; wobble; p5.",
+    ],
+    'a part that several rows have': [
+      ['--row', '14000'],
+      "Several rows are named '14000': choose from 14,000 × 150; 14,000 × 1,500.",
+    ],
+    'no rounds': [['--rounds', '0'], '--rounds takes a whole number from 1, not 0.'],
+    'half rounds': [['--rounds', '2.5'], '--rounds takes a whole number from 1, not 2.5.'],
+  }
+  for (const [name, [args, message]] of Object.entries(refused))
+    test(`refuses ${name} in one sentence`, () =>
+      assert.throws(
+        () => read(...args),
+        (error) => error instanceof Stop && error.message === message,
+      ))
+})
+
+describe('a table', () => {
+  const columns = [
+    { head: ['', 'method'], left: true, text: ({ name }) => name },
+    { head: ['frame', 'ms'], text: ({ ms }) => ms?.toFixed(1) },
+  ]
+  const records = [{ name: 'no warp', ms: 9.96 }, { name: 'by hand' }, { name: 'dFdx', ms: 123 }]
+
+  test('has words to the left, figures to the right, and dashes for what there is not', () => {
+    assert.deepEqual(table(columns, records).map(stripVTControlCharacters), [
+      '         frame',
+      'method      ms',
+      'no warp   10.0',
+      'by hand      –',
+      'dFdx     123.0',
+    ])
+  })
+
+  test('gives the times of a column the same places', () => {
+    assert.deepEqual([0.5, 9.994].map(alike([0.5, 9.994, NaN])), ['0.50', '9.99'])
+    assert.deepEqual([9.994, 40.25].map(alike([9.994, 40.25])), ['10.0', '40.3'])
+    assert.deepEqual([9.6, 400].map(alike([9.6, 400])), ['10', '400'])
+  })
+})
+
+const run = {
+  date: '2026-01-02T03:04:05Z',
+  commit: 'abc',
+  chromium: '1.2',
+  renderer: 'A (B, C)',
+  sizePx: 300,
+  rounds: 3,
+}
+const result = (method, toWarpjet, more) => ({
+  method,
+  frame: { median: 12.3456789, low: 12, high: 13 },
+  toPositions: 1.02,
+  toWarpjet,
+  first: { median: 60, low: 50, high: 70 },
+  firstToPositions: 1.5,
+  generation: null,
+  error: { largest: 0.0001234567, median: 0.00005 },
+  ...more,
+})
+const measured = {
+  clock: 'timer query',
+  vertices: 14042,
+  memory: { heap: 2 ** 21, wasm: 2 ** 20 },
+  results: [
+    result('warpjet', 1, { generation: 0.25 }),
+    result('forward differences', 0.8, { error: { largest: 2, median: 1, h: 0.1 } }),
+    result('by hand', 1),
+  ],
+}
+const rates = {
+  uncapped: { warpjet: 80.5, 'by hand': 81, 'p5 2.3.4, no warp': 5 },
+  capped: { warpjet: 60, 'by hand': 60, 'p5 2.3.4, no warp': 4 },
+}
+const many = { name: '14,000 × 3,000', nodes: 3000 }
+
+describe('results.csv', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'warpjet-'))
+  const file = join(folder, 'deep', 'table.csv')
+  before(() => appendLines(file, ['a', 'b'], [['1', undefined]]))
+  after(() => rmSync(folder, { recursive: true }))
+
+  test('quotes what has commas, quotes or line ends, and nothing else', () => {
+    assert.equal(
+      csvLine(['a b', 'x, y', 'a "b"', 'c\nd', 1.5, null, undefined, '']),
+      'a b,"x, y","a ""b""","c\nd",1.5,,,',
+    )
+  })
+
+  test('begins with its header and grows by lines', () => {
+    appendLines(file, ['a', 'b'], [['2', '3, 4'], ['5']])
+    assert.equal(readFileSync(file, 'utf8'), 'a,b\n1,\n2,"3, 4"\n5\n')
+  })
+
+  test('keeps its last line whole where that has no end', () => {
+    const other = join(folder, 'other.csv')
+    writeFileSync(other, 'a\n1')
+    appendLines(other, ['a'], [[2]])
+    assert.equal(readFileSync(other, 'utf8'), 'a\n1\n2\n')
+  })
+
+  test('is refused where it is another table', () => {
+    assert.throws(() => checkColumns(file, ['a', 'c']), {
+      message: `${file} has other columns than the benchmark: name another file with --out.`,
+    })
+    checkColumns(file, ['a', 'b'])
+    checkColumns(join(folder, 'none.csv'), ['a'])
+  })
+
+  test('is refused where nothing can be written', () => {
+    assert.throws(() => checkColumns(folder, ['a']), {
+      message: `${folder} cannot be written: name another file with --out.`,
+    })
+  })
+
+  test('has a line for each method of a row', () => {
+    const [line, ...others] = rowRecords(run, many, measured, rates).map(fieldsOf).map(csvLine)
+    assert.equal(others.length, 2)
+    assert.equal(
+      columns.join(','),
+      'date,commit,chromium,renderer,size_px,rounds,clock,row,vertices,nodes,method,h,frame_ms,frame_low_ms,frame_high_ms,to_positions,to_warpjet,uncapped_fps,capped_fps,first_ms,first_to_positions,generation_ms,error_degrees,error_median_degrees,js_heap_mb,wasm_heap_mb',
+    )
+    assert.equal(
+      line,
+      '2026-01-02T03:04:05Z,abc,1.2,"A (B, C)",300,3,timer query,"14,000 × 3,000",14042,3000,warpjet,,12.346,12,13,1.02,1,80.5,60,60,1.5,0.25,0.00012346,0.00005,2,1',
+    )
+  })
+
+  test('has a line for each sketch on p5, with what there is of it', () => {
+    const results = [{ method: 'p5 2.3.4, no warp', frame: { median: 100, low: 90, high: 110 } }]
+    const p5 = { clock: 'readback fence', vertices: 14042, results }
+    assert.deepEqual(p5Records(run, many, p5, rates).map(fieldsOf).map(csvLine), [
+      '2026-01-02T03:04:05Z,abc,1.2,"A (B, C)",300,3,readback fence,"14,000 × 3,000",14042,3000,"p5 2.3.4, no warp",,100,90,110,,,5,4,,,,,,,',
+    ])
+  })
+})
+
+describe('the aims', () => {
+  const met = (row, results = measured.results) => {
+    const records = rowRecords(run, row, { ...measured, results }, rates)
+    return aims.map(({ ratio, isMet }) => {
+      const value = ratio(records)
+      return value === undefined ? undefined : [value, isMet(value)]
+    })
+  }
+
+  test('are ratios of warpjet to the others', () => {
+    assert.deepEqual(met(many), [
+      [1, true],
+      [1.25, false],
+      [1.02, true],
+      [1.5, true],
+    ])
+  })
+
+  test('apply where there is something to compare with', () => {
+    const [byHand, , positions] = met({ name: 'nested', nodes: 216 }, measured.results.slice(0, 2))
+    assert.deepEqual([byHand, positions], [undefined, undefined])
+  })
+
+  test('are shown row by row, and not at all where only p5 was measured', () => {
+    const [, , line] = aimsText(rowRecords(run, many, measured, rates)).split('\n')
+    assert.match(
+      stripVTControlCharacters(line),
+      /^ {2}14,000 × 3,000 +1\.000 ✓ +1\.250 ✗ +1\.020 ✓ +1\.500 ✓$/,
+    )
+    assert.equal(aimsText([{ method: 'p5 2.3.4, no warp', row: many.name }]), undefined)
+  })
+})
+
+describe('progress', () => {
+  const shown = (isTTY) => {
+    const texts = []
+    const progress = openProgress({ isTTY, columns: 20, write: (text) => texts.push(text) })
+    progress.begin('1/2 wobble: frames')
+    progress.detail('round 1 of 3')
+    progress.clear()
+    progress.clear()
+    return texts
+  }
+
+  test('rewrites one line of a terminal, no longer than that', () => {
+    const line = '\r\x1b[2K'
+    assert.deepEqual(shown(true), [
+      `${line}0:00  1/2 wobble: f`,
+      `${line}0:00  1/2 wobble: f`,
+      line,
+    ])
+  })
+
+  test('writes a line for each stage elsewhere', () => {
+    assert.deepEqual(shown(false), ['0:00  1/2 wobble: frames\n'])
+  })
+})

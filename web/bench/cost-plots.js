@@ -1,0 +1,137 @@
+/** What a frame costs. Each plot takes points of series.js and a width in pixels → an SVG element. */
+import * as Plot from '@observablehq/plot'
+import { plain, short, whole } from './figures.js'
+import { spread } from './labels.js'
+import { methodNames } from './method-notes.js'
+import { LINE, axisX, axisY, common, decimalTicks, least, most, widthOf } from './plot-parts.js'
+
+const HEIGHT = 380
+/** From the end of a line to its name. */
+const LEADER = 24
+
+/** The names stand beside the ends of the lines, moved apart where these are close, with a thin line to each. */
+function endLabels(points, x, y, [top, bottom]) {
+  const ends = methodNames
+    .map((name) => points.filter(({ method }) => method === name).at(-1))
+    .filter(Boolean)
+  const [scaleX, scaleY] = [Plot.scale({ x }), Plot.scale({ y })]
+  const places = spread(
+    ends.map((end) => scaleY.apply(end.y)),
+    LINE,
+    [top, bottom],
+  )
+  const labels = ends.map((end, i) => ({
+    ...end,
+    labelX: scaleX.invert(x.range[1] + LEADER),
+    labelY: scaleY.invert(places[i]),
+  }))
+  const [x1, y1, x2, y2] = ['x', 'y', 'labelX', 'labelY']
+  return [
+    Plot.link(labels, { x1, y1, x2, y2, stroke: 'method', strokeOpacity: 0.5 }),
+    Plot.text(labels, {
+      x: 'labelX',
+      y: 'labelY',
+      dx: 5,
+      text: 'method',
+      fill: 'method',
+      textAnchor: 'start',
+    }),
+  ]
+}
+
+/**
+ * @param x `{ type, label, write }` of the scale: its type, and how a number is written
+ * @param y `{ type, domain, ticks, write }`
+ * @param about the words for a point's x
+ */
+function costPlot(points, { width, x, y, about }) {
+  const widest = Math.max(...points.map(({ method }) => widthOf(method)))
+  const [left, right, top, bottom] = [46, LEADER + 12 + widest, 30, HEIGHT - 42]
+  const [low, high] = [least(points, 'x'), most(points, 'x')]
+  const scaleX = {
+    type: x.type,
+    // A single place stands where the lines end otherwise.
+    domain: [low < high ? low : high / 2, high],
+    range: [left + 12, width - right],
+  }
+  const scaleY = { type: y.type, domain: y.domain, range: [bottom, top] }
+  // What is drawn last lies on top.
+  const drawn = [...points].sort((a, b) => (a.method === 'warpjet') - (b.method === 'warpjet'))
+  const bars = drawn.filter(({ low, high }) => Number.isFinite(low) && Number.isFinite(high))
+  const place = { x: 'x', y: 'y' }
+  return Plot.plot({
+    ...common,
+    width,
+    height: HEIGHT,
+    marginLeft: left,
+    marginRight: right - 14,
+    marginTop: top,
+    marginBottom: HEIGHT - bottom,
+    x: scaleX,
+    y: scaleY,
+    marks: [
+      axisX([...new Set(points.map((point) => point.x))], x.write, x.label),
+      ...axisY(y.ticks, y.write, '↑ milliseconds a frame'),
+      Plot.ruleX(bars, {
+        x: 'x',
+        y1: 'low',
+        y2: 'high',
+        stroke: 'method',
+        strokeOpacity: 0.35,
+        strokeWidth: 5,
+      }),
+      Plot.line(drawn, {
+        ...place,
+        stroke: 'method',
+        strokeWidth: ({ method }) => (method === 'warpjet' ? 3 : 1.75),
+      }),
+      Plot.dot(drawn, {
+        ...place,
+        fill: 'method',
+        stroke: 'var(--back)',
+        r: 4.5,
+        strokeWidth: 1,
+      }),
+      ...endLabels(points, scaleX, scaleY, [top, bottom]),
+      Plot.tip(
+        points,
+        Plot.pointer({
+          ...place,
+          title: (point) => `${point.method}\n${about(point)}: ${short(point.y)} ms`,
+        }),
+      ),
+    ],
+  })
+}
+
+/** 1, 2 or 5 of a power of ten, so that there are four to nine ticks up to `high`. */
+function linearTicks(high) {
+  const power = 10 ** Math.floor(Math.log10(high))
+  const step = [0.2, 0.5, 1].map((part) => part * power).find((step) => high / step <= 9) ?? power
+  return Array.from({ length: Math.floor(high / step) + 1 }, (_, i) => i * step)
+}
+
+/** @param points of `costAgainstNodes` */
+export function plotAgainstNodes(points, width) {
+  const high = 1.05 * most(points, 'y')
+  return costPlot(points, {
+    width,
+    x: { type: 'linear', label: 'nodes of the warp →', write: whole },
+    y: { type: 'linear', domain: [0, high], ticks: linearTicks(high), write: plain },
+    about: ({ x }) => `${whole(x)} nodes`,
+  })
+}
+
+const thousands = (value) =>
+  value < 1e6 ? `${Math.round(value / 1000)}k` : `${+(value / 1e6).toFixed(1)}M`
+
+/** @param points of `costAgainstVertices` */
+export function plotAgainstVertices(points, width) {
+  const domain = [least(points, 'y') / 1.3, most(points, 'y') * 1.3]
+  return costPlot(points, {
+    width,
+    x: { type: 'log', label: 'vertices, logarithmic →', write: thousands },
+    y: { type: 'log', domain, ticks: decimalTicks(domain), write: plain },
+    about: ({ x }) => `${whole(x)} vertices`,
+  })
+}

@@ -1,0 +1,47 @@
+/** The benchmark without a picture, for a program that drives the page: `window.bench`. */
+import './memory.js'
+import { frameRate } from './frame-rate.js'
+import { measureRow } from './measure.js'
+import { measureP5, p5FrameRates } from './p5.js'
+import { Scene } from './scene.js'
+import { workloads } from './workloads.js'
+
+const canvas = document.body.appendChild(document.createElement('canvas'))
+let scene
+
+const byName = (name) => workloads.find((workload) => workload.name === name)
+
+/** To the program that drives, where it wants to know. */
+const progress = (text) => window.benchProgress?.(text)
+
+window.bench = {
+  rows: workloads.map(({ name, nodes }) => ({ name, nodes })),
+
+  /** A canvas of `size` × `size` pixels; returns the name of the renderer. */
+  open(size) {
+    scene = new Scene(canvas, size)
+    return scene.renderer
+  },
+
+  measure(name, settings) {
+    // A picture that shows is put on the page after each frame, which takes time from the next one.
+    canvas.hidden = true
+    return measureRow(scene, byName(name), settings, progress)
+  },
+
+  /** Capped or not is the browser's matter. @param steps the best h by method @returns frames a second by method */
+  async frameRates(name, steps, duration) {
+    canvas.hidden = false
+    const workload = byName(name)
+    scene.load(workload.mesh())
+    const rates = {}
+    for (const [method, h] of Object.entries(steps)) {
+      progress(method)
+      rates[method] = await frameRate(scene, workload, method, h, duration)
+    }
+    return rates
+  },
+
+  measureP5: (settings) => measureP5(settings, progress),
+  p5FrameRates: (settings) => p5FrameRates(settings, progress),
+}

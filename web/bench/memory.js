@@ -1,0 +1,28 @@
+/** The peaks of the page's JavaScript heap and of WebAssembly's memory, in bytes, at the times somebody looks. */
+
+/** Every memory that a WebAssembly module of this page has exported. Must be loaded before such a module. */
+const memories = new Set()
+
+const { Instance } = WebAssembly
+WebAssembly.Instance = class extends Instance {
+  constructor(...args) {
+    super(...args)
+    for (const value of Object.values(this.exports))
+      if (value instanceof WebAssembly.Memory) memories.add(value)
+  }
+}
+
+/** @returns { look, peaks }; `peaks()` → { heap, wasm }, where heap is NaN in browsers that do not tell */
+export function watchMemory() {
+  let heap = 0
+  let wasm = 0
+  const look = () => {
+    heap = Math.max(heap, performance.memory?.usedJSHeapSize ?? NaN)
+    wasm = Math.max(
+      wasm,
+      [...memories].reduce((sum, { buffer }) => sum + buffer.byteLength, 0),
+    )
+  }
+  look()
+  return { look, peaks: () => (look(), { heap, wasm }) }
+}

@@ -1,0 +1,89 @@
+/**
+ * The columns of the benchmark: every way to draw a warped mesh that a user has. Each turns a workload into the parts of a
+ * program that differ: `declarations` for above main, `body`, which makes `vec3 moved, turned` of `position` and `normal`,
+ * and whether the fragment stage finds the normal itself. `generation` is what the compiler took, in milliseconds.
+ */
+import { compileWarp } from '../../dist/warpjet.js'
+
+const unmoved = '  vec3 moved = position, turned = normal;'
+
+const names = { position: 'moved', normal: 'turned' }
+
+/** @returns the compiled warp and `generation`, in milliseconds */
+export function generate(workload, options = {}) {
+  const start = performance.now()
+  const warp = compileWarp(workload.warp, { outputs: names, ...options })
+  return { ...warp, generation: performance.now() - start }
+}
+
+/** The offset alone, as a function: what finite differences call several times. */
+function offsetFunction(workload) {
+  const { code, declarations, generation } = generate(workload, { normals: false })
+  return {
+    generation,
+    declarations: `uniform float h;
+${declarations}
+vec3 offsetAt(vec3 position) {
+${code}
+  return offset;
+}`,
+  }
+}
+
+/** Any two directions along the surface, at right angles to each other. */
+const tangents = `
+  vec3 u = normalize(cross(abs(normal.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0), normal));
+  vec3 v = cross(normal, u);`
+
+const central = `${tangents}
+  vec3 du = 2.0 * h * u + offsetAt(position + h * u) - offsetAt(position - h * u);
+  vec3 dv = 2.0 * h * v + offsetAt(position + h * v) - offsetAt(position - h * v);
+  vec3 moved = position + offsetAt(position), turned = normalize(cross(du, dv));`
+
+const forward = `${tangents}
+  vec3 offset = offsetAt(position);
+  vec3 du = h * u + offsetAt(position + h * u) - offset;
+  vec3 dv = h * v + offsetAt(position + h * v) - offset;
+  vec3 moved = position + offset, turned = normalize(cross(du, dv));`
+
+/** What the search for the best h tries, in units of the mesh. */
+const steps = Array.from({ length: 18 }, (_, i) => 10 ** (i / 3 - 3))
+
+const finiteDifferences = (body) => (workload) => ({ ...offsetFunction(workload), body })
+
+function positionsOnly(workload) {
+  const { code, declarations, generation } = generate(workload, { normals: false })
+  return { declarations, body: `${code}\n  vec3 turned = normal;`, generation }
+}
+
+/** M = I + J turns tangents, and its cofactor matrix turns normals. */
+const byHand = (workload) => `${workload.handwritten}
+  dx.x += 1.0;
+  dy.y += 1.0;
+  dz.z += 1.0;
+  vec3 moved = position + offset;
+  vec3 turned = normalize(cross(dy, dz) * normal.x + cross(dz, dx) * normal.y + cross(dx, dy) * normal.z);`
+
+export const methods = [
+  { name: 'no warp', program: () => ({ body: unmoved }) },
+  { name: 'positions only', program: positionsOnly },
+  {
+    name: 'warpjet',
+    program(workload) {
+      const { code, declarations, generation } = generate(workload)
+      return { declarations, body: code, generation }
+    },
+  },
+  {
+    name: 'central differences',
+    steps,
+    program: finiteDifferences(central),
+  },
+  {
+    name: 'forward differences',
+    steps,
+    program: finiteDifferences(forward),
+  },
+  { name: 'dFdx', flat: true, program: positionsOnly },
+  { name: 'by hand', program: (workload) => ({ body: byHand(workload) }) },
+]

@@ -1,0 +1,94 @@
+/**
+ * The benchmark's first row as a sketch, with the warp and without it. Opened as p5-sketch.html?p5=/p5.js&size=1200&millis=1200,
+ * the page gives `window.sketch`, a promise of { version, vertices, draw }: see p5.js, which frames it. `draw(isWarped)` ends when
+ * the GPU is done.
+ */
+import { usualEye } from './scene.js'
+import { workloads } from './workloads.js'
+
+const [workload] = workloads
+
+const load = (src) =>
+  new Promise((loaded, failed) => {
+    const script = Object.assign(document.createElement('script'), { src, onload: loaded })
+    script.onerror = () => failed(new Error(`The benchmark's server has no ${src}.`))
+    document.head.append(script)
+  })
+
+const triples = (values) =>
+  Array.from({ length: values.length / 3 }, (_, i) => [...values.subarray(3 * i, 3 * i + 3)])
+
+/** @param move where a position goes */
+const geometry = (p5, name, { positions, normals, indices }, move) =>
+  new p5.Geometry(1, 1, function () {
+    const vector = (xyz) => new p5.Vector(...xyz)
+    this.gid = name
+    this.vertices = triples(positions).map((position) => vector(move(position)))
+    this.vertexNormals = triples(normals).map(vector)
+    this.uvs = triples(normals).flatMap(([x, y]) => [x, y])
+    this.faces = triples(indices)
+  })
+
+/** Starts the sketch; resolves when its first frame is drawn. */
+function open(p5, size, millis) {
+  const version = p5.VERSION ?? p5.prototype.VERSION
+  let still, moved, warp
+  let isWarped = false
+  return new Promise((opened) => {
+    new p5((sketch) => {
+      sketch.millis = () => millis
+
+      sketch.setup = () => {
+        sketch.pixelDensity(1)
+        sketch.createCanvas(size, size, sketch.WEBGL)
+        // As the benchmark's other canvases are.
+        sketch.setAttributes('antialias', false)
+        sketch.noLoop()
+        const mesh = workload.mesh()
+        still = geometry(p5, 'still', mesh, (p) => p)
+        // p5 takes most of its time for pixels, so both pictures cover the same ones.
+        moved = geometry(p5, 'moved', mesh, (p) => {
+          const offset = workload.offset(p, { millis })
+          return p.map((value, i) => value + offset[i])
+        })
+        warp = sketch.createWarp(workload.warp)
+      }
+
+      sketch.draw = () => {
+        sketch.background('#141724')
+        // As in scene.js; p5 has the picture upside down.
+        sketch.perspective(0.75, 1, 10, 2000)
+        sketch.camera(...usualEye, 0, 0, 0, 0, 1, 0)
+        sketch.ambientLight(100)
+        sketch.directionalLight(sketch.color('#fff0dd'), -0.39, -0.62, -0.68)
+        sketch.directionalLight(sketch.color('#4463d6'), 0.78, -0.17, 0.6)
+        sketch.noStroke()
+        sketch.fill('#ff8a5b')
+        sketch.specularMaterial(90)
+        sketch.shininess(40)
+        // The warp lasts until pop().
+        sketch.push()
+        if (isWarped) warp()
+        sketch.model(isWarped ? still : moved)
+        sketch.pop()
+        opened({ version, vertices: still.vertices.length, draw })
+      }
+
+      async function draw(withWarp) {
+        isWarped = withWarp
+        await sketch.redraw()
+        const gl = sketch.drawingContext
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
+      }
+    }, document.body)
+  })
+}
+
+async function start() {
+  const options = new URLSearchParams(location.search)
+  await load(options.get('p5'))
+  await load('/dist/p5.warpjet.min.js')
+  return open(window.p5, Number(options.get('size')), Number(options.get('millis')))
+}
+
+window.sketch = start()

@@ -1,0 +1,103 @@
+/** What a warp costs in a sketch, by each p5 that it works with: the same sketch with it and without, in turns. */
+import { framesASecond } from './frame-rate.js'
+import { middle, ratio, shuffled, summary } from './statistics.js'
+
+/** Addresses at the benchmark's server. */
+const libraries = ['/node_modules/p5-v1/lib/p5.min.js', '/node_modules/p5/lib/p5.min.js']
+
+/** A sketch in a frame of its own, since a page has one p5. */
+async function openSketch(p5, size, millis) {
+  const frame = document.createElement('iframe')
+  frame.src = `p5-sketch.html?${new URLSearchParams({ p5, size, millis })}`
+  Object.assign(frame, { width: size, height: size })
+  Object.assign(frame.style, { position: 'fixed', inset: 0, border: 0 })
+  document.body.append(frame)
+  await new Promise((loaded) => (frame.onload = loaded))
+  return { frame, ...(await frame.contentWindow.sketch) }
+}
+
+/** Opens the sketches, hands them to `work`, each with the warp and without, and closes them. None shows but by its show(). */
+async function withSketches({ size, millis }, work) {
+  const sketches = []
+  const show = (shown) => {
+    for (const sketch of sketches) sketch.frame.hidden = sketch !== shown
+  }
+  try {
+    for (const p5 of libraries) sketches.push(await openSketch(p5, size, millis))
+    show(undefined)
+    const both = (sketch) =>
+      [false, true].map((isWarped) => ({
+        method: nameOf(sketch, isWarped),
+        plain: nameOf(sketch, false),
+        vertices: sketch.vertices,
+        show: () => show(sketch),
+        draw: () => sketch.draw(isWarped),
+      }))
+    return await work(sketches.flatMap(both))
+  } finally {
+    for (const { frame } of sketches) frame.remove()
+  }
+}
+
+const nameOf = ({ version }, isWarped) => `p5 ${version}, ${isWarped ? 'warpjet' : 'no warp'}`
+
+/** Milliseconds from the call of p5's redraw() to the GPU's end of the frame; at least one. */
+async function frameTimes({ draw }, { frames, turn = Infinity }) {
+  const times = []
+  const end = performance.now() + turn
+  while (!times.length || (times.length < frames && performance.now() < end)) {
+    const start = performance.now()
+    await draw()
+    times.push(performance.now() - start)
+  }
+  return times
+}
+
+/**
+ * @param settings { size, millis, rounds, frames, turn? }: of the canvas, in pixels; the time of the warp; the others as in measure.js
+ * @returns { clock, vertices, results: [{ method, frame, toNoWarp }] }: milliseconds, { median, low, high }, and what the frame
+ * is to the one of the same sketch without the warp, within a round
+ */
+export async function measureP5(settings, progress = () => {}) {
+  const cells = new Map()
+  let vertices
+  for (let round = 0; round < settings.rounds; round++) {
+    progress(`round ${round + 1} of ${settings.rounds}`)
+    // Sketches of its own, since the same text compiled again can be faster or slower.
+    await withSketches(settings, async (sketches) => {
+      for (const sketch of sketches) {
+        const { method, plain } = sketch
+        if (!cells.has(method)) cells.set(method, { method, plain, times: [], medians: [] })
+        vertices = sketch.vertices
+        await sketch.draw()
+      }
+      for (const sketch of shuffled(sketches)) {
+        const times = await frameTimes(sketch, settings)
+        const cell = cells.get(sketch.method)
+        cell.times.push(...times)
+        cell.medians.push(middle(times))
+      }
+    })
+  }
+  return {
+    clock: 'readback fence',
+    vertices,
+    results: [...cells.values()].map(({ method, plain, times, medians }) => ({
+      method,
+      frame: summary(times),
+      toNoWarp: ratio(medians, cells.get(plain).medians),
+    })),
+  }
+}
+
+/** @param settings { size, millis, duration } @returns frames a second by method */
+export const p5FrameRates = (settings, progress = () => {}) =>
+  withSketches(settings, async (sketches) => {
+    const rates = {}
+    for (const { method, show, draw } of sketches) {
+      progress(method)
+      show()
+      rates[method] = await framesASecond(draw, settings.duration)
+    }
+    return rates
+  })

@@ -1,0 +1,212 @@
+/** The benchmark by hand: a picture that moves, a panel, and what the chosen method costs on the chosen row. */
+// First, so that it sees the memory of warpjet's WebAssembly.
+import './memory.js'
+import './style.css'
+import { make } from './dom.js'
+import { measureRow } from './measure.js'
+import { listMethods } from './method-list.js'
+import { methods } from './methods.js'
+import { notes } from './method-notes.js'
+import { makePanel } from './panel.js'
+import { Picture } from './picture.js'
+import { makeReadOuts } from './read-outs.js'
+import { recordsOf } from './records.js'
+import { usualEye } from './scene.js'
+import { makeTable } from './table.js'
+import { workloads } from './workloads.js'
+
+/** As the paper's; `?size=` asks for another. */
+const SIZE = 1200
+/** Milliseconds between two looks at the clock and at the normals, and before the first one. */
+const LOOK_EVERY = 1000
+const FIRST_LOOK = 250
+/** No more than this share of the time goes into looking. */
+const LOOKING = 0.1
+
+/** Moderate: some seconds for a row on a GPU, half a minute without one. `turn` is in milliseconds. */
+const moderate = { rounds: 5, frames: 8, turn: 300, runs: 10, samples: 400 }
+
+const find = (selector) => document.querySelector(selector)
+const status = find('.picture output')
+const button = find('.measure')
+const showReadOuts = makeReadOuts(find('.read-outs'))
+
+const settings = {
+  row: 'airplane twist',
+  method: 'warpjet',
+  exponent: -1,
+  moves: !matchMedia('(prefers-reduced-motion: reduce)').matches,
+  speed: 1,
+}
+
+listMethods(find('.notes'))
+
+/** What the picture shows by now, as opposed to what `settings` ask for. */
+const shown = {}
+/** Milliseconds of the warp. */
+let millis = 1200
+/** Something to do between two frames. */
+let wanted
+let isMeasuring = false
+let stopped = false
+let isLost = false
+
+const nextFrame = () => new Promise(requestAnimationFrame)
+
+/** Says it over the picture, and waits until that can be read. */
+async function say(text) {
+  status.textContent = text
+  await nextFrame()
+  await nextFrame()
+}
+
+const complain = (error) => (find('[role=alert]').textContent = error?.message ?? '')
+
+const uniforms = () => ({ millis, h: 10 ** settings.exponent })
+
+async function loadRow(picture) {
+  complain()
+  await say('Making the mesh…')
+  shown.row = settings.row
+  // Should this fail, there is nothing to compile for.
+  shown.method = settings.method
+  const workload = workloads.find(({ name }) => name === shown.row)
+  picture.load(workload)
+  const { positions, indices } = picture.mesh
+  showReadOuts({
+    vertices: positions.length / 3,
+    triangles: indices.length / 3,
+    nodes: workload.nodes,
+  })
+  shown.method = undefined
+}
+
+async function compile(picture) {
+  complain()
+  await say('Compiling…')
+  shown.method = settings.method
+  find('figcaption').replaceChildren(
+    make('b', { textContent: shown.method, style: `--color: ${notes[shown.method].color}` }),
+    notes[shown.method].text,
+  )
+  showReadOuts({
+    rate: undefined,
+    frame: undefined,
+    first: undefined,
+    generation: undefined,
+    error: undefined,
+    median: undefined,
+  })
+  const method = methods.find(({ name }) => name === shown.method)
+  showReadOuts(await picture.use(method, uniforms()))
+  status.textContent = ''
+}
+
+async function findStep(picture) {
+  if (!picture.method.steps) return
+  await say('Looking for the best h…')
+  settings.exponent = Math.log10(picture.bestStep(millis))
+  panel.refresh()
+  status.textContent = ''
+}
+
+async function measure(picture) {
+  isMeasuring = true
+  stopped = false
+  button.textContent = 'Stop measuring'
+  try {
+    await say('Measuring…')
+    picture.scene.lookFrom(usualEye)
+    const { mesh, workload } = picture
+    const measured = await measureRow(
+      picture.scene,
+      { ...workload, mesh: () => mesh },
+      { ...moderate, millis },
+      (text) => {
+        if (stopped) throw new Stopped()
+        status.textContent = `Measuring: ${text}…`
+      },
+    )
+    showMeasured(picture, recordsOf(workload, measured), measured)
+  } catch (error) {
+    if (!(error instanceof Stopped)) throw error
+  } finally {
+    isMeasuring = false
+    button.textContent = 'Measure this row'
+    status.textContent = ''
+  }
+}
+
+class Stopped extends Error {}
+
+function showMeasured({ scene }, records, { clock }) {
+  const section = find('.measured')
+  section.hidden = false
+  section.querySelector('p').textContent =
+    `${scene.gl.canvas.width} × ${scene.gl.canvas.height} pixels on ${scene.renderer}, timed by ${clock}.`
+  section.querySelector('.wide').replaceChildren(makeTable(records))
+  section.scrollIntoView({ block: 'nearest' })
+}
+
+/** Draws frame after frame, and does what the panel asks for in between: nothing ever runs beside anything else. */
+async function run(picture) {
+  let [before, start, frames, look] = [performance.now(), 0, 0, 0]
+  const startCounting = (duration = FIRST_LOOK) => {
+    start = before = performance.now()
+    frames = 0
+    look = start + duration
+  }
+  while (!isLost) {
+    await nextFrame()
+    const now = performance.now()
+    try {
+      if (shown.row !== settings.row) await loadRow(picture)
+      else if (shown.method !== settings.method) {
+        await compile(picture)
+        startCounting()
+      } else if (wanted && picture.program) {
+        const work = wanted
+        wanted = undefined
+        await work(picture)
+        startCounting()
+      } else if (picture.program) {
+        if (settings.moves) millis += settings.speed * (now - before)
+        before = now
+        picture.draw(uniforms())
+        frames++
+        if (now < look) continue
+        // Frames that still stand in the GPU's queue are not shown yet.
+        picture.scene.finish()
+        showReadOuts({ rate: (1000 * frames) / (performance.now() - start) })
+        const frame = await picture.frameTime(uniforms())
+        const { largest, median } = picture.error(uniforms())
+        showReadOuts({ frame, clock: picture.clock.kind, error: largest, median })
+        startCounting(LOOK_EVERY + (performance.now() - now) / LOOKING)
+      }
+    } catch (error) {
+      status.textContent = ''
+      complain(error)
+    }
+  }
+}
+
+let panel
+try {
+  const size = Number(new URLSearchParams(location.search).get('size')) || SIZE
+  const picture = new Picture(find('canvas'), size)
+  panel = makePanel(find('.panel'), settings, () => (wanted = findStep))
+  button.addEventListener('click', () => {
+    if (isMeasuring) stopped = true
+    else wanted = measure
+  })
+  find('canvas').addEventListener('webglcontextlost', () => {
+    isLost = true
+    complain(
+      new Error('The GPU has given up on this picture: reload the page, and choose a smaller row.'),
+    )
+  })
+  run(picture)
+} catch (error) {
+  find('.hand').remove()
+  complain(error)
+}

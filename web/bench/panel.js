@@ -1,0 +1,48 @@
+/** The panel of the benchmark by hand: what is drawn, how, and how fast time passes. */
+import GUI from 'lil-gui'
+import { methods } from './methods.js'
+import { workloads } from './workloads.js'
+import { plain } from './figures.js'
+
+/**
+ * @param settings { row, method, exponent, moves, speed }, kept up to date: names, the step h as its decimal logarithm,
+ * whether time passes, and how much faster than on a clock
+ * @param findStep called by the button that finds the best step
+ * @returns { refresh }, to call when somebody else has changed the settings
+ */
+export function makePanel(container, settings, findStep) {
+  const gui = new GUI({ container, title: 'The picture' })
+  gui
+    .add(
+      settings,
+      'row',
+      workloads.map(({ name }) => name),
+    )
+    .onChange(refresh)
+  gui
+    .add(
+      settings,
+      'method',
+      methods.map(({ name }) => name),
+    )
+    .onChange(refresh)
+  const { steps } = methods.find(({ steps }) => steps)
+  const step = gui
+    .add(settings, 'exponent', Math.log10(steps[0]), Math.log10(steps.at(-1)))
+    .onChange(refresh)
+  step.domElement.classList.add('step')
+  const find = gui.add({ findStep }, 'findStep').name('find the best h')
+  gui.add(settings, 'moves').name('time passes')
+  gui.add(settings, 'speed', 0, 3, 0.01).name('speed')
+  refresh()
+  return { refresh }
+
+  function refresh() {
+    const { steps } = methods.find(({ name }) => name === settings.method)
+    step
+      .name(`h = ${plain(10 ** settings.exponent)}`)
+      .enable(Boolean(steps))
+      .updateDisplay()
+    find.enable(Boolean(steps))
+  }
+}

@@ -1,0 +1,113 @@
+/** One row drawn by one method, and what that costs. */
+import { bestStep, errorsOf, exactNormals, pixelErrors } from './accuracy.js'
+import { openClock } from './clock.js'
+import { framing } from './framing.js'
+import { orbit } from './orbit.js'
+import { probePixels, probeVertices, sampleVertices, vertexProbe } from './probe.js'
+import { Scene } from './scene.js'
+import { fragmentShader, vertexShader, newNumber } from './shaders.js'
+
+/** Vertices, or pixels, whose normals are compared: few enough to do it beside a picture that moves. */
+const SAMPLES = 300
+/** Opening the clock takes tens of frames; where they are this slow, in milliseconds, the clock of the row before will do. */
+const SLOW = 250
+
+export class Picture {
+  constructor(canvas, size) {
+    this.scene = new Scene(canvas, size)
+    this.direction = orbit(canvas)
+  }
+
+  /** Makes the workload's mesh; nothing is drawn until `use`. */
+  load(workload) {
+    this.#forget()
+    this.workload = workload
+    this.mesh = workload.mesh()
+    this.scene.load(this.mesh)
+    this.sample = sampleVertices(this.mesh, SAMPLES)
+    this.framing = framing(workload, this.mesh)
+    this.isClockOfRow = false
+  }
+
+  /**
+   * Compiles the method for the row and draws a first frame.
+   * @returns { first, generation }, in milliseconds: from the text of the program to the end of that frame, and from the
+   * sketch to the text; `generation` is undefined for methods that generate nothing
+   */
+  async use(method, uniforms) {
+    this.#forget()
+    if (method.name === 'by hand' && !this.workload.handwritten)
+      throw new Error('Nobody has derived this row by hand: choose another method or row.')
+    const { scene } = this
+    // The first time, the compiler itself is still cold.
+    method.program(this.workload)
+    const parts = method.program(this.workload)
+    this.method = method
+    const unique = newNumber()
+    this.#aim(uniforms)
+    scene.finish()
+    const start = performance.now()
+    try {
+      this.program = scene.program(vertexShader(parts, unique), fragmentShader(method.flat, unique))
+    } catch ({ message }) {
+      throw new Error(`The shader of ${method.name} does not compile here: ${message}`)
+    }
+    scene.draw(this.program, uniforms)
+    scene.finish()
+    const first = performance.now() - start
+
+    if (!method.flat) this.probe = vertexProbe(scene, parts)
+    this.parts = parts
+    if (!this.isClockOfRow && (first < SLOW || !this.clock)) {
+      this.clock = await openClock(scene, () => scene.draw(this.program, uniforms))
+      this.isClockOfRow = true
+    }
+    return { first, generation: parts.generation }
+  }
+
+  draw(uniforms) {
+    this.#aim(uniforms)
+    this.scene.draw(this.program, uniforms)
+  }
+
+  /** Draws → milliseconds until the frame is complete. */
+  frameTime(uniforms) {
+    this.#aim(uniforms)
+    // What was handed over before is not this frame's.
+    this.scene.finish()
+    return this.clock.time(() => this.scene.draw(this.program, uniforms))
+  }
+
+  /** @returns { largest, median } of the normals' errors, in degrees */
+  error(uniforms) {
+    const { scene, workload, method, parts, probe, sample } = this
+    const { millis } = uniforms
+    if (method.flat)
+      return pixelErrors(workload, probePixels(scene, parts, millis, SAMPLES), millis)
+    const places = probeVertices(scene, probe, sample, uniforms)
+    return errorsOf(places, exactNormals(workload, places, millis))
+  }
+
+  /** The step of finite differences with the smallest largest error. */
+  bestStep(millis) {
+    const { scene, workload, method, probe, sample } = this
+    return bestStep(scene, workload, { probe, sample, steps: method.steps, millis }).h
+  }
+
+  /** The eye goes where the mesh goes. */
+  #aim({ millis }) {
+    const { distance, middleAt } = this.framing
+    const middle = this.method.name === 'no warp' ? [0, 0, 0] : middleAt(millis)
+    const direction = this.direction()
+    this.scene.lookFrom(
+      middle.map((value, i) => value + distance * direction[i]),
+      middle,
+    )
+  }
+
+  #forget() {
+    for (const program of [this.program, this.probe])
+      if (program) this.scene.gl.deleteProgram(program)
+    this.program = this.probe = this.method = undefined
+  }
+}

@@ -1,0 +1,83 @@
+/**
+ * What was measured, as records: one for each method of a row, with the names of the columns of results.csv in camel case
+ * (frame_ms is `frameMs`). A figure that does not exist is undefined.
+ */
+
+const texts = ['date', 'commit', 'chromium', 'renderer', 'clock', 'row', 'method']
+
+/** RFC 4180 → arrays of fields. */
+function fieldsOf(text) {
+  const lines = [[]]
+  // A field, quoted or not, and what ends it.
+  for (const [, quoted, plain, end] of text.matchAll(
+    /(?:"((?:[^"]|"")*)"|([^",\r\n]*))(,|\r?\n|$)/g,
+  )) {
+    lines.at(-1).push(quoted === undefined ? plain : quoted.replaceAll('""', '"'))
+    if (end === '') break
+    if (end !== ',') lines.push([])
+  }
+  return lines.filter((fields) => fields.length > 1)
+}
+
+/** frame_ms, a column, is frameMs of a record. */
+export const camelCase = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase())
+
+const valueOf = (name, field) => {
+  if (field === undefined || field === '') return undefined
+  return texts.includes(name) ? field : Number(field)
+}
+
+/** @param csv the text of results.csv, with its header line */
+export function parseRecords(csv) {
+  const [header = [], ...lines] = fieldsOf(csv)
+  const names = header.map(camelCase)
+  return lines.map((fields) =>
+    Object.fromEntries(names.map((name, i) => [name, valueOf(name, fields[i])])),
+  )
+}
+
+/** The records of each run, newest first → [{ date, commit, chromium, renderer, records }]. */
+export function runsOf(records) {
+  const runs = new Map()
+  for (const record of records) {
+    const { date, commit, chromium, renderer, sizePx } = record
+    if (!runs.has(date)) runs.set(date, { date, commit, chromium, renderer, sizePx, records: [] })
+    runs.get(date).records.push(record)
+  }
+  return [...runs.values()].sort((a, b) => (a.date < b.date ? 1 : -1))
+}
+
+const MEGABYTE = 2 ** 20
+
+/** Of what `measureRow` returns. */
+export const recordsOf = ({ name, nodes }, { clock, vertices, memory, results }) =>
+  results.map(
+    ({ method, frame, toPositions, toWarpjet, first, firstToPositions, generation, error }) => ({
+      clock,
+      row: name,
+      vertices,
+      nodes,
+      method,
+      h: error.h,
+      frameMs: frame.median,
+      frameLowMs: frame.low,
+      frameHighMs: frame.high,
+      toPositions,
+      toWarpjet,
+      firstMs: first.median,
+      firstToPositions,
+      generationMs: generation ?? undefined,
+      errorDegrees: error.largest,
+      errorMedianDegrees: error.median,
+      jsHeapMb: memory.heap / MEGABYTE,
+      wasmHeapMb: memory.wasm / MEGABYTE,
+    }),
+  )
+
+/** The graphics card, or what takes its place, out of the name that a driver gives itself. */
+export function deviceOf(renderer = '') {
+  if (/swiftshader/i.test(renderer)) return 'SwiftShader'
+  const [, device = renderer] = /^ANGLE \([^,]*, (.*), [^,]*\)$/.exec(renderer) ?? []
+  const [, name = device] = /^Vulkan [\d.]+ \((.*)\)$/.exec(device) ?? []
+  return name.replace(/ \(0x\w+\)| Direct3D.*| OpenGL.*|ANGLE Metal Renderer: /g, '').trim()
+}

@@ -1,0 +1,111 @@
+/** The page of results.csv: one run of the benchmark as plots and as a table. */
+import text from './results.csv?raw'
+import './style.css'
+import { plotAgainstNodes, plotAgainstVertices } from './cost-plots.js'
+import { make } from './dom.js'
+import { plotErrorAgainstCost } from './error-plot.js'
+import { short } from './figures.js'
+import { listMethods } from './method-list.js'
+import { deviceOf, parseRecords, runsOf } from './records.js'
+import { costAgainstNodes, costAgainstVertices, errorAgainstCost, rowsOf } from './series.js'
+import { makeTable } from './table.js'
+
+/** What a visitor sees first of the last plot: there the methods lie far apart. */
+const TELLING_ROW = '3 chains of 24 nested sines'
+
+const find = (selector) => document.querySelector(selector)
+
+const runs = runsOf(parseRecords(text))
+let run = runs[0]
+let row
+
+/** Redrawn whenever the width changes, so that letters stay as large as those of the page. */
+const plots = [
+  ['.nodes', plotAgainstNodes, () => costAgainstNodes(run.records)],
+  ['.vertices', plotAgainstVertices, () => costAgainstVertices(run.records)],
+  ['.error', plotErrorAgainstCost, () => errorAgainstCost(run.records, row)],
+]
+
+function drawPlots() {
+  for (const [selector, plot, points] of plots) {
+    const place = find(`${selector} .plot`)
+    const data = points()
+    place.replaceChildren(
+      data.length
+        ? plot(data, place.clientWidth)
+        : make('p', { textContent: 'This run has no figures for this plot.' }),
+    )
+  }
+}
+
+function showRow(name) {
+  row = name
+  for (const button of find('.error .bar').children)
+    button.ariaPressed = String(button.textContent === name)
+  drawPlots()
+}
+
+/** @param dateStyle 'long' or 'medium' */
+const formatDate = (date, dateStyle) =>
+  new Date(date).toLocaleString('en-GB', { dateStyle, timeStyle: 'short', timeZone: 'UTC' })
+
+/** A sentence on p5's own lines: there, the warp is a share of a whole sketch. */
+function aboutP5(records) {
+  const frameOf = (method) => records.find((record) => record.method === method)?.frameMs
+  const versions = records
+    .map(({ method }) => /^(p5 .*), warpjet$/.exec(method)?.[1])
+    .filter((version) => version && frameOf(`${version}, no warp`) !== undefined)
+    .map((version) => {
+      const [warped, plain] = [frameOf(`${version}, warpjet`), frameOf(`${version}, no warp`)]
+      return `${short(warped)} ms a frame with ${version} (${short(plain)} ms without the warp)`
+    })
+  return versions.length ? `A whole p5 sketch takes ${versions.join(', and ')}.` : ''
+}
+
+function showRun(date) {
+  run = runs.find((run) => run.date === date)
+  const { commit, chromium, renderer, sizePx, records } = run
+  const clocks = [...new Set(records.map(({ clock }) => clock).filter(Boolean))].join(' and ')
+  const device = deviceOf(renderer)
+  find('.run p').textContent = [
+    `Drawn by ${device} on ${formatDate(date, 'long')} UTC, in Chromium ${chromium}, at commit ${commit}${sizePx ? `, ${sizePx} × ${sizePx} pixels` : ''}; frames timed by ${clocks}.`,
+    device === 'SwiftShader' &&
+      'SwiftShader draws without a GPU: its milliseconds are long, while the quotients still tell.',
+    renderer !== device && `The driver calls itself ${renderer}.`,
+  ]
+    .filter(Boolean)
+    .join(' ')
+  const rows = rowsOf(records)
+  find('.error .bar').replaceChildren(
+    ...rows.map((name) => {
+      const button = make('button', { type: 'button', textContent: name })
+      button.addEventListener('click', () => showRow(name))
+      return button
+    }),
+  )
+  find('.wide').replaceChildren(makeTable(records))
+  find('.p5-share').textContent = aboutP5(records)
+  showRow(rows.includes(row) ? row : rows.includes(TELLING_ROW) ? TELLING_ROW : rows[0])
+}
+
+if (run) {
+  find('.results').hidden = false
+  listMethods(find('.notes'))
+  const select = find('select')
+  select.append(
+    ...runs.map(({ date, commit, renderer }) =>
+      make('option', {
+        value: date,
+        textContent: `${formatDate(date, 'medium')} · ${commit} · ${deviceOf(renderer)}`,
+      }),
+    ),
+  )
+  select.addEventListener('change', () => showRun(select.value))
+  showRun(run.date)
+  let width = innerWidth
+  addEventListener('resize', () => {
+    if (width === innerWidth) return
+    width = innerWidth
+    drawPlots()
+  })
+} else find('.nothing').hidden = false

@@ -1,0 +1,59 @@
+/** Whole shaders around what a method gives. Every method shares all of this, so that frames differ by the method alone. */
+
+let number = Math.floor(Math.random() * 2 ** 16)
+
+/** For a text that was never compiled before, in this visit or, most likely, an earlier one. */
+export const newNumber = () => ++number
+
+/**
+ * @param parts `{ declarations?, body }`: see methods.js
+ * @param unique of newNumber: a text that was never compiled before cannot come from a cache
+ */
+export const vertexShader = ({ declarations = '', body }, unique = 1) => `#version 300 es
+precision highp float;
+in vec3 position, normal;
+uniform mat4 camera;
+uniform float millis;
+out vec3 restPosition, restNormal, point, surfaceNormal;
+${declarations}
+void main() {
+${body}
+  restPosition = position;
+  restNormal = normal;
+  point = moved;
+  surfaceNormal = turned;
+  gl_PointSize = ${unique.toFixed(1)};
+  gl_Position = camera * vec4(moved, 1.0);
+}`
+
+const smooth = 'normalize(surfaceNormal)'
+/** Of the flat triangle, from how the point changes from pixel to pixel. */
+const flat = 'normalize(cross(dFdx(point), dFdy(point)))'
+
+/** Two lights and a highlight: about what p5 does for a pixel. @param unique as above; the picture stays the same */
+export const fragmentShader = (isFlat, unique = 1) => `#version 300 es
+precision highp float;
+in vec3 point, surfaceNormal;
+uniform vec3 eye;
+out vec4 color;
+void main() {
+  vec3 n = ${isFlat ? flat : smooth};
+  vec3 toEye = normalize(eye - point);
+  const vec3 key = vec3(0.39, 0.62, 0.68), fill = vec3(-0.78, 0.17, -0.6);
+  float highlight = pow(max(dot(n, normalize(key + toEye)), 0.0), ${(60 + (unique % 65536) / 65536).toFixed(6)});
+  vec3 light = 0.12 + max(dot(n, key), 0.0) * vec3(1.0, 0.94, 0.87) + max(dot(n, fill), 0.0) * vec3(0.27, 0.39, 0.84);
+  color = vec4(vec3(1.0, 0.54, 0.36) * light + 0.5 * highlight, 1.0);
+}`
+
+/** Writes what the oracle needs of a pixel instead of a colour. */
+export const probeShader = (isFlat) => `#version 300 es
+precision highp float;
+in vec3 restPosition, restNormal, point, surfaceNormal;
+layout(location = 0) out vec4 foundNormal;
+layout(location = 1) out vec4 foundPosition;
+layout(location = 2) out vec4 foundRestNormal;
+void main() {
+  foundNormal = vec4(${isFlat ? flat : smooth}, 1.0);
+  foundPosition = vec4(restPosition, 1.0);
+  foundRestNormal = vec4(restNormal, 1.0);
+}`
