@@ -88,9 +88,9 @@ EMSCRIPTEN_KEEPALIVE int temporaryCount(Session* session) {
   return static_cast<int>(session->built.emitted.temporaries);
 }
 
-// Makes the program of what was built. Whether there can be one.
+// Makes the program that gives the values pushed. Whether there can be one.
 EMSCRIPTEN_KEEPALIVE int makeProgram(Session* session) {
-  auto program = session->builder.program(session->built.emitted.inputs);
+  auto program = session->builder.program();
   if (program) session->program = std::move(*program);
   return program.has_value();
 }
@@ -191,13 +191,23 @@ std::string line(Shape shape, const std::string& name) {
   return std::to_string(shape.columns) + std::to_string(shape.rows) + name + '\n';
 }
 
+std::string line(const Session& session, std::uint32_t input) {
+  const auto& [label, shape] = session.builder.graph().input(input);
+  return line(shape, label);
+}
+
 // The host's expressions that the text reads, a line each.
 std::string inputLines(Address session) {
   std::string lines;
-  for (const std::uint32_t i : at(session).built.emitted.inputs) {
-    const Input& input = at(session).builder.graph().input(i);
-    lines += line(input.shape, input.label);
-  }
+  for (const std::uint32_t i : at(session).built.emitted.inputs) lines += line(at(session), i);
+  return lines;
+}
+
+// All that there are, in the order in which a program wants their numbers.
+std::string allInputLines(Address session) {
+  std::string lines;
+  for (std::uint32_t i = 0; i < at(session).builder.graph().inputCount(); ++i)
+    lines += line(at(session), i);
   return lines;
 }
 
@@ -223,5 +233,6 @@ EMSCRIPTEN_BINDINGS(warpjet) {
   emscripten::function("code", &code);
   emscripten::function("declarations", &declarations);
   emscripten::function("inputLines", &inputLines);
+  emscripten::function("allInputLines", &allInputLines);
   emscripten::function("outputLines", &outputLines);
 }

@@ -76,9 +76,8 @@ class Builder {
   std::optional<Built> build(std::optional<int> maxDepth = {});
 
   const std::vector<Output>& outputs() const { return outputs_; }
-  // All outputs for the CPU, from the numbers of these inputs; nothing if a function of the host is
-  // called for them.
-  std::optional<Program> program(std::span<const std::uint32_t> inputs) const;
+  // The values pushed, for the CPU; nothing if a function of the host is called for them.
+  std::optional<Program> program();
 
  private:
   using Operands = std::span<const Value>;

@@ -182,6 +182,19 @@ inline constexpr std::array compositions{
                 "33J",
                 Kind::Vec3,
                 [](auto& d, auto x) { return warpedNormal(d, x[0], x[1], x[2]); }},
+    Composition{{"adjustTangent", "offset, tangent, normal, position",
+                 "The unit tangent after the warp of `position` by this offset, at right angles to "
+                 "`normal`, the one after the warp."},
+                "333J",
+                Kind::Vec3,
+                [](auto& d, auto x) { return warpedTangent(d, x[0], x[1], x[2], x[3]); }},
+    Composition{
+        {"deformation", "offset, position",
+         "What the warp of `position` by this offset makes of directions: 1 on the diagonal "
+         "plus the Jacobian. Where its determinant is not above 0, space turns inside out."},
+        "3J",
+        Kind::Mat3,
+        [](auto& d, auto x) { return deformation(d, x[0], x[1]); }},
 };
 
 static_assert(std::all_of(compositions.begin(), compositions.end(), [](const Composition& row) {

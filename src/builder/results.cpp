@@ -44,8 +44,12 @@ std::vector<NodeId> Builder::roots() const {
   return nodes;
 }
 
-std::optional<Program> Builder::program(std::span<const std::uint32_t> inputs) const {
-  return warpjet::program(graph_, inputs, roots());
+std::optional<Program> Builder::program() {
+  std::vector<NodeId> nodes;
+  for (const Value& value : operands_)
+    nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
+  operands_.clear();
+  return warpjet::program(graph_, nodes);
 }
 
 std::optional<Built> Builder::build(std::optional<int> maxDepth) {

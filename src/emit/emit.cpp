@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "emit/names.hpp"
-#include "emit/schedule.hpp"
 #include "emit/statements.hpp"
 #include "emit/writer.hpp"
 #include "graph/reachable.hpp"
+#include "graph/schedule.hpp"
 
 namespace warpjet {
 
@@ -94,7 +94,7 @@ class Emitter {
 
   void writeStatements() {
     const Statements statements = makeStatements(graph_, nodes_, outputs_, options_);
-    for (const std::uint32_t i : schedule(statements)) {
+    for (const std::uint32_t i : schedule(statements.work)) {
       const Statement& statement = statements.all[i];
       if (statement.node) {
         compute(*statement.node, statement.output);

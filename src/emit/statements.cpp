@@ -24,7 +24,7 @@ class Maker {
   }
 
  private:
-  // A set of statements, as a part of `made_.reads`.
+  // A set of statements, as a part of `made_.work.reads`.
   struct Set {
     std::uint32_t first = 0, count = 0;
   };
@@ -81,11 +81,12 @@ class Maker {
 
   void makeStatement(NodeId id) {
     State& it = state(id);
-    it.statement = add({id, it.output, it.reads.first, it.reads.count});
+    it.statement = add({id, it.output}, it.reads);
   }
 
-  std::uint32_t add(const Statement& statement) {
+  std::uint32_t add(const Statement& statement, Set reads) {
     made_.all.push_back(statement);
+    made_.work.tasks.push_back({reads.first, reads.count, statement.output != nullptr});
     return static_cast<std::uint32_t>(made_.all.size() - 1);
   }
 
@@ -122,20 +123,20 @@ class Maker {
     return state(id).statement == none ? state(id).reads.count : 0;
   }
 
-  Set emptySet() const { return {static_cast<std::uint32_t>(made_.reads.size()), 0}; }
+  Set emptySet() const { return {static_cast<std::uint32_t>(made_.work.reads.size()), 0}; }
 
   // Adds what is read where the node is used. The set must be the last one.
   void include(Set& set, NodeId id) {
     const State& it = state(id);
     if (it.statement != none) return include(set, it.statement);
     for (std::uint32_t i = 0; i < it.reads.count; ++i)
-      include(set, made_.reads[it.reads.first + i]);
+      include(set, made_.work.reads[it.reads.first + i]);
   }
 
   void include(Set& set, std::uint32_t statement) {
-    const auto begin = made_.reads.begin() + set.first;
-    if (std::find(begin, made_.reads.end(), statement) != made_.reads.end()) return;
-    made_.reads.push_back(statement);
+    const auto begin = made_.work.reads.begin() + set.first;
+    if (std::find(begin, made_.work.reads.end(), statement) != made_.work.reads.end()) return;
+    made_.work.reads.push_back(statement);
     ++set.count;
   }
 
@@ -149,7 +150,7 @@ class Maker {
     } else {
       for (const NodeId component : output.components) include(set, component);
     }
-    assigned_.push_back(add({{}, &output, set.first, set.count}));
+    assigned_.push_back(add({{}, &output}, set));
   }
 
   const Graph& graph_;

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "emit/emit.hpp"
 #include "graph/graph.hpp"
+#include "graph/schedule.hpp"
 
 namespace warpjet {
 
@@ -16,19 +16,12 @@ struct Statement {
   std::optional<NodeId> node;
   // The output that it assigns; null for a temporary.
   const Output* output;
-  // In `Statements::reads`.
-  std::uint32_t firstRead, readCount;
 };
 
-// Each statement reads only earlier ones.
+// `work` has the variables that each statement reads.
 struct Statements {
   std::vector<Statement> all;
-  std::vector<std::uint32_t> reads;
-
-  // The statements whose variables the i-th one reads, each once.
-  std::span<const std::uint32_t> readsOf(std::uint32_t i) const {
-    return {reads.data() + all[i].firstRead, all[i].readCount};
-  }
+  Work work;
 };
 
 // `nodes` are all that the outputs need, ascending.

@@ -1,26 +1,16 @@
 #include "eval/program.hpp"
 
-#include <cstring>
-
+#include "eval/words.hpp"
 #include "graph/reachable.hpp"
 
 namespace warpjet {
 
-namespace {
-
-constexpr std::size_t wordsPerInstruction = 4;
-
-// Of an input that the program is not given.
-constexpr std::uint32_t nowhere = ~std::uint32_t{0};
-
-}  // namespace
-
-std::optional<Program> program(const Graph& graph, std::span<const std::uint32_t> inputs,
-                               std::span<const NodeId> roots) {
-  std::vector<std::uint32_t> places(graph.inputCount(), nowhere);
+std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots) {
+  // Of each input, its first number.
+  std::vector<std::uint32_t> places;
   std::uint32_t place = 0;
-  for (const std::uint32_t input : inputs) {
-    places[input] = place;
+  for (std::uint32_t input = 0; input < graph.inputCount(); ++input) {
+    places.push_back(place);
     place += static_cast<std::uint32_t>(graph.input(input).shape.size());
   }
 
@@ -29,12 +19,7 @@ std::optional<Program> program(const Graph& graph, std::span<const std::uint32_t
   for (const NodeId id : reachable(graph, roots)) {
     if (graph.isCall(id)) return std::nullopt;
     auto [operands, op] = graph.node(id);
-    if (graph.isInput(id) && places[operands[0]] == nowhere) {
-      op = constantOp;
-      operands = {};
-    } else if (graph.isInput(id)) {
-      operands[0] = places[operands[0]] + operands[1];
-    }
+    if (graph.isInput(id)) operands[0] = places[operands[0]] + operands[1];
     for (int i = 0; i < graph.arity(id); ++i) operands[i] = instructionOf[operands[i]];
     program.words.push_back(static_cast<std::uint32_t>(index(op)));
     program.words.insert(program.words.end(), operands.begin(), operands.end());
@@ -46,22 +31,22 @@ std::optional<Program> program(const Graph& graph, std::span<const std::uint32_t
 
 void evaluate(std::span<const std::uint32_t> words, std::uint32_t instructions,
               std::span<const double> inputs, std::span<double> results) {
+  const Words program(words, instructions);
   std::vector<double> values(instructions);
-  for (std::size_t i = 0; i < instructions; ++i) {
-    const auto instruction = words.subspan(i * wordsPerInstruction, wordsPerInstruction);
-    const Op op{static_cast<std::uint8_t>(instruction[0])};
+  for (std::uint32_t i = 0; i < instructions; ++i) {
+    const Op op = program.op(i);
     if (op == constantOp) {
-      std::memcpy(&values[i], &instruction[1], sizeof(double));
+      values[i] = program.constant(i);
     } else if (op == inputOp) {
-      values[i] = inputs[instruction[1]];
+      values[i] = inputs[program.input(i)];
     } else {
       std::array<double, ops::maxArity> operands{};
-      for (int k = 0; k < arities[index(op)]; ++k) operands[k] = values[instruction[1 + k]];
+      auto value = operands.begin();
+      for (const std::uint32_t operand : program.operands(i)) *value++ = values[operand];
       values[i] = ops::evaluate(op, operands);
     }
   }
-  for (std::size_t i = 0; i < results.size(); ++i)
-    results[i] = values[words[instructions * wordsPerInstruction + i]];
+  for (std::size_t i = 0; i < results.size(); ++i) results[i] = values[program.result(i)];
 }
 
 }  // namespace warpjet

@@ -13,17 +13,15 @@ namespace warpjet {
 
 // One instruction for each node, operands first: its operation, then its operands, which are
 // earlier instructions, or the bits of a constant, or the place of an input among the numbers. Then
-// the instructions that give the results.
+// the instructions that give the results. words.hpp reads them.
 struct Program {
   std::vector<std::uint32_t> words;
   std::uint32_t instructions = 0;
 };
 
-// Numbers are given to the program in the order of `inputs`, component by component; any other
-// input counts as 0, since it does not matter where lowering found that it cancels. Nothing if the
-// program would have to call a function of the host.
-std::optional<Program> program(const Graph& graph, std::span<const std::uint32_t> inputs,
-                               std::span<const NodeId> roots);
+// Numbers are given to the program for all inputs of the graph in order, component by component.
+// Nothing if the program would have to call a function of the host.
+std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots);
 
 // Runs a program of so many instructions; conditions are 1 and 0.
 void evaluate(std::span<const std::uint32_t> words, std::uint32_t instructions,

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "algebra/derivatives.hpp"
+#include "algebra/matrices.hpp"
 #include "algebra/vectors.hpp"
 
 namespace warpjet {
@@ -33,14 +34,24 @@ Expression plusOne(Expression x) {
 
 }  // namespace
 
-Value warpedNormal(Differentiator& differentiator, const Value& offset, const Value& normal,
-                   const Value& position) {
+Value deformation(Differentiator& differentiator, const Value& offset, const Value& position) {
   Value m = jacobian(differentiator, offset, position);
   for (int i = 0; i < 3; ++i) m.set(i, i, plusOne(m.at(i, i)));
+  return m;
+}
 
+Value warpedNormal(Differentiator& differentiator, const Value& offset, const Value& normal,
+                   const Value& position) {
+  const Value m = deformation(differentiator, offset, position);
   const Value cofactor[] = {cross(m.column(1), m.column(2)), cross(m.column(2), m.column(0)),
                             cross(m.column(0), m.column(1))};
   return normalize(cofactor[0] * normal[0] + cofactor[1] * normal[1] + cofactor[2] * normal[2]);
+}
+
+Value warpedTangent(Differentiator& differentiator, const Value& offset, const Value& tangent,
+                    const Value& normal, const Value& position) {
+  const Value moved = multiply(deformation(differentiator, offset, position), tangent);
+  return normalize(moved - normal * dot(normal, moved));
 }
 
 }  // namespace warpjet

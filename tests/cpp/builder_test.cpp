@@ -195,15 +195,16 @@ TEST_F(BuilderTest, TwentyThousandValuesKeepTheirHandles) {
             "vec3(m3[0].x + 20000.0, m3[1].x + 20000.0, m3[2].x + 20000.0)");
 }
 
-TEST_F(BuilderTest, TheProgramOfAllResults) {
-  ASSERT_TRUE(builder.output("gen", "a", call("mult", {v2, number(3)})));
-  ASSERT_TRUE(builder.output("gen", "b", call("trunc", {x})));
-  const auto built = builder.build(8);
-  ASSERT_TRUE(built);
-  const auto program = builder.program(built->emitted.inputs);
+TEST_F(BuilderTest, TheProgramOfTheValuesPushed) {
+  for (const int value : {call("mult", {v2, number(3)}), call("trunc", {x})}) builder.push(value);
+  const auto program = builder.program();
   ASSERT_TRUE(program);
-  std::vector<double> results(3);
-  evaluate(program->words, program->instructions, std::array{-2.5, 10.0, 20.0}, results);
+  // The numbers of all inputs: x, v2, and those that nothing reads.
+  std::vector<double> numbers(1 + 2 + 3 + 4 + 4 + 9 + 6), results(3);
+  numbers[0] = -2.5;
+  numbers[1] = 10;
+  numbers[2] = 20;
+  evaluate(program->words, program->instructions, numbers, results);
   EXPECT_EQ(results, (std::vector<double>{30, 60, -2}));
 }
 

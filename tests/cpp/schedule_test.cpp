@@ -1,6 +1,6 @@
-// The order of statements. Whether it is a good one is counted here from the order alone: how many
+// The order of work. Whether it is a good one is counted here from the order alone: how many
 // values are alive at a time.
-#include "emit/schedule.hpp"
+#include "graph/schedule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,47 +13,47 @@ namespace {
 
 using Order = std::vector<std::uint32_t>;
 
-const Output result{};
-
 class ScheduleTest : public testing::Test {
  protected:
-  Statements statements;
+  static constexpr bool result = true;
 
-  std::uint32_t add(const Order& reads, const Output* output = nullptr) {
-    const auto first = static_cast<std::uint32_t>(statements.reads.size());
-    statements.reads.insert(statements.reads.end(), reads.begin(), reads.end());
-    statements.all.push_back({NodeId{}, output, first, static_cast<std::uint32_t>(reads.size())});
-    return static_cast<std::uint32_t>(statements.all.size() - 1);
+  Work work;
+
+  std::uint32_t add(const Order& reads, bool isResult = false) {
+    const auto first = static_cast<std::uint32_t>(work.reads.size());
+    work.reads.insert(work.reads.end(), reads.begin(), reads.end());
+    work.tasks.push_back({first, static_cast<std::uint32_t>(reads.size()), isResult});
+    return static_cast<std::uint32_t>(work.tasks.size() - 1);
   }
 
   // The most values that are alive between two statements.
   std::size_t mostAlive(const Order& order) const {
     std::vector<std::size_t> lastReader(order.size());
     for (std::size_t place = 0; place < order.size(); ++place) {
-      for (const std::uint32_t read : statements.readsOf(order[place])) lastReader[read] = place;
+      for (const std::uint32_t read : work.readsOf(order[place])) lastReader[read] = place;
     }
     std::size_t most = 0;
     for (std::size_t place = 0; place < order.size(); ++place) {
       std::size_t alive = 0;
       for (std::size_t before = 0; before <= place; ++before)
-        alive += statements.all[order[before]].output || lastReader[order[before]] > place;
+        alive += work.tasks[order[before]].isResult || lastReader[order[before]] > place;
       most = std::max(most, alive);
     }
     return most;
   }
 
   Order written() const {
-    Order order(statements.all.size());
+    Order order(work.tasks.size());
     std::iota(order.begin(), order.end(), 0);
     return order;
   }
 };
 
-TEST_F(ScheduleTest, WithoutStatementsThereIsNoOrder) { EXPECT_EQ(schedule(statements), Order{}); }
+TEST_F(ScheduleTest, WithoutStatementsThereIsNoOrder) { EXPECT_EQ(schedule(work), Order{}); }
 
 TEST_F(ScheduleTest, WhatEndsALifeComesBeforeWhatBeginsOne) {
-  const auto a = add({}), b = add({}), endOfB = add({b}, &result), endOfA = add({a}, &result);
-  EXPECT_EQ(schedule(statements), (Order{a, endOfA, b, endOfB}));
+  const auto a = add({}), b = add({}), endOfB = add({b}, result), endOfA = add({a}, result);
+  EXPECT_EQ(schedule(work), (Order{a, endOfA, b, endOfB}));
 }
 
 // Nested sines: each angle is read by the next one, and four together by a product of slopes. No
@@ -65,13 +65,13 @@ TEST_F(ScheduleTest, ChainsAreWalkedSideBySide) {
     Order slope;
     angles.push_back(add({}));
     for (int i = 1; i < 16; ++i) {
-      const Output* const output = i == 15 ? &result : nullptr;
+      const bool output = i == 15;
       angles.push_back(add({angles.back()}, output));
       slope.push_back(angles[i - 1]);
       if (i % 4 == 3) slope = {add(slope, output)};
     }
   }
-  const Order order = schedule(statements);
+  const Order order = schedule(work);
   const auto place = [&](std::uint32_t i) {
     return std::find(order.begin(), order.end(), i) - order.begin();
   };
@@ -88,32 +88,32 @@ TEST_F(ScheduleTest, ASumAndItsSlopeNeedOneAngleAtATime) {
   std::uint32_t sum = add({}), slope = add({});
   for (int i = 0; i < 100; ++i) {
     angles.push_back(add({}));
-    sum = add({sum, angles.back()}, i == 99 ? &result : nullptr);
+    sum = add({sum, angles.back()}, i == 99);
   }
-  for (int i = 0; i < 100; ++i) slope = add({slope, angles[i]}, i == 99 ? &result : nullptr);
+  for (int i = 0; i < 100; ++i) slope = add({slope, angles[i]}, i == 99);
   EXPECT_GT(mostAlive(written()), 100u);
-  EXPECT_LE(mostAlive(schedule(statements)), 4u);
+  EXPECT_LE(mostAlive(schedule(work)), 4u);
 }
 
 TEST_F(ScheduleTest, EveryStatementIsWrittenOnceAndAfterWhatItReads) {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {
-    statements = {};
+    work = {};
     for (std::uint32_t i = 0; i < 60; ++i) {
       Order reads;
       for (std::uint32_t k = 0; k < i && reads.size() < random() % 5; ++k) {
         const auto read = static_cast<std::uint32_t>(random() % i);
         if (std::find(reads.begin(), reads.end(), read) == reads.end()) reads.push_back(read);
       }
-      add(reads, random() % 8 == 0 ? &result : nullptr);
+      add(reads, random() % 8 == 0);
     }
-    const Order order = schedule(statements);
+    const Order order = schedule(work);
     Order sorted = order;
     std::sort(sorted.begin(), sorted.end());
     ASSERT_EQ(sorted, written());
     std::vector<bool> isWritten(order.size());
     for (const std::uint32_t i : order) {
-      for (const std::uint32_t read : statements.readsOf(i)) ASSERT_TRUE(isWritten[read]);
+      for (const std::uint32_t read : work.readsOf(i)) ASSERT_TRUE(isWritten[read]);
       isWritten[i] = true;
     }
   }
@@ -122,7 +122,7 @@ TEST_F(ScheduleTest, EveryStatementIsWrittenOnceAndAfterWhatItReads) {
 TEST_F(ScheduleTest, AHundredThousandStatementsAreNotTooMany) {
   std::uint32_t last = add({});
   for (int i = 0; i < 100'000; ++i) last = add({0, last});
-  EXPECT_EQ(schedule(statements).size(), 100'001u);
+  EXPECT_EQ(schedule(work).size(), 100'001u);
 }
 
 }  // namespace

@@ -105,5 +105,82 @@ TEST_F(WarpTest, OtherInputsCountAsConstant) {
   expectNear(normalOf(n * 2.0, {1, 2, 3}, {0.6, 0, 0.8}), {0.6, 0, 0.8});
 }
 
+// M = I + J of x -> x + sin(y) z, y -> y + 0.3 x^2, z -> z + x, by hand.
+TEST_F(WarpTest, TheDeformationIsOneAndTheJacobian) {
+  const Value m = deformation(differentiator, vec3(sin(p[1]) * p[2], p[0] * p[0] * 0.3, p[0]), p);
+  const double x = 0.4, y = -0.8, z = 1.3;
+  const Inputs inputs{{p[0].id, x}, {p[1].id, y}, {p[2].id, z}};
+  const double expected[3][3] = {
+      {1, 0.6 * x, 1}, {std::cos(y) * z, 1, 0}, {std::sin(y), 0, 1}};  // by column
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row)
+      EXPECT_NEAR(evaluateNode(graph, m.at(column, row).id, inputs), expected[column][row], 1e-15)
+          << column << ", " << row;
+  }
+}
+
+// A tangent by finite differences of the moved curve p + s t, made square to the warped normal; and
+// the bitangent of the same side, also where the warp is a mirror.
+TEST_F(WarpTest, TangentsGoWithTheSurface) {
+  const Value t = vector3(graph, "tangent");
+  const Value wave = vec3(sin(p[1] * 2.0) * 0.3, p[0] * p[2] * 0.4, cos(p[0]) * 0.5);
+  const Value mirrored = vec3(sin(p[1] * 2.0) * 0.3 - p[0] * 2.0, p[0] * p[2] * 0.4, zero);
+  const Point at{0.3, -0.7, 0.9}, tangent{0.6, 0.8, 0}, normal{0, 0, 1}, bitangent{-0.8, 0.6, 0};
+  for (const Value& offset : {wave, mirrored}) {
+    const auto moved = [&](const Point& direction, double step) {
+      Inputs inputs;
+      for (int i = 0; i < 3; ++i) inputs[p[i].id] = at[i] + step * direction[i];
+      Point result;
+      for (int i = 0; i < 3; ++i)
+        result[i] = inputs[p[i].id] + evaluateNode(graph, offset[i].id, inputs);
+      return result;
+    };
+    const auto along = [&](const Point& direction) {
+      const Point a = moved(direction, 1e-6), b = moved(direction, -1e-6);
+      return Point{(a[0] - b[0]) / 2e-6, (a[1] - b[1]) / 2e-6, (a[2] - b[2]) / 2e-6};
+    };
+    const auto dotted = [](const Point& a, const Point& b) {
+      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    };
+    const Point u = along(tangent), v = along(bitangent);
+    Point across{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double length = std::sqrt(dotted(across, across));
+    for (double& x : across) x /= length;
+    Point expected;
+    for (int i = 0; i < 3; ++i) expected[i] = u[i] - across[i] * dotted(across, u);
+    const double size = std::sqrt(dotted(expected, expected));
+
+    const Value turned = warpedNormal(differentiator, offset, n, p);
+    const Value result = warpedTangent(differentiator, offset, t, turned, p);
+    Inputs inputs;
+    for (int i = 0; i < 3; ++i) {
+      inputs[p[i].id] = at[i];
+      inputs[n[i].id] = normal[i];
+      inputs[t[i].id] = tangent[i];
+    }
+    Point found, foundNormal;
+    for (int i = 0; i < 3; ++i) {
+      found[i] = evaluateNode(graph, result[i].id, inputs);
+      foundNormal[i] = evaluateNode(graph, turned[i].id, inputs);
+      EXPECT_NEAR(found[i], expected[i] / size, 1e-8) << "component " << i;
+    }
+    const Point side{foundNormal[1] * found[2] - foundNormal[2] * found[1],
+                     foundNormal[2] * found[0] - foundNormal[0] * found[2],
+                     foundNormal[0] * found[1] - foundNormal[1] * found[0]};
+    EXPECT_GT(dotted(side, v), 0) << "the bitangent is on the other side";
+  }
+}
+
+TEST_F(WarpTest, WhereTheWarpCollapsesTheTangentItIsZero) {
+  const Value t = vector3(graph, "tangent");
+  const Value result = warpedTangent(differentiator, vec3(-p[0], zero, zero), t, n, p);
+  Inputs inputs{{p[0].id, 1.0}, {p[1].id, 2.0}, {p[2].id, 3.0}};
+  for (int i = 0; i < 3; ++i) {
+    inputs[t[i].id] = i == 0;
+    inputs[n[i].id] = i == 1;
+  }
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(evaluateNode(graph, result[i].id, inputs), 0);
+}
+
 }  // namespace
 }  // namespace warpjet

@@ -1,4 +1,4 @@
-#include "emit/schedule.hpp"
+#include "graph/schedule.hpp"
 
 #include <algorithm>
 
@@ -8,8 +8,8 @@ namespace {
 
 class Scheduler {
  public:
-  explicit Scheduler(const Statements& statements)
-      : statements_(statements), size_(static_cast<std::uint32_t>(statements.all.size())) {
+  explicit Scheduler(const Work& work)
+      : work_(work), size_(static_cast<std::uint32_t>(work.tasks.size())) {
     states_.resize(size_);
     findReaders();
     findHeights();
@@ -17,7 +17,7 @@ class Scheduler {
 
   std::vector<std::uint32_t> run() {
     for (std::uint32_t i = 0; i < size_; ++i) {
-      if (states_[i].unwritten == 0) offer(i);
+      if (states_[i].undone == 0) offer(i);
     }
     std::vector<std::uint32_t> order;
     order.reserve(size_);
@@ -25,8 +25,8 @@ class Scheduler {
       std::pop_heap(heap_.begin(), heap_.end());
       const std::uint32_t next = ~static_cast<std::uint32_t>(heap_.back());
       heap_.pop_back();
-      if (states_[next].isWritten) continue;
-      write(next);
+      if (states_[next].isDone) continue;
+      take(next);
       order.push_back(next);
     }
     return order;
@@ -34,21 +34,21 @@ class Scheduler {
 
  private:
   struct State {
-    std::uint32_t unwritten = 0;    // statements that it reads and that are not written yet
-    std::uint32_t readers = 0;      // statements that are not written yet and read it
+    std::uint32_t undone = 0;       // tasks that it reads and that are not done yet
+    std::uint32_t readers = 0;      // tasks that are not done yet and read it
     std::uint32_t firstReader = 0;  // in readers_
     std::uint32_t endReader = 0;
     std::uint32_t height = 0;  // of the longest way to a result
-    bool isWritten = false;
+    bool isDone = false;
   };
 
   void findReaders() {
     std::uint32_t total = 0;
     for (std::uint32_t i = 0; i < size_; ++i) {
-      const auto reads = statements_.readsOf(i);
-      states_[i].unwritten = static_cast<std::uint32_t>(reads.size());
+      const auto reads = work_.readsOf(i);
+      states_[i].undone = static_cast<std::uint32_t>(reads.size());
       for (const std::uint32_t read : reads) ++states_[read].readers;
-      total += states_[i].unwritten;
+      total += states_[i].undone;
     }
     readers_.resize(total);
     total = 0;
@@ -57,14 +57,13 @@ class Scheduler {
       total += state.readers;
     }
     for (std::uint32_t i = 0; i < size_; ++i) {
-      for (const std::uint32_t read : statements_.readsOf(i))
-        readers_[states_[read].endReader++] = i;
+      for (const std::uint32_t read : work_.readsOf(i)) readers_[states_[read].endReader++] = i;
     }
   }
 
   void findHeights() {
     for (std::uint32_t i = size_; i-- > 0;) {
-      for (const std::uint32_t read : statements_.readsOf(i))
+      for (const std::uint32_t read : work_.readsOf(i))
         states_[read].height = std::max(states_[read].height, states_[i].height + 1);
     }
   }
@@ -76,25 +75,25 @@ class Scheduler {
 
   // A value dies with its last reader, a result never.
   bool diesWithNext(std::uint32_t i) const {
-    return states_[i].readers == 1 && !statements_.all[i].output;
+    return states_[i].readers == 1 && !work_.tasks[i].isResult;
   }
 
   void offer(std::uint32_t i) {
     std::uint64_t dying = 0;
-    for (const std::uint32_t read : statements_.readsOf(i)) dying += diesWithNext(read);
+    for (const std::uint32_t read : work_.readsOf(i)) dying += diesWithNext(read);
     heap_.push_back(std::min<std::uint64_t>(dying, 255) << 56 |
                     std::uint64_t{states_[i].height} << 32 | ~i);
     std::push_heap(heap_.begin(), heap_.end());
   }
 
-  void write(std::uint32_t i) {
-    states_[i].isWritten = true;
-    for (const std::uint32_t read : statements_.readsOf(i)) {
+  void take(std::uint32_t i) {
+    states_[i].isDone = true;
+    for (const std::uint32_t read : work_.readsOf(i)) {
       --states_[read].readers;
       if (diesWithNext(read)) offerAgain(read);
     }
     for (const std::uint32_t reader : readersOf(i)) {
-      if (--states_[reader].unwritten == 0) offer(reader);
+      if (--states_[reader].undone == 0) offer(reader);
     }
   }
 
@@ -102,11 +101,11 @@ class Scheduler {
   // is passed over.
   void offerAgain(std::uint32_t read) {
     for (const std::uint32_t reader : readersOf(read)) {
-      if (!states_[reader].isWritten && states_[reader].unwritten == 0) offer(reader);
+      if (!states_[reader].isDone && states_[reader].undone == 0) offer(reader);
     }
   }
 
-  const Statements& statements_;
+  const Work& work_;
   std::uint32_t size_;
   std::vector<State> states_;
   std::vector<std::uint32_t> readers_;
@@ -117,8 +116,6 @@ class Scheduler {
 
 }  // namespace
 
-std::vector<std::uint32_t> schedule(const Statements& statements) {
-  return Scheduler(statements).run();
-}
+std::vector<std::uint32_t> schedule(const Work& work) { return Scheduler(work).run(); }
 
 }  // namespace warpjet

@@ -1,0 +1,145 @@
+#include "eval/blocks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace warpjet {
+
+namespace {
+
+// The registers of a block should stay in the first-level cache, beside what they are read from;
+// and the work on a block should outweigh finding out what to do.
+constexpr std::size_t blockBytes = 32 * 1024;
+constexpr std::size_t leastLanes = 8, mostLanes = 64;
+
+// The lanes of a register, and how far on those of the next four vertices are.
+struct Operand {
+  const Lanes* lanes;
+  std::size_t step;
+};
+
+template <ops::Type type>
+auto typed(const Lanes& lanes) {
+  if constexpr (type == ops::Type::Bool)
+    return asMask(lanes);
+  else
+    return lanes;
+}
+
+Lanes untyped(const Lanes& value) { return value; }
+Lanes untyped(const Mask& value) { return asLanes(value); }
+
+// A row of the table on as many lanes.
+template <std::size_t Row>
+void applyRow(Lanes* result, const Operand (&operands)[ops::maxArity], std::size_t count) {
+  constexpr const auto& row = std::get<Row>(ops::table);
+  constexpr auto types = row.signature.operands;
+  const auto [a, b, c] = operands;
+  for (std::size_t i = 0; i < count; ++i) {
+    if constexpr (row.arity == 1) {
+      result[i] = untyped(row.value(typed<types[0]>(a.lanes[i * a.step])));
+    } else if constexpr (row.arity == 2) {
+      result[i] = untyped(
+          row.value(typed<types[0]>(a.lanes[i * a.step]), typed<types[1]>(b.lanes[i * b.step])));
+    } else {
+      result[i] = untyped(row.value(typed<types[0]>(a.lanes[i * a.step]),
+                                    typed<types[1]>(b.lanes[i * b.step]),
+                                    typed<types[2]>(c.lanes[i * c.step])));
+    }
+  }
+}
+
+using Kernel = void (*)(Lanes* result, const Operand (&operands)[ops::maxArity], std::size_t count);
+
+constexpr auto kernels = []<std::size_t... Row>(std::index_sequence<Row...>) {
+  return std::array<Kernel, ops::count>{applyRow<Row>...};
+}
+(std::make_index_sequence<ops::count>{});
+
+}  // namespace
+
+BlockEvaluator::BlockEvaluator(RegisterProgram program, std::span<const Stream> inputs)
+    : program_(std::move(program)), uniforms_(program_.uniformRegisters) {
+  for (std::uint32_t stream = 0; stream < inputs.size(); ++stream) {
+    for (std::uint32_t i = 0; i < inputs[stream].size; ++i) sources_.push_back({stream, i});
+  }
+  const std::size_t registers = std::max<std::size_t>(program_.blockRegisters, 1);
+  lanesPerBlock_ = std::clamp(blockBytes / sizeof(Lanes) / registers, leastLanes, mostLanes);
+  block_.resize(registers * lanesPerBlock_);
+
+  std::copy(program_.constants.begin(), program_.constants.end(), uniforms_.begin());
+  for (const RegisterInstruction& instruction : program_.prologue) {
+    if (instruction.op == inputOp) {
+      const auto [stream, component] = sources_[instruction.input];
+      uniforms_[instruction.result.number] = inputs[stream].values[component];
+    } else {
+      execute(instruction, 1);
+    }
+  }
+}
+
+Lanes* BlockEvaluator::lanesOf(Register r) {
+  return r.isUniform ? &uniforms_[r.number] : &block_[r.number * lanesPerBlock_];
+}
+
+void BlockEvaluator::execute(const RegisterInstruction& instruction, std::size_t lanes) {
+  Operand operands[ops::maxArity];
+  for (int i = 0; i < arities[index(instruction.op)]; ++i) {
+    const Register r = instruction.operands[i];
+    operands[i] = {lanesOf(r), r.isUniform ? std::size_t{0} : std::size_t{1}};
+  }
+  kernels[index(instruction.op)](lanesOf(instruction.result), operands, lanes);
+}
+
+void BlockEvaluator::run(std::size_t vertices, std::span<const Stream> inputs,
+                         std::span<const Sink> results) {
+  const std::size_t perBlock = lanesPerBlock_ * Lanes::count;
+  for (std::size_t first = 0; first < vertices; first += perBlock) {
+    const std::size_t now = std::min(perBlock, vertices - first);
+    const std::size_t lanes = (now + Lanes::count - 1) / Lanes::count;
+    for (const RegisterInstruction& instruction : program_.body) {
+      if (instruction.op == inputOp) {
+        const auto [stream, component] = sources_[instruction.input];
+        load(inputs[stream], component, first, now, lanesOf(instruction.result));
+      } else {
+        execute(instruction, lanes);
+      }
+    }
+    auto result = program_.results.begin();
+    for (const Sink& sink : results) {
+      for (std::uint32_t i = 0; i < sink.size; ++i) store(*result++, sink, i, first, now);
+    }
+  }
+}
+
+// Lanes past the last vertex repeat it, so that they hold nothing that arithmetic is slow on.
+void BlockEvaluator::load(const Stream& stream, std::uint32_t component, std::size_t first,
+                          std::size_t vertices, Lanes* result) const {
+  const std::size_t size = stream.size;
+  const float* values = stream.values + first * size + component;
+  std::size_t i = 0;
+  for (; i + Lanes::count <= vertices; i += Lanes::count, values += Lanes::count * size)
+    *result++ = Lanes::Floats{values[0], values[size], values[2 * size], values[3 * size]};
+  if (i == vertices) return;
+  const std::size_t left = vertices - i;
+  for (std::size_t k = 0; k < Lanes::count; ++k)
+    result->set(k, values[std::min(k, left - 1) * size]);
+}
+
+void BlockEvaluator::store(Register r, const Sink& sink, std::uint32_t component, std::size_t first,
+                           std::size_t vertices) {
+  const std::size_t size = sink.size, step = r.isUniform ? 0 : 1;
+  const Lanes* lanes = lanesOf(r);
+  float* values = sink.values + first * size + component;
+  std::size_t i = 0;
+  for (; i + Lanes::count <= vertices; i += Lanes::count, values += Lanes::count * size) {
+    values[0] = (*lanes)[0];
+    values[size] = (*lanes)[1];
+    values[2 * size] = (*lanes)[2];
+    values[3 * size] = (*lanes)[3];
+    lanes += step;
+  }
+  for (std::size_t k = 0; i + k < vertices; ++k) values[k * size] = (*lanes)[k];
+}
+
+}  // namespace warpjet

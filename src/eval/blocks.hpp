@@ -1,0 +1,55 @@
+// Evaluation of many vertices: a register program runs over blocks of them, four at a time in a
+// SIMD register, so that memory depends on the program and not on the mesh.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "eval/lanes_math.hpp"
+#include "eval/registers.hpp"
+
+namespace warpjet {
+
+// An input: `size` floats for each vertex, or `size` floats for all.
+struct Stream {
+  const float* values;
+  std::uint32_t size;
+  bool isUniform;
+};
+
+// Where results go: `size` floats for each vertex.
+struct Sink {
+  float* values;
+  std::uint32_t size;
+};
+
+// The results of the program, which are numbers, fill the sinks in order.
+class BlockEvaluator {
+ public:
+  // The uniform inputs are read here, the others with each run.
+  BlockEvaluator(RegisterProgram program, std::span<const Stream> inputs);
+
+  void run(std::size_t vertices, std::span<const Stream> inputs, std::span<const Sink> results);
+
+ private:
+  // Where a place among the numbers is read.
+  struct Source {
+    std::uint32_t stream, component;
+  };
+
+  Lanes* lanesOf(Register r);
+  void execute(const RegisterInstruction& instruction, std::size_t lanes);
+  void load(const Stream& stream, std::uint32_t component, std::size_t first, std::size_t vertices,
+            Lanes* result) const;
+  void store(Register r, const Sink& sink, std::uint32_t component, std::size_t first,
+             std::size_t vertices);
+
+  RegisterProgram program_;
+  std::vector<Source> sources_;
+  std::vector<Lanes> uniforms_, block_;
+  std::size_t lanesPerBlock_;
+};
+
+}  // namespace warpjet

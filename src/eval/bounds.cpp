@@ -1,0 +1,218 @@
+#include "eval/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "eval/interval_program.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr double infinity = Interval::infinity;
+
+// A box is split no further where each side is as small a share of the whole.
+constexpr double leastShare = 0x1p-24;
+
+// What is left of the instructions that may be run.
+class Budget {
+ public:
+  explicit Budget(std::uint64_t instructions) : left_(instructions) {}
+
+  void spend(std::uint64_t instructions) { left_ -= std::min(left_, instructions); }
+  std::uint64_t left() const { return left_; }
+
+ private:
+  std::uint64_t left_;
+};
+
+// The search for the bounds of one result.
+class Search {
+ public:
+  Search(IntervalProgram& program, std::span<const Interval> inputs, double tolerance,
+         Budget& budget)
+      : program_(program), tolerance_(tolerance), budget_(budget) {
+    for (const std::uint32_t variable : program.variables()) whole_.push_back(inputs[variable]);
+    point_.resize(dimensions());
+    plain_ = range(whole_);
+    if (isNeeded()) sampleCorners();
+  }
+
+  // Without any value, or nothing to gain.
+  bool isNeeded() const { return !plain_.isEmpty() && dimensions() > 0; }
+  Interval plain() const { return plain_; }
+
+  // The upper bound of `sign` times the result, at a cost that leaves `reserve` of the budget.
+  double upper(double sign, std::uint64_t reserve);
+
+ private:
+  struct Entry {
+    double bound;
+    std::uint32_t box;
+
+    // At equal bounds the newer box is the smaller one, so that a pole is soon reached.
+    bool operator<(const Entry& other) const {
+      return bound != other.bound ? bound < other.bound : box < other.box;
+    }
+  };
+
+  std::size_t dimensions() const { return whole_.size(); }
+  std::span<Interval> box(std::uint32_t i) {
+    return std::span(boxes_).subspan(i * dimensions(), dimensions());
+  }
+
+  Interval range(std::span<const Interval> box) {
+    budget_.spend(program_.cost());
+    return program_.range(box);
+  }
+  double bound(double sign, std::span<const Interval> box) {
+    const Interval all = range(box);
+    if (all.isEmpty()) return -infinity;
+    return sign > 0 ? all.high : -all.low;
+  }
+
+  void sample() {
+    budget_.spend(program_.cost());
+    const double value = program_.value(point_);
+    if (!std::isfinite(value)) return;
+    found_.low = std::min(found_.low, value);
+    found_.high = std::max(found_.high, value);
+  }
+  void sampleCorners();
+  void sampleBox(std::span<const Interval> box);
+
+  // A bound that is good enough.
+  double target(double sign) const {
+    const double best = sign > 0 ? found_.high : -found_.low;
+    const double size = std::max(std::abs(found_.low), std::abs(found_.high));
+    return best + std::max(tolerance_ * (found_.high - found_.low), float32Slack * size);
+  }
+  double share(std::span<const Interval> box, std::size_t i) const {
+    return (box[i].high - box[i].low) / (whole_[i].high - whole_[i].low);
+  }
+  std::size_t axisToSplit(double sign, std::span<Interval> box);
+
+  IntervalProgram& program_;
+  double tolerance_;
+  Budget& budget_;
+  std::vector<Interval> whole_;
+  Interval plain_;
+  Interval found_;  // at samples
+  std::vector<double> point_;
+  std::vector<Interval> boxes_;  // `dimensions` intervals each
+};
+
+double middle(const Interval& x) { return 0.5 * x.low + 0.5 * x.high; }
+
+void Search::sampleCorners() {
+  const std::size_t axes = std::min<std::size_t>(dimensions(), 4);
+  for (std::size_t i = axes; i < dimensions(); ++i) point_[i] = middle(whole_[i]);
+  for (std::uint32_t corner = 0; corner < 1u << axes; ++corner) {
+    for (std::size_t i = 0; i < axes; ++i)
+      point_[i] = corner >> i & 1 ? whole_[i].high : whole_[i].low;
+    sample();
+  }
+}
+
+// At its centre, and where it touches the border of the whole, since extremes are often there.
+void Search::sampleBox(std::span<const Interval> box) {
+  for (std::size_t i = 0; i < dimensions(); ++i) point_[i] = middle(box[i]);
+  sample();
+  bool touches = false;
+  for (std::size_t i = 0; i < dimensions(); ++i) {
+    const bool isLow = box[i].low == whole_[i].low, isHigh = box[i].high == whole_[i].high;
+    if (isLow == isHigh) continue;
+    point_[i] = isLow ? box[i].low : box[i].high;
+    touches = true;
+  }
+  if (touches) sample();
+}
+
+// The axis whose thickness widens the result most: without it, the bound is least.
+std::size_t Search::axisToSplit(double sign, std::span<Interval> box) {
+  std::size_t best = 0;
+  double least = infinity;
+  for (std::size_t i = 0; i < dimensions(); ++i) {
+    const Interval side = box[i];
+    if (share(box, i) <= leastShare) continue;
+    box[i] = middle(side);
+    const double thin = bound(sign, box);
+    box[i] = side;
+    if (thin < least || (thin == least && share(box, i) > share(box, best))) {
+      least = thin;
+      best = i;
+    }
+  }
+  return best;
+}
+
+double Search::upper(double sign, std::uint64_t reserve) {
+  boxes_ = whole_;
+  std::vector<Entry> heap{{sign > 0 ? plain_.high : -plain_.low, 0}};
+  double settled = -infinity;  // of boxes that are good enough
+  while (!heap.empty()) {
+    const Entry worst = heap.front();
+    if (worst.bound <= target(sign) || budget_.left() <= reserve) break;
+    std::pop_heap(heap.begin(), heap.end());
+    heap.pop_back();
+    const std::size_t axis = axisToSplit(sign, box(worst.box));
+    if (share(box(worst.box), axis) <= leastShare) return std::max(worst.bound, settled);
+
+    // The upper half is a new box, the lower one takes the old one's place.
+    const auto half = static_cast<std::uint32_t>(boxes_.size() / dimensions());
+    for (std::size_t i = 0; i < dimensions(); ++i) {
+      const Interval side = box(worst.box)[i];
+      boxes_.push_back(side);
+    }
+    const double centre = middle(box(half)[axis]);
+    box(half)[axis].low = box(worst.box)[axis].high = centre;
+    for (const std::uint32_t child : {worst.box, half}) {
+      const double childBound = std::min(worst.bound, bound(sign, box(child)));
+      sampleBox(box(child));
+      if (childBound <= target(sign)) {
+        settled = std::max(settled, childBound);
+      } else {
+        heap.push_back({childBound, child});
+        std::push_heap(heap.begin(), heap.end());
+      }
+    }
+  }
+  return heap.empty() ? settled : std::max(settled, heap.front().bound);
+}
+
+Range withSlack(Interval x) {
+  if (x.isEmpty()) return {infinity, -infinity};
+  const double slack = float32Slack * std::max(std::abs(x.low), std::abs(x.high));
+  if (slack == infinity) return {x.low, x.high};
+  return {x.low - slack, x.high + slack};
+}
+
+}  // namespace
+
+std::vector<Range> bounds(std::span<const std::uint32_t> words, std::uint32_t instructions,
+                          std::span<const Range> inputs, std::span<const std::uint32_t> wanted,
+                          const BoundsOptions& options) {
+  std::vector<Interval> intervals;
+  for (const auto [low, high] : inputs) {
+    // Zeros of both signs belong to the range.
+    const Interval range{low == 0 ? -0.0 : low, high == 0 ? 0.0 : high};
+    intervals.push_back(range.isEmpty() ? Interval::anything(true) : range);
+  }
+  Budget budget(options.budget);
+  std::vector<Range> all;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    IntervalProgram program(Words(words, instructions), intervals, wanted[i]);
+    Search search(program, intervals, options.tolerance, budget);
+    Interval range = search.plain();
+    if (search.isNeeded()) {
+      // Each side of each result has its share, and what the sides before it left.
+      const std::uint64_t sides = 2 * (wanted.size() - i), share = budget.left() / sides;
+      range.high = search.upper(1, budget.left() - share);
+      range.low = -search.upper(-1, budget.left() - budget.left() / (sides - 1));
+    }
+    all.push_back(withSlack(range));
+  }
+  return all;
+}
+
+}  // namespace warpjet

@@ -1,0 +1,111 @@
+// Sine, cosine and tangent for four floats at a time: at most 2 units in the last place from the
+// exact value, for every finite float; of an infinity NaN.
+//
+// x = hπ + r with |r| <= π/2, where h is whole for the sine and half a whole number for the cosine,
+// so that either is ± sin(r): one polynomial, no branch. π has four parts, the first three of so
+// few bits that their products with h are exact (W. J. Cody and W. Waite, Software Manual for the
+// Elementary Functions, 1980, chapter 8): r keeps its digits next to a multiple of π too. Beyond
+// `sineLimit` h has too many bits, and each lane is done by itself in double.
+#pragma once
+
+#include <cmath>
+
+#include "eval/lanes_rounding.hpp"
+#include "eval/wide_lanes.hpp"
+
+namespace warpjet {
+
+// 2h is below 2^13 up to here, and a part of π has 11 bits.
+inline constexpr double sineLimit = 12800;
+
+// Adding it leaves the nearest whole number in the lowest bits.
+inline constexpr double wholeInLowBits = 0x1.8p23;
+
+// x - hπ. The last two products are summed first, with what that sum lacks: so only one rounding
+// weighs, where one after the other would.
+inline Lanes minusMultipleOfPi(Lanes x, Lanes h) {
+  const Lanes near = x - h * 0x1.92p1 - h * 0x1.fb4p-11;
+  const Lanes third = h * 0x1.444p-23, fourth = h * 0x1.68c234c4c6629p-38;
+  const Lanes sum = third + fourth, rest = (third - sum) + fourth;
+  return (near - sum) - rest;
+}
+
+// sin(r) for |r| <= π/2. The relative error is below 2^-26: the coefficients are those of the
+// minimax polynomial (2^-27.2), moved by a search for the least error with the roundings of floats,
+// which otherwise is above 2 units next to π/2.
+inline Lanes sineOfReduced(Lanes r) {
+  const Lanes t = r * r;
+  const Lanes p = polynomial(t, {-0x1.55554ep-3, 0x1.110ee8p-7, -0x1.9f6f96p-13, 0x1.5da592p-19});
+  return r + r * t * p;
+}
+
+// All bits but the lowest shifted out: the sign that an odd multiple of π turns.
+inline Mask signOfOdd(Lanes multiple) { return {asMask(multiple).bits << 31}; }
+
+// For magnitudes up to sineLimit; the sine of the magnitude.
+inline Lanes sineUpToLimit(Lanes magnitude) {
+  const Lanes shifted = magnitude * 0x1.45f306dc9c883p-2 + wholeInLowBits;
+  const Lanes r = minusMultipleOfPi(magnitude, shifted - wholeInLowBits);
+  return turned(sineOfReduced(r), signOfOdd(shifted));
+}
+
+// cos(r + (k - 1/2)π) = (-1)^k sin(r)
+inline Lanes cosineUpToLimit(Lanes magnitude) {
+  const Lanes shifted = magnitude * 0x1.45f306dc9c883p-2 + 0.5 + wholeInLowBits;
+  const Lanes r = minusMultipleOfPi(magnitude, shifted - wholeInLowBits - 0.5);
+  return turned(sineOfReduced(r), signOfOdd(shifted));
+}
+
+// `near` with f of those lanes of x that are beyond the limit. The others stay, so that no lane
+// depends on its neighbours.
+template <class Function>
+[[gnu::noinline, gnu::cold]] Lanes laneByLane(Mask beyond, Lanes near, Lanes x, Function f) {
+  for (std::size_t i = 0; i < Lanes::count; ++i) {
+    if (beyond.bits[i]) near.set(i, static_cast<float>(f(static_cast<double>(x[i]))));
+  }
+  return near;
+}
+
+inline Lanes sin(Lanes x) {
+  const Lanes magnitude = abs(x), near = turned(sineUpToLimit(magnitude), signOf(x));
+  const Mask beyond = logicalNot(le(magnitude, sineLimit));
+  if (!any(beyond)) return near;
+  return laneByLane(beyond, near, x, [](double angle) { return std::sin(angle); });
+}
+
+inline Lanes cos(Lanes x) {
+  const Lanes magnitude = abs(x), near = cosineUpToLimit(magnitude);
+  const Mask beyond = logicalNot(le(magnitude, sineLimit));
+  if (!any(beyond)) return near;
+  return laneByLane(beyond, near, x, [](double angle) { return std::cos(angle); });
+}
+
+// Both, bit for bit as sin and cos give them; what they share is computed once.
+inline void sincos(Lanes x, Lanes& sine, Lanes& cosine) {
+  sine = sin(x);
+  cosine = cos(x);
+}
+
+// In double, since the errors of sine, cosine and quotient would add up. x = kπ/2 + r; the first of
+// the two parts of π/2 has 33 bits, and k has 20.
+inline constexpr double tangentLimit = 0x1p20;
+
+inline Lanes tan(Lanes x) {
+  constexpr double whole = 0x1.8p52;
+  const WideLanes wide(x), shifted = wide * 0x1.45f306dc9c883p-1 + whole, k = shifted - whole;
+  const WideLanes r = wide - k * 0x1.921fb544p0 - k * 0x1.0b4611a626331p-34, t = r * r;
+  // Minimax up to π/4: relative errors below 2^-27.2 and 2^-33.
+  const WideLanes sine =
+      r * (t * polynomial(t, {-0.16666654670686726, 0.00833210070875799, -0.0001950392976145408}) +
+           1.0);
+  const WideLanes cosine = t * polynomial(t, {-0.499999997534339, 0.04166662268331677,
+                                              -0.0013886682790057235, 2.437983858504944e-05}) +
+                           1.0;
+  const WideMask odd = -(asMask(shifted) & wideMask(1));
+  const Lanes near = narrow(ifElse(odd, -cosine, sine) / ifElse(odd, sine, cosine));
+  const Mask beyond = logicalNot(le(abs(x), tangentLimit));
+  if (!any(beyond)) return near;
+  return laneByLane(beyond, near, x, [](double angle) { return std::tan(angle); });
+}
+
+}  // namespace warpjet

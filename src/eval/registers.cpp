@@ -1,0 +1,131 @@
+#include "eval/registers.hpp"
+
+#include <algorithm>
+
+#include "eval/words.hpp"
+#include "graph/schedule.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+// What becomes of an instruction.
+struct Fate {
+  bool isNeeded = false;
+  bool isUniform = true;
+  std::uint32_t task = none;      // unless it is uniform
+  std::uint32_t readersLeft = 0;  // of those, and one more for a result, which is never free
+  Register result;
+};
+
+class Allocator {
+ public:
+  Allocator(const Words& program, std::span<const std::uint32_t> wanted,
+            const std::vector<bool>& isUniform)
+      : program_(program), wanted_(wanted), isUniform_(isUniform), fates_(program.count()) {}
+
+  RegisterProgram run() {
+    findNeeded();
+    for (std::uint32_t i = 0; i < program_.count(); ++i) {
+      if (fates_[i].isNeeded && program_.op(i) == constantOp) {
+        made_.constants.push_back(static_cast<float>(program_.constant(i)));
+        fates_[i].result = {made_.uniformRegisters++, true};
+      }
+    }
+    for (std::uint32_t i = 0; i < program_.count(); ++i) {
+      if (!fates_[i].isNeeded || program_.op(i) == constantOp) continue;
+      fates_[i].isUniform = isUniform(i);
+      if (fates_[i].isUniform) {
+        made_.prologue.push_back(translate(i, {made_.uniformRegisters++, true}));
+      } else {
+        addTask(i);
+      }
+    }
+    for (const std::uint32_t task : schedule(work_)) {
+      const std::uint32_t i = instructions_[task];
+      // Taken before the result's register: an instruction may write what it reads, since it reads
+      // the operands of four vertices before it writes their result.
+      for (const std::uint32_t read : work_.readsOf(task)) release(instructions_[read]);
+      made_.body.push_back(translate(i, {takeRegister(), false}));
+    }
+    for (const std::uint32_t i : wanted_)
+      made_.results.push_back(fates_[program_.result(i)].result);
+    return std::move(made_);
+  }
+
+ private:
+  void findNeeded() {
+    for (const std::uint32_t i : wanted_) {
+      fates_[program_.result(i)].isNeeded = true;
+      fates_[program_.result(i)].readersLeft = 1;
+    }
+    for (std::uint32_t i = program_.count(); i-- > 0;) {
+      if (!fates_[i].isNeeded) continue;
+      for (const std::uint32_t operand : program_.operands(i)) fates_[operand].isNeeded = true;
+    }
+  }
+
+  bool isUniform(std::uint32_t i) const {
+    if (program_.op(i) == inputOp) return isUniform_[program_.input(i)];
+    const auto operands = program_.operands(i);
+    return std::all_of(operands.begin(), operands.end(),
+                       [&](std::uint32_t operand) { return fates_[operand].isUniform; });
+  }
+
+  void addTask(std::uint32_t i) {
+    Task task{static_cast<std::uint32_t>(work_.reads.size()), 0, fates_[i].readersLeft > 0};
+    for (const std::uint32_t operand : program_.operands(i)) {
+      const auto begin = work_.reads.begin() + task.firstRead;
+      const std::uint32_t read = fates_[operand].task;
+      if (read == none || std::find(begin, work_.reads.end(), read) != work_.reads.end()) continue;
+      work_.reads.push_back(read);
+      ++task.readCount;
+      ++fates_[operand].readersLeft;
+    }
+    fates_[i].task = static_cast<std::uint32_t>(work_.tasks.size());
+    work_.tasks.push_back(task);
+    instructions_.push_back(i);
+  }
+
+  RegisterInstruction translate(std::uint32_t i, Register result) {
+    RegisterInstruction instruction;
+    instruction.op = program_.op(i);
+    instruction.result = fates_[i].result = result;
+    if (instruction.op == inputOp) instruction.input = program_.input(i);
+    auto place = instruction.operands.begin();
+    for (const std::uint32_t operand : program_.operands(i)) *place++ = fates_[operand].result;
+    return instruction;
+  }
+
+  void release(std::uint32_t i) {
+    if (--fates_[i].readersLeft == 0) free_.push_back(fates_[i].result.number);
+  }
+
+  std::uint32_t takeRegister() {
+    if (free_.empty()) return made_.blockRegisters++;
+    const std::uint32_t number = free_.back();
+    free_.pop_back();
+    return number;
+  }
+
+  const Words program_;
+  std::span<const std::uint32_t> wanted_;
+  const std::vector<bool>& isUniform_;
+  std::vector<Fate> fates_;  // by instruction
+  Work work_;
+  std::vector<std::uint32_t> instructions_;  // by task
+  std::vector<std::uint32_t> free_;
+  RegisterProgram made_;
+};
+
+}  // namespace
+
+RegisterProgram allocateRegisters(std::span<const std::uint32_t> words, std::uint32_t instructions,
+                                  std::span<const std::uint32_t> wanted,
+                                  const std::vector<bool>& isUniform) {
+  return Allocator(Words(words, instructions), wanted, isUniform).run();
+}
+
+}  // namespace warpjet

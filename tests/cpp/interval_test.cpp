@@ -1,0 +1,259 @@
+// Interval arithmetic: every row of the table at dense samples of random intervals, and cases
+// worked out by hand.
+#include "eval/interval.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "ops/ops.hpp"
+
+namespace warpjet {
+namespace {
+
+constexpr double infinity = Interval::infinity, pi = 3.14159265358979323846;
+
+// Where a condition stands among intervals, as 1 for true and 0 for false.
+Interval hull(Interval x) { return x; }
+Interval hull(Truth x) { return {x.canBeFalse ? 0.0 : 1.0, x.canBeTrue ? 1.0 : 0.0}; }
+
+template <std::size_t Row>
+Interval rangeOfRow(const std::array<Interval, ops::maxArity>& x) {
+  constexpr auto types = ops::infos[Row].signature.operands;
+  const auto operand = [&]<std::size_t I>() {
+    if constexpr (types[I] == ops::Type::Bool) {
+      return Truth{x[I].high != 0, x[I].has(0)};
+    } else {
+      return x[I];
+    }
+  };
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return hull(std::get<Row>(ops::table).value(operand.template operator()<I>()...));
+  }
+  (std::make_index_sequence<ops::infos[Row].arity>{});
+}
+
+class Sampler {
+ public:
+  double between(double low, double high) {
+    return std::uniform_real_distribution(low, high)(random_);
+  }
+  int below(int count) { return std::uniform_int_distribution(0, count - 1)(random_); }
+
+  // Small and large, round and not, of either sign.
+  double number() {
+    switch (below(6)) {
+      case 0:
+        return below(9) - 4;
+      case 1:
+        return (below(2) ? 1 : -1) * std::exp(between(-690, 690));
+      case 2:
+        return (below(2) ? 1 : -1) * std::exp(between(-20, 20));
+      case 3:
+        return below(41) * 0.25 * pi - 5 * pi;
+      default:
+        return between(-4, 4);
+    }
+  }
+
+  Interval interval() {
+    double low = number(), high = number();
+    if (below(8) == 0) high = low;
+    if (below(4) == 0) high = low + between(0, 1e-3) * std::abs(low);
+    if (low > high) std::swap(low, high);
+    return {low == 0 ? -0.0 : low, high == 0 ? 0.0 : high};
+  }
+
+  double inside(const Interval& x) {
+    switch (below(6)) {
+      case 0:
+        return x.low;
+      case 1:
+        return x.high;
+      case 2:
+        if (x.has(0)) return below(2) ? 0.0 : -0.0;
+        return x.low;
+      case 3: {
+        const double whole = std::round(between(std::max(x.low, -1e6), std::max(x.low, -1e6) + 9));
+        return x.has(whole) ? whole : x.high;
+      }
+      default:
+        const double t = between(0, 1);
+        return std::min(std::max(x.low * (1 - t) + x.high * t, x.low), x.high);
+    }
+  }
+
+ private:
+  std::mt19937 random_{1};
+};
+
+template <std::size_t Row>
+void checkRow() {
+  Sampler sample;
+  for (int box = 0; box < 3000; ++box) {
+    std::array<Interval, ops::maxArity> x;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool isBool = ops::infos[Row].signature.operands[i] == ops::Type::Bool;
+      const int truth = sample.below(3);
+      x[i] = isBool ? Interval(truth == 1, truth != 0) : sample.interval();
+    }
+    const Interval range = rangeOfRow<Row>(x);
+    for (int point = 0; point < 40; ++point) {
+      std::array<double, ops::maxArity> at{};
+      for (std::size_t i = 0; i < 3; ++i) at[i] = sample.inside(x[i]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (ops::infos[Row].signature.operands[i] == ops::Type::Bool) at[i] = at[i] >= 0.5;
+        if (!x[i].has(at[i])) at[i] = x[i].low;
+      }
+      const double value = ops::evaluate(Op(Row), at);
+      ASSERT_TRUE(std::isnan(value) ? range.canBeNaN : range.has(value))
+          << ops::infos[Row].name << " of " << at[0] << ", " << at[1] << ", " << at[2] << " is "
+          << value << ", not from " << range.low << " to " << range.high << ", of " << x[0].low
+          << ".." << x[0].high << ", " << x[1].low << ".." << x[1].high;
+    }
+  }
+}
+
+TEST(Interval, HoldsTheValuesOfEveryRow) {
+  [&]<std::size_t... Row>(std::index_sequence<Row...>) { (checkRow<Row>(), ...); }
+  (std::make_index_sequence<ops::count>{});
+}
+
+// On the domains of the table, where rows of one operand rise or fall or have their extremes
+// inside.
+template <std::size_t Row>
+void checkTightness() {
+  constexpr auto& info = ops::infos[Row];
+  const std::string_view name = info.name;
+  if (info.signature.operands[0] == ops::Type::Bool || info.signature.result == ops::Type::Bool)
+    return;
+  Sampler sample;
+  for (int box = 0; box < 100; ++box) {
+    std::array<Interval, ops::maxArity> x;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::get<Row>(ops::table).domain[i];
+      double a = sample.between(low, high), b = sample.between(low, high);
+      x[i] = {std::min(a, b), std::max(a, b)};
+    }
+    // All but the first operand fixed, so that dense samples show the true range.
+    for (std::size_t i = 1; i < 3; ++i) x[i].high = x[i].low;
+    const Interval range = rangeOfRow<Row>(x);
+    double low = infinity, high = -infinity, size = 0;
+    const int n = 2000;
+    for (int k = -1; k <= n; ++k) {
+      const double t = static_cast<double>(k) / n;
+      const double kink = x[0].has(0) ? 0 : x[0].low;
+      const double at = k < 0 ? kink : x[0].low * (1 - t) + x[0].high * t;
+      const double value = ops::evaluate(Op(Row), {at, x[1].low, x[2].low});
+      low = std::min(low, value);
+      high = std::max(high, value);
+      size = std::max(size, std::abs(value));
+    }
+    // Dense samples may miss an extreme inside by the square of their distance, or by a jump.
+    const bool jumps = name == "fract" || name == "mod" || name == "atan2";
+    const double missed = jumps ? 0.01 * (high - low) + 0.01 : 2e-5;
+    const double bound = 32 * rounding * (size + std::abs(x[1].low)) + missed;
+    EXPECT_LE(range.high - high, bound) << name << " of " << x[0].low << ".." << x[0].high;
+    EXPECT_LE(low - range.low, bound) << name << " of " << x[0].low << ".." << x[0].high;
+  }
+}
+
+TEST(Interval, IsNotWiderThanTheValues) {
+  [&]<std::size_t... Row>(std::index_sequence<Row...>) { (checkTightness<Row>(), ...); }
+  (std::make_index_sequence<ops::count>{});
+}
+
+void expectNear(Interval x, double low, double high) {
+  EXPECT_LE(x.low, low);
+  EXPECT_GE(x.high, high);
+  const auto near = [](double a, double b) {
+    return a == b || std::abs(a - b) <= 1e-5 * std::max(1.0, std::abs(b));
+  };
+  EXPECT_TRUE(near(x.low, low)) << x.low << " for " << low;
+  EXPECT_TRUE(near(x.high, high)) << x.high << " for " << high;
+}
+
+TEST(Interval, ArithmeticGoesByTheCorners) {
+  expectNear(Interval(1, 2) + Interval(-5, 3), -4, 5);
+  expectNear(Interval(1, 2) - Interval(-5, 3), -2, 7);
+  expectNear(Interval(-2, 3) * Interval(-5, 4), -15, 12);
+  expectNear(Interval(1, 6) / Interval(-2, -0.5), -12, -0.5);
+  expectNear(square({-2, 1}), 0, 4);
+}
+
+TEST(Interval, ByARangeThatHoldsZeroAQuotientIsAnything) {
+  expectNear(Interval(1, 2) / Interval(-1, 1), -infinity, infinity);
+  expectNear(Interval(1, 2) / Interval(0.0), -infinity, infinity);
+  expectNear(Interval(1, 2) / Interval(-0.0, 1), -infinity, infinity);
+}
+
+// A length is never -0.0.
+TEST(Interval, TheInverseOfALengthIsPositive) {
+  const Interval length = sqrt(square({-1, 2}) + square({-2, 1}));
+  expectNear(1.0 / length, std::sqrt(1.0 / 8), infinity);
+  expectNear(exp(-1.0 / length), 0, std::exp(-std::sqrt(1.0 / 8)));
+}
+
+TEST(Interval, WavesHaveTheirPeaks) {
+  expectNear(sin(Interval(0, 3)), 0, 1);
+  expectNear(sin(Interval(3, 5)), -1, std::sin(3));
+  expectNear(sin(Interval(1, 1.5)), std::sin(1), std::sin(1.5));
+  expectNear(sin(Interval(-100, 100)), -1, 1);
+  expectNear(cos(Interval(-1, 2)), std::cos(2), 1);
+  expectNear(cos(Interval(1e6, 1e6 + 0.25)), std::cos(1e6), std::cos(1e6 + 0.25));
+  expectNear(tan(Interval(-1, 1.5)), std::tan(-1), std::tan(1.5));
+  expectNear(tan(Interval(1, 2)), -infinity, infinity);
+}
+
+TEST(Interval, PowersOfEverySign) {
+  expectNear(pow(Interval(0, 2), Interval(3)), 0, 8);
+  expectNear(pow(Interval(-3, 2), Interval(2)), 0, 9);
+  expectNear(pow(Interval(-3, 2), Interval(3)), -27, 8);
+  expectNear(pow(Interval(0.5, 2), Interval(-1, 3)), 0.125, 8);
+  EXPECT_TRUE(pow(Interval(-3, -2), Interval(0.5)).isEmpty());
+  EXPECT_TRUE(pow(Interval(-3, 2), Interval(0.5)).canBeNaN);
+}
+
+TEST(Interval, RemaindersOfOnePeriodAreExact) {
+  expectNear(mod(Interval(5, 5.5), Interval(2)), 1, 1.5);
+  expectNear(mod(Interval(5, 6.5), Interval(2)), 0, 2);
+  expectNear(mod(Interval(-1, -0.5), Interval(-3)), -1, -0.5);
+  expectNear(fract(Interval(2.25, 2.5)), 0.25, 0.5);
+  expectNear(fract(Interval(2.25, 3.5)), 0, 1);
+}
+
+TEST(Interval, TheAngleJumpsAtTheNegativeAxis) {
+  expectNear(atan2(Interval(-1, 1), Interval(-2, -1)), -pi, pi);
+  expectNear(atan2(Interval(-1, 1), Interval(1, 2)), -pi / 4, pi / 4);
+  expectNear(atan2(Interval(1, 2), Interval(-1, 1)), pi / 4, 3 * pi / 4);
+}
+
+TEST(Interval, WhatIsNoNumberIsLeftOut) {
+  expectNear(sqrt(Interval(-1, 4)), 0, 2);
+  EXPECT_TRUE(sqrt(Interval(-1, 4)).canBeNaN);
+  EXPECT_TRUE(log(Interval(-2, -1)).isEmpty());
+  EXPECT_TRUE((log(Interval(-2, -1)) + 1.0).isEmpty());
+  EXPECT_TRUE(Interval(NAN).isEmpty());
+  expectNear(acos(Interval(-3, 0.5)), std::acos(0.5), pi);
+}
+
+// Comparisons, min and max with what is no number give a number.
+TEST(Interval, WhatIsNoNumberMayStillDecide) {
+  const Interval root = sqrt(Interval(-1, 4));
+  EXPECT_TRUE(lt(root, 5.0).canBeFalse);
+  expectNear(ifElse(lt(root, 5.0), 1.0, 2.0), 1, 2);
+  expectNear(min(root, 7.0), 0, 7);
+}
+
+TEST(Interval, ConditionsAreDecidedWhereTheyAreTheSameEverywhere) {
+  EXPECT_FALSE(lt(Interval(0, 1), Interval(2, 3)).canBeFalse);
+  EXPECT_FALSE(lt(Interval(2, 3), Interval(0, 2)).canBeTrue);
+  EXPECT_TRUE(le(Interval(2, 3), Interval(0, 2)).canBeTrue);
+  EXPECT_FALSE(eq(Interval(2), Interval(2)).canBeFalse);
+  EXPECT_FALSE(eq(Interval(2), Interval(3, 4)).canBeTrue);
+  expectNear(ifElse(gt(Interval(2, 3), 0.0), 5.0, 6.0), 5, 5);
+}
+
+}  // namespace
+}  // namespace warpjet

@@ -1,0 +1,320 @@
+// Four floats at a time: every row of the table against its value in double (ops_test checks that
+// one by hand), within units in the last place of a float, "ulp" below.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "eval/lanes_math.hpp"
+#include "ops/ops.hpp"
+
+namespace warpjet {
+namespace {
+
+using Operands = std::array<Lanes, ops::maxArity>;
+
+template <std::size_t Row, std::size_t I>
+auto operand(const Operands& operands) {
+  if constexpr (ops::infos[Row].signature.operands[I] == ops::Type::Bool) {
+    return ne(operands[I], 0.0);
+  } else {
+    return operands[I];
+  }
+}
+
+Lanes asNumber(Mask condition) {
+  for (std::size_t i = 0; i < Lanes::count; ++i)
+    EXPECT_TRUE(condition.bits[i] == 0 || condition.bits[i] == -1) << "all bits or none";
+  return ifElse(condition, 1.0, 0.0);
+}
+Lanes asNumber(Lanes x) { return x; }
+
+template <std::size_t Row>
+Lanes evaluateRow(const Operands& operands) {
+  constexpr auto value = std::get<Row>(ops::table).value;
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return asNumber(value(operand<Row, I>(operands)...));
+  }
+  (std::make_index_sequence<ops::infos[Row].arity>{});
+}
+
+constexpr auto evaluators = []<std::size_t... Row>(std::index_sequence<Row...>) {
+  return std::array{&evaluateRow<Row>...};
+}
+(std::make_index_sequence<ops::count>{});
+
+std::size_t rowNamed(std::string_view name) {
+  for (std::size_t row = 0; row < ops::count; ++row) {
+    if (ops::infos[row].name == name) return row;
+  }
+  ADD_FAILURE() << "no row " << name;
+  return 0;
+}
+
+float fromBits(std::uint32_t bits) { return __builtin_bit_cast(float, bits); }
+std::uint32_t bitsOf(float x) { return __builtin_bit_cast(std::uint32_t, x); }
+
+// How far a float is from what it should be, in distances of floats there. NaN is only right for
+// NaN, an infinity and a signed zero only for a number that rounds to it.
+double ulps(float got, double expected) {
+  constexpr double wrong = 1e30;
+  const auto nearest = static_cast<float>(expected);
+  if (std::isnan(expected) || std::isnan(got))
+    return std::isnan(expected) && std::isnan(got) ? 0 : wrong;
+  if (std::isinf(got) || std::isinf(nearest)) {
+    const double greatest = std::numeric_limits<float>::max();
+    const bool onTheEdge = std::abs(std::abs(expected) / greatest - 1) < 1e-7;
+    return got == nearest || (onTheEdge && std::signbit(got) == std::signbit(nearest)) ? 0 : wrong;
+  }
+  if (got == 0 && nearest == 0) return std::signbit(got) == std::signbit(nearest) ? 0 : wrong;
+  int exponent = 0;
+  std::frexp(expected, &exponent);
+  return std::abs(got - expected) / std::ldexp(1.0, std::max(exponent - 24, -149));
+}
+
+bool isFloatFunction(const ops::Info& row, int arity) {
+  return row.arity == arity && row.signature.result == ops::Type::Float &&
+         row.signature.operands[0] == ops::Type::Float;
+}
+
+// The bounds of whole sweeps over all floats; whoever is not named has 2.
+const std::map<std::string_view, double> tighterBounds{
+    {"neg", 0},      {"abs", 0},      {"sign", 0},     {"floor", 0},  {"ceil", 0},   {"round", 0},
+    {"trunc", 0},    {"sqrt", 0.501}, {"fract", 0.5},  {"tan", 0.6},  {"log", 0.52}, {"log2", 0.52},
+    {"asinh", 0.52}, {"acosh", 0.52}, {"atanh", 0.52}, {"exp", 1},    {"exp2", 1},   {"acos", 1.2},
+    {"atan", 1.5},   {"cosh", 1.5},   {"tanh", 1.5},   {"sinh", 1.6},
+};
+
+double boundOf(std::string_view name) {
+  const auto found = tighterBounds.find(name);
+  return found == tighterBounds.end() ? 2 : found->second;
+}
+
+// The worst of many, so that a failure is one line.
+class Worst {
+ public:
+  Worst(std::size_t row, double bound) : row_(row), bound_(bound) {}
+  ~Worst() {
+    EXPECT_LE(ulps_, bound_) << ops::infos[row_].name << " of " << x_[0] << ", " << x_[1] << ": "
+                             << got_ << " instead of "
+                             << ops::evaluate(Op(row_), {x_[0], x_[1], 0});
+  }
+
+  void check(const Operands& operands) {
+    const Lanes results = evaluators[row_](operands);
+    for (std::size_t i = 0; i < Lanes::count; ++i) {
+      const double a = operands[0][i], b = operands[1][i];
+      const double distance = ulps(results[i], ops::evaluate(Op(row_), {a, b, 0}));
+      if (distance > ulps_) {
+        ulps_ = distance;
+        x_ = {a, b};
+        got_ = results[i];
+      }
+    }
+  }
+
+  // Four at a time.
+  void check(const std::vector<float>& xs) {
+    for (std::size_t i = 0; i < xs.size(); i += Lanes::count) {
+      Lanes x = 1.0;
+      for (std::size_t k = 0; k < Lanes::count && i + k < xs.size(); ++k) x.set(k, xs[i + k]);
+      check(Operands{x, 0.0, 0.0});
+    }
+  }
+
+ private:
+  std::size_t row_;
+  double bound_, ulps_ = 0;
+  std::array<double, 2> x_{};
+  float got_ = 0;
+};
+
+TEST(Lanes, EveryRowAgreesWithItsValueInDoubleOnItsDomain) {
+  std::mt19937 random(1);
+  for (std::size_t row = 0; row < ops::count; ++row) {
+    const ops::Info& info = ops::infos[row];
+    const ops::Domain domain = std::apply(
+        [&](const auto&... each) { return std::array{each.domain...}[row]; }, ops::table);
+    for (int point = 0; point < 500; ++point) {
+      Operands operands{};
+      for (int k = 0; k < info.arity; ++k) {
+        std::uniform_real_distribution within(domain[k].low, domain[k].high);
+        const bool isCondition = info.signature.operands[k] == ops::Type::Bool;
+        for (std::size_t i = 0; i < Lanes::count; ++i) {
+          const double x = within(random);
+          operands[k].set(i, static_cast<float>(isCondition ? x > 0 : x));
+        }
+      }
+      const Lanes results = evaluators[row](operands);
+      for (std::size_t i = 0; i < Lanes::count; ++i) {
+        std::array<double, ops::maxArity> x{};
+        double largest = 1;
+        for (int k = 0; k < info.arity; ++k) {
+          x[k] = operands[k][i];
+          largest = std::max(largest, std::abs(x[k]));
+        }
+        const double expected = ops::evaluate(Op(row), x);
+        // What is summed may be larger than the sum: in mix, products of operands.
+        const double summed = std::max(std::abs(expected), std::pow(largest, info.arity - 1));
+        EXPECT_NEAR(results[i], expected, 4 * 0x1p-24 * summed)
+            << info.name << " of " << x[0] << ", " << x[1] << ", " << x[2];
+      }
+    }
+  }
+}
+
+TEST(Lanes, FunctionsOfOneNumberKeepTheirBoundsOverAllFloats) {
+  for (std::size_t row = 0; row < ops::count; ++row) {
+    if (!isFloatFunction(ops::infos[row], 1)) continue;
+    Worst worst(row, boundOf(ops::infos[row].name));
+    std::vector<float> xs;
+    for (std::uint64_t bits = row; bits <= 0xffffffff; bits += 16381)
+      xs.push_back(fromBits(static_cast<std::uint32_t>(bits)));
+    // More of those where functions bend.
+    for (std::uint32_t bits = bitsOf(0x1p-6f); bits < bitsOf(0x1p14f); bits += 2039) {
+      xs.push_back(fromBits(bits));
+      xs.push_back(-fromBits(bits));
+    }
+    worst.check(xs);
+  }
+}
+
+std::vector<float> specialFloats() {
+  std::vector<float> floats{std::numeric_limits<float>::quiet_NaN()};
+  for (const float x : {0.0f,          1e-45f,
+                        1e-40f,        1.17549435e-38f,
+                        1e-30f,        0x1p-24f,
+                        0x1p-12f,      0.5f,
+                        0.75f,         1.5f,
+                        2.0f,          2.5f,
+                        3.0f,          4.0f,
+                        10.0f,         11.0f,
+                        88.5f,         89.5f,
+                        104.0f,        127.5f,
+                        128.0f,        150.0f,
+                        8388607.5f,    8388608.0f,
+                        16777215.0f,   2147483648.0f,
+                        1e10f,         1e30f,
+                        3.4028235e38f, static_cast<float>(infinity)}) {
+    floats.push_back(x);
+    floats.push_back(-x);
+  }
+  for (const float x : {1.0f, 0.5f}) {
+    for (const float near : {x, std::nextafter(x, 0.0f), std::nextafter(x, 2.0f)}) {
+      floats.push_back(near);
+      floats.push_back(-near);
+    }
+  }
+  return floats;
+}
+
+TEST(Lanes, FunctionsOfOneNumberAreRightAtSpecialValues) {
+  for (std::size_t row = 0; row < ops::count; ++row) {
+    if (isFloatFunction(ops::infos[row], 1))
+      Worst(row, boundOf(ops::infos[row].name)).check(specialFloats());
+  }
+}
+
+TEST(Lanes, FunctionsOfTwoNumbersAreRightAtSpecialValues) {
+  for (std::size_t row = 0; row < ops::count; ++row) {
+    const ops::Info& info = ops::infos[row];
+    // mod rounds x / y, as it does in any language: no float is near its value for large x.
+    if (info.arity != 2 || info.signature.operands[0] != ops::Type::Float || info.name == "mod")
+      continue;
+    Worst worst(row, boundOf(info.name));
+    for (const float x : specialFloats()) {
+      for (const float y : specialFloats()) worst.check(Operands{x, y, 0.0});
+    }
+  }
+}
+
+TEST(Lanes, ModIsThatOfFloats) {
+  const Lanes x = Lanes::Floats{-1, 1, 5.5, -0.25}, y = Lanes::Floats{3, -3, 2, 1};
+  const Lanes rest = mod(x, y);
+  for (const auto& [i, expected] :
+       std::map<std::size_t, float>{{0, 2}, {1, -2}, {2, 1.5}, {3, 0.75}})
+    EXPECT_EQ(rest[i], expected);
+  EXPECT_TRUE(std::isnan(mod(1.0, 0.0)[0]));
+}
+
+TEST(Lanes, PowersAndAnglesKeepTheirBounds) {
+  std::mt19937 random(1);
+  for (const std::string_view name : {"pow", "atan2"}) {
+    Worst worst(rowNamed(name), 1.6);
+    std::uniform_real_distribution<float> exponents(-40, 40), powers(-4, 4), around(-4, 4);
+    for (int i = 0; i < 60'000; ++i) {
+      Operands bits, moderate, wide;
+      for (std::size_t k = 0; k < Lanes::count; ++k) {
+        bits[0].set(k, fromBits(static_cast<std::uint32_t>(random())));
+        bits[1].set(k, fromBits(static_cast<std::uint32_t>(random())));
+        moderate[0].set(k, around(random));
+        moderate[1].set(k, random() % 2 == 0 ? around(random) : std::rint(around(random)));
+        wide[0].set(k, std::exp2(exponents(random)));
+        wide[1].set(k, powers(random));
+      }
+      worst.check(bits);
+      worst.check(moderate);
+      worst.check(wide);
+    }
+  }
+}
+
+// There the sine, the cosine or the tangent is next to 0, and x has few digits more than the
+// multiple of π/2.
+TEST(Lanes, AnglesNextToMultiplesOfRightAnglesKeepTheirDigits) {
+  std::vector<float> xs;
+  for (int k = 1; k < 20'000; ++k) {
+    const auto multiple = static_cast<float>(k * 1.5707963267948966);
+    for (int step = -2; step <= 2; ++step) {
+      xs.push_back(fromBits(bitsOf(multiple) + static_cast<std::uint32_t>(step)));
+      xs.push_back(-xs.back());
+    }
+  }
+  for (const std::string_view name : {"sin", "cos", "tan"})
+    Worst(rowNamed(name), boundOf(name)).check(xs);
+}
+
+// Of the float next to 2^86 · 1.5707964 or so: W. Kahan's hard case for the reduction of angles.
+TEST(Lanes, HugeAnglesAreReducedExactly) {
+  for (const std::string_view name : {"sin", "cos", "tan"})
+    Worst(rowNamed(name), boundOf(name))
+        .check({12799.99f, 12800.0f, 12800.001f, 1e5f, 0x1p20f, 1048577.0f, 0x1.f1b04p76f,
+                3.4028235e38f, -1e22f, -3e8f});
+}
+
+TEST(Lanes, NoLaneAffectsItsNeighbours) {
+  std::mt19937 random(2);
+  const std::vector<float> strangers = specialFloats();
+  for (std::size_t row = 0; row < ops::count; ++row) {
+    for (const float stranger : strangers) {
+      Operands ordinary, disturbed;
+      const std::size_t place = random() % Lanes::count;
+      for (std::size_t k = 0; k < ops::maxArity; ++k) {
+        for (std::size_t i = 0; i < Lanes::count; ++i)
+          ordinary[k].set(i, std::uniform_real_distribution(0.1f, 0.9f)(random));
+        disturbed[k] = ordinary[k];
+        disturbed[k].set(place, stranger);
+      }
+      const Lanes before = evaluators[row](ordinary), after = evaluators[row](disturbed);
+      for (std::size_t i = 0; i < Lanes::count; ++i) {
+        if (i == place) continue;
+        EXPECT_EQ(bitsOf(before[i]), bitsOf(after[i])) << ops::infos[row].name << ", " << stranger;
+      }
+    }
+  }
+}
+
+TEST(Lanes, SineAndCosineTogetherAreThoseAlone) {
+  for (const float x : specialFloats()) {
+    Lanes sine, cosine;
+    sincos(x, sine, cosine);
+    EXPECT_EQ(bitsOf(sine[0]), bitsOf(sin(Lanes(x))[0])) << x;
+    EXPECT_EQ(bitsOf(cosine[0]), bitsOf(cos(Lanes(x))[0])) << x;
+  }
+}
+
+}  // namespace
+}  // namespace warpjet
