@@ -1,0 +1,6 @@
+// What the mesh module calls in JavaScript: js-bindings/mesh/module.ts sets it for the time of one call.
+mergeInto(LibraryManager.library, {
+  evaluateWarp: function (job) {
+    return Module['evaluateWarp'](job)
+  },
+})

@@ -1,0 +1,247 @@
+// The border to JavaScript of meshes: plain C, since a call has numbers and addresses only. A job
+// is what enters and leaves one call; JavaScript fills its arrays, calls, reads them, and closes
+// it. No exception crosses: a function that may fail returns whether it went well, and leaves a
+// sentence.
+#include "mesh/mesh.hpp"
+
+#include <emscripten.h>
+#include <emscripten/emmalloc.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/check.hpp"
+#include "mesh/export.hpp"
+#include "mesh/load.hpp"
+#include "mesh/normals.hpp"
+#include "mesh/sentences.hpp"
+#include "mesh/subdivide.hpp"
+
+using namespace warpjet;
+
+namespace {
+
+struct Job {
+  Mesh mesh;
+  // A file, as it enters or leaves; further files that it needs, the next of them with its name.
+  std::vector<std::uint8_t> file, name, contents;
+  Files files;
+  std::vector<std::uint8_t> picture, mimeType;
+  std::vector<std::string> texts;
+};
+
+// The arrays of a job by number, as js-bindings/mesh/module.ts knows them.
+template <class Visitor>
+auto withArray(Job& job, int array, Visitor&& visit) {
+  switch (array) {
+    case 0:
+      return visit(job.mesh.positions);
+    case 1:
+      return visit(job.mesh.normals);
+    case 2:
+      return visit(job.mesh.uvs);
+    case 3:
+      return visit(job.mesh.colors);
+    case 4:
+      return visit(job.mesh.tangents);
+    case 5:
+      return visit(job.mesh.indices);
+    case 6:
+      return visit(job.picture);
+    case 7:
+      return visit(job.mimeType);
+    case 8:
+      return visit(job.file);
+    case 9:
+      return visit(job.name);
+    default:
+      return visit(job.contents);
+  }
+}
+
+// Whether `work` went well; `work` says so, or throws.
+template <class Work>
+int attempt(Job& job, Work&& work) {
+  job.texts.clear();
+  try {
+    return work() ? 1 : 0;
+  } catch (const std::bad_alloc&) {
+    job.texts = {"there is not enough memory for so large a mesh."};
+  } catch (const std::exception& problem) {
+    job.texts = {std::string("the mesh cannot be handled (") + problem.what() + ")."};
+  }
+  return 0;
+}
+
+}  // namespace
+
+extern "C" {
+
+// In JavaScript: moves the vertices of the job's mesh; the normals may get lost. Whether it could.
+int evaluateWarp(Job* vertices);
+}
+
+namespace {
+
+// JavaScript puts the name of what the user called before every sentence.
+std::string withoutMethod(const std::string& sentence) {
+  const std::string method = "loadMesh: ";
+  return sentence.starts_with(method) ? sentence.substr(method.size()) : sentence;
+}
+
+Moved warped(const Mesh& vertices) {
+  Job job;
+  job.mesh = vertices;
+  if (!evaluateWarp(&job)) throw std::runtime_error("the warp failed");
+  return {std::move(job.mesh.positions), std::move(job.mesh.normals)};
+}
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE Job* openJob() { return new (std::nothrow) Job; }
+
+EMSCRIPTEN_KEEPALIVE void closeJob(Job* job) { delete job; }
+
+// Makes room for so many elements. Their address, or 0 if there is no memory.
+EMSCRIPTEN_KEEPALIVE void* resizeArray(Job* job, int array, std::uint32_t count) {
+  try {
+    return withArray(*job, array, [&](auto& elements) -> void* {
+      elements.resize(count);
+      return elements.data();
+    });
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+EMSCRIPTEN_KEEPALIVE const void* arrayAddress(Job* job, int array) {
+  return withArray(*job, array,
+                   [](const auto& elements) -> const void* { return elements.data(); });
+}
+
+EMSCRIPTEN_KEEPALIVE std::uint32_t arrayCount(Job* job, int array) {
+  return withArray(*job, array, [](const auto& elements) {
+    return static_cast<std::uint32_t>(elements.size());
+  });
+}
+
+// The sentences or names that the last call left.
+EMSCRIPTEN_KEEPALIVE int textCount(Job* job) { return static_cast<int>(job->texts.size()); }
+EMSCRIPTEN_KEEPALIVE const char* textAddress(Job* job, int i) { return job->texts[i].data(); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t textSize(Job* job, int i) {
+  return static_cast<std::uint32_t>(job->texts[i].size());
+}
+
+EMSCRIPTEN_KEEPALIVE int hasMaterial(Job* job) { return job->mesh.material.has_value(); }
+
+// Its four numbers. There is a material from now on.
+EMSCRIPTEN_KEEPALIVE float* baseColor(Job* job) {
+  if (!job->mesh.material) job->mesh.material.emplace();
+  return job->mesh.material->baseColor.data();
+}
+
+// Moves `contents` among the further files, as `name`.
+EMSCRIPTEN_KEEPALIVE int keepFile(Job* job) {
+  return attempt(*job, [&] {
+    job->files[std::string(job->name.begin(), job->name.end())] = std::move(job->contents);
+    job->contents.clear();
+    return true;
+  });
+}
+
+// The texts are the URIs of the further files that the file needs.
+EMSCRIPTEN_KEEPALIVE int findFiles(Job* job) {
+  return attempt(*job, [&] {
+    job->texts = externalFiles(job->file);
+    return true;
+  });
+}
+
+// From file to mesh. The texts are warnings, or the sentence.
+EMSCRIPTEN_KEEPALIVE int loadFile(Job* job) {
+  return attempt(*job, [&] {
+    Loaded loaded = loadMesh(job->file, job->files);
+    if (!loaded.mesh) {
+      job->texts = {withoutMethod(loaded.problem)};
+      return false;
+    }
+    job->texts = std::move(loaded.warnings);
+    job->mesh = std::move(*loaded.mesh);
+    if (job->mesh.material && job->mesh.material->baseColorTexture) {
+      const auto& [bytes, mimeType] = *job->mesh.material->baseColorTexture;
+      job->picture = bytes;
+      job->mimeType.assign(mimeType.begin(), mimeType.end());
+    }
+    return true;
+  });
+}
+
+// Whether the arrays of the mesh fit together.
+EMSCRIPTEN_KEEPALIVE int checkMesh(Job* job) {
+  return attempt(*job, [&] {
+    std::string problem = problemOf(job->mesh);
+    if (problem.empty()) return true;
+    job->texts = {std::move(problem)};
+    return false;
+  });
+}
+
+// Computes the normals of a checked mesh that has none.
+EMSCRIPTEN_KEEPALIVE int addNormals(Job* job) {
+  return attempt(*job, [&] {
+    if (job->mesh.normals.empty()) job->mesh.normals = computeNormals(job->mesh);
+    return true;
+  });
+}
+
+// From a checked mesh to a file.
+EMSCRIPTEN_KEEPALIVE int writeFile(Job* job) {
+  return attempt(*job, [&] {
+    if (!job->picture.empty()) {
+      if (!pictureType(job->picture)) {
+        job->texts = {
+            "material.baseColorTexture must be the bytes of a PNG or JPEG file, which "
+            "these are not."};
+        return false;
+      }
+      job->mesh.material->baseColorTexture = Image{std::move(job->picture), {}};
+    }
+    job->file = exportGlb(job->mesh);
+    return true;
+  });
+}
+
+// From a checked mesh to one of more triangles. The text says so if that was not enough.
+EMSCRIPTEN_KEEPALIVE int refine(Job* job, float tolerance, float angle,
+                                std::uint32_t maxTriangles) {
+  return attempt(*job, [&] {
+    Refined refined = subdivide(job->mesh, {tolerance, angle, maxTriangles}, warped);
+    if (!refined.reachedTolerance)
+      job->texts = {"The tolerance was not reached with " + grouped(refined.mesh.triangleCount()) +
+                    " triangles."};
+    job->mesh = std::move(refined.mesh);
+    return true;
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE int refineUniformly(Job* job, int levels, std::uint32_t maxTriangles) {
+  return attempt(*job, [&] {
+    job->mesh = subdivideUniformly(job->mesh, levels, maxTriangles);
+    return true;
+  });
+}
+
+// Bytes that are allocated now.
+EMSCRIPTEN_KEEPALIVE std::uint32_t memoryInUse() {
+  return static_cast<std::uint32_t>(emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory());
+}
+
+}  // extern "C"

@@ -1,0 +1,62 @@
+#include "mesh/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "mesh/sentences.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// `width` numbers a vertex are expected; all but positions may also be missing.
+std::string problemOf(const char* name, const std::vector<float>& numbers, std::size_t width,
+                      std::size_t vertices) {
+  if (!numbers.empty() && numbers.size() != vertices * width)
+    return std::string(name) + " must hold " + std::to_string(width) + " numbers a vertex, " +
+           grouped(vertices * width) + " for " + grouped(vertices) + " vertices, but hold " +
+           grouped(numbers.size()) + '.';
+  const auto odd = std::find_if_not(numbers.begin(), numbers.end(),
+                                    [](float number) { return std::isfinite(number); });
+  if (odd != numbers.end())
+    return std::string(name) + " must be finite numbers, but vertex " +
+           grouped((odd - numbers.begin()) / width) + " has " +
+           (std::isnan(*odd) ? "NaN" : "Infinity") + '.';
+  return {};
+}
+
+std::string problemOfIndices(const Mesh& mesh) {
+  const std::size_t vertices = mesh.vertexCount();
+  if (mesh.indices.empty()) {
+    if (vertices % 3 == 0) return {};
+    return "without indices every three vertices make a triangle, but there are " +
+           grouped(vertices) + " vertices.";
+  }
+  if (mesh.indices.size() % 3 != 0)
+    return "every three indices make a triangle, but there are " + grouped(mesh.indices.size()) +
+           " indices.";
+  const std::uint32_t highest = *std::max_element(mesh.indices.begin(), mesh.indices.end());
+  if (highest < vertices) return {};
+  return "index " + grouped(highest) + " has no vertex; there are only " + grouped(vertices) +
+         " vertices, counted from 0.";
+}
+
+}  // namespace
+
+std::string problemOf(const Mesh& mesh) {
+  const std::size_t vertices = mesh.vertexCount();
+  if (mesh.positions.size() % 3 != 0)
+    return "positions must hold 3 numbers a vertex, but hold " + grouped(mesh.positions.size()) +
+           '.';
+  for (const std::string& problem :
+       {problemOf("positions", mesh.positions, 3, vertices),
+        problemOf("normals", mesh.normals, 3, vertices), problemOf("uvs", mesh.uvs, 2, vertices),
+        problemOf("colors", mesh.colors, 4, vertices),
+        problemOf("tangents", mesh.tangents, 4, vertices), problemOfIndices(mesh)}) {
+    if (!problem.empty()) return problem;
+  }
+  return {};
+}
+
+}  // namespace warpjet

@@ -1,0 +1,42 @@
+// What of a glTF is to be drawn, before any vertex is read.
+#pragma once
+
+#include <vector>
+
+#include "mesh/gltf.hpp"
+#include "mesh/look.hpp"
+#include "mesh/scene.hpp"
+#include "mesh/triangles.hpp"
+
+namespace warpjet {
+
+// One primitive of a mesh where one node puts it; `corners` are those of its strip, fan or
+// triangles.
+struct Draw {
+  const tinygltf::Primitive* primitive;
+  const Placed* placed;
+  std::size_t vertices, corners;
+
+  Primitives kind() const { return Primitives{primitive->mode}; }
+  bool isIndexed() const { return primitive->indices != none; }
+
+  // The accessor of an attribute, or none.
+  int accessor(const char* attribute) const;
+};
+
+// All that make triangles. Points, lines and what has no positions are left out with a warning.
+// Throws a FileProblem.
+std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed);
+
+// Which arrays the merged mesh has. Tangents come only where all have them, since nobody can guess
+// them, and only with normals, as glTF demands.
+struct Layout {
+  bool hasUvs, hasColors, hasTangents;
+  bool isIndexed;       // whether triangles need indices
+  bool hasEqualColors;  // whether the base colour is the same everywhere
+};
+
+// Throws a FileProblem if the mesh would be larger than mostMeshBytes.
+Layout layoutOf(Gltf& gltf, const std::vector<Draw>& draws);
+
+}  // namespace warpjet

@@ -1,0 +1,162 @@
+#include "mesh/gltf.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "mesh/json_text.hpp"
+#include "mesh/schema.hpp"
+#include "mesh/sentences.hpp"
+#include "mesh/uri.hpp"
+
+namespace warpjet {
+
+namespace {
+
+using nlohmann::json;
+
+// Those that move no vertex.
+bool isHarmless(std::string_view extension) {
+  constexpr std::array<std::string_view, 6> names{"KHR_mesh_quantization", "KHR_texture_transform",
+                                                  "KHR_lights_punctual",   "KHR_animation_pointer",
+                                                  "KHR_xmp_json_ld",       "KHR_xmp"};
+  return extension.starts_with("KHR_materials_") ||
+         std::find(names.begin(), names.end(), extension) != names.end();
+}
+
+std::string adviceFor(std::string_view extension) {
+  if (extension == "KHR_draco_mesh_compression") return "without Draco compression";
+  if (extension.ends_with("_meshopt_compression")) return "without meshopt compression";
+  if (extension.find("_texture_") != extension.npos) return "with PNG or JPEG textures";
+  return "without it";
+}
+
+void refuseExtensions(const tinygltf::Model& model) {
+  for (const std::string& name : model.extensionsRequired) {
+    if (!isHarmless(name))
+      throw FileProblem("the model requires the extension " + quotedText(name) +
+                        ", which is not read here; export the model " + adviceFor(name) + '.');
+  }
+}
+
+// Removes a member; an empty list where there is none.
+json taken(json& tree, const char* name) {
+  json list = json::array();
+  if (const auto found = tree.find(name); found != tree.end()) {
+    list = std::move(*found);
+    tree.erase(found);
+  }
+  return list;
+}
+
+std::string textOr(const json& object, const char* name) {
+  const auto found = object.find(name);
+  return found == object.end() ? std::string() : found->get<std::string>();
+}
+
+// What tinygltf would look up and decode itself, if it saw it.
+void keepBuffersAndImages(Gltf& gltf, json& tree) {
+  for (const json& buffer : taken(tree, "buffers"))
+    gltf.buffers.push_back({textOr(buffer, "uri"), buffer["byteLength"].get<std::uint64_t>(), {}});
+  for (const json& image : taken(tree, "images")) {
+    tinygltf::Image& kept = gltf.model.images.emplace_back();
+    kept.uri = textOr(image, "uri");
+    kept.mimeType = textOr(image, "mimeType");
+    kept.bufferView = image.value("bufferView", -1);
+  }
+}
+
+void warnOfMotion(Gltf& gltf, json& tree) {
+  if (!taken(tree, "skins").empty())
+    gltf.warn("The model has skins (bones); they are ignored, and it stands in its rest pose.");
+  if (!taken(tree, "animations").empty())
+    gltf.warn("The model has animations; they are ignored, and it stands still.");
+}
+
+// tinygltf writes several lines; the first says most.
+[[noreturn]] void failAs(const std::string& error) {
+  throw FileProblem("the file is not right glTF (" + quotedText(error.substr(0, error.find('\n'))) +
+                    "); export the model again.");
+}
+
+// The bytes behind a buffer's uri, or of the chunk if it has none.
+Bytes bytesOfBuffer(Gltf& gltf, std::size_t place, std::optional<Bytes> binary,
+                    const Files& files) {
+  const std::string& uri = gltf.buffers[place].uri;
+  const std::string name = "buffer " + std::to_string(place);
+  if (uri.empty()) {
+    if (place == 0 && binary) return *binary;
+    throw FileProblem(name + " has neither a uri nor a binary chunk; export the model as .glb.");
+  }
+  if (isDataUri(uri)) {
+    std::optional<DataUri> data = decodedDataUri(uri);
+    if (!data) throw FileProblem(name + " is broken base64; export or download the file again.");
+    return gltf.decoded.emplace_back(std::move(data->bytes));
+  }
+  if (const auto* file = fileOf(uri, files)) return *file;
+  throw FileProblem("the model needs the file " + quotedText(uri) +
+                    "; hand it over with the model, or export the model as .glb.");
+}
+
+}  // namespace
+
+void Gltf::warn(const std::string& sentence) {
+  if (std::find(warnings.begin(), warnings.end(), sentence) == warnings.end())
+    warnings.push_back(sentence);
+}
+
+std::size_t checkedIndex(const char* what, int index, std::size_t count) {
+  if (index >= 0 && static_cast<std::size_t>(index) < count) return static_cast<std::size_t>(index);
+  throw FileProblem("the file speaks of " + std::string(what) + ' ' + std::to_string(index) +
+                    ", but has only " + grouped(count) + " of them; export the model again.");
+}
+
+Gltf describedGltf(std::string_view text) {
+  json tree = checkedGltf(parseJson(text));
+  Gltf gltf;
+  const std::string version = tree["asset"]["version"];
+  if (!version.starts_with("2."))
+    throw FileProblem("this is glTF " + quotedText(version) +
+                      ", but only version 2 is read; export the model as glTF 2.0.");
+  warnOfMotion(gltf, tree);
+  keepBuffersAndImages(gltf, tree);
+  std::vector<tinygltf::Image> images = std::move(gltf.model.images);
+
+  const std::string checked = tree.dump();
+  tree = nullptr;
+  std::string error, warning;
+  if (!tinygltf::TinyGLTF().LoadASCIIFromString(&gltf.model, &error, &warning, checked.data(),
+                                                static_cast<unsigned>(checked.size()), ""))
+    failAs(error);
+  gltf.model.images = std::move(images);
+  refuseExtensions(gltf.model);
+  return gltf;
+}
+
+void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files) {
+  for (std::size_t i = 0; i < gltf.buffers.size(); ++i) {
+    Buffer& buffer = gltf.buffers[i];
+    const Bytes bytes = bytesOfBuffer(gltf, i, binary, files);
+    if (buffer.length > bytes.size())
+      throw FileProblem("the file ends in the middle of its data (buffer " + std::to_string(i) +
+                        " says " + grouped(buffer.length) + " bytes, " + grouped(bytes.size()) +
+                        " came); export or download it again.");
+    buffer.bytes = bytes.first(static_cast<std::size_t>(buffer.length));
+  }
+}
+
+Bytes bytesOfView(const Gltf& gltf, int bufferView) {
+  const auto& views = gltf.model.bufferViews;
+  const auto& view = views[checkedIndex("bufferView", bufferView, views.size())];
+  const Buffer& buffer = gltf.buffers[checkedIndex("buffer", view.buffer, gltf.buffers.size())];
+  // Offset and length are below 2^32 each, but their sum need not fit where size_t has 32 bits.
+  if (std::uint64_t{view.byteOffset} + view.byteLength > buffer.bytes.size())
+    throw FileProblem("bufferView " + std::to_string(bufferView) + " reads up to byte " +
+                      grouped(std::uint64_t{view.byteOffset} + view.byteLength) + " of buffer " +
+                      std::to_string(view.buffer) + ", which has only " +
+                      grouped(buffer.bytes.size()) + "; export the model again.");
+  return buffer.bytes.subspan(view.byteOffset, view.byteLength);
+}
+
+}  // namespace warpjet

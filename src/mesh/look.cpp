@@ -1,0 +1,98 @@
+#include "mesh/look.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "mesh/sentences.hpp"
+#include "mesh/uri.hpp"
+
+namespace warpjet {
+
+namespace {
+
+const tinygltf::Material& materialAt(const Gltf& gltf, int material) {
+  const auto& materials = gltf.model.materials;
+  return materials[checkedIndex("material", material, materials.size())];
+}
+
+// The picture of a texture, or none where only an extension knows it.
+int pictureOfTexture(const Gltf& gltf, int texture) {
+  if (texture == none) return none;
+  const auto& textures = gltf.model.textures;
+  return textures[checkedIndex("texture", texture, textures.size())].source;
+}
+
+// By the first bytes, for pictures whose type nobody says.
+std::string sniffedType(const std::vector<std::uint8_t>& bytes) {
+  const std::string_view text = textOf(bytes);
+  if (text.starts_with("\x89PNG")) return "image/png";
+  if (text.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
+  if (text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP")) return "image/webp";
+  if (text.starts_with("\xABKTX 20")) return "image/ktx2";
+  return "application/octet-stream";
+}
+
+std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, const Files& files) {
+  if (image.bufferView != none) {
+    const Bytes bytes = bytesOfView(gltf, image.bufferView);
+    return Image{{bytes.begin(), bytes.end()}, image.mimeType};
+  }
+  if (isDataUri(image.uri)) {
+    auto data = decodedDataUri(image.uri);
+    if (!data) return std::nullopt;
+    return Image{std::move(data->bytes), image.mimeType.empty() ? data->mimeType : image.mimeType};
+  }
+  if (const auto* file = fileOf(image.uri, files)) return Image{*file, image.mimeType};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Look lookOf(const Gltf& gltf, int material) {
+  Look look;
+  if (material == none) return look;
+  const auto& info = materialAt(gltf, material).pbrMetallicRoughness;
+  std::copy_n(info.baseColorFactor.begin(), 4, look.baseColor.begin());
+  look.picture = pictureOfTexture(gltf, info.baseColorTexture.index);
+  return look;
+}
+
+void warnOfTexture(Gltf& gltf, int material) {
+  if (material == none) return;
+  const auto& info = materialAt(gltf, material).pbrMetallicRoughness.baseColorTexture;
+  if (info.index == none) return;
+  if (pictureOfTexture(gltf, info.index) == none)
+    gltf.warn("A base-colour texture has no PNG or JPEG picture; it is left out.");
+  if (info.extensions.count("KHR_texture_transform") != 0)
+    gltf.warn("A texture is moved or scaled by KHR_texture_transform, which is ignored.");
+  if (info.texCoord != 0)
+    gltf.warn("A texture uses the uvs TEXCOORD_" + std::to_string(info.texCoord) +
+              ", but only TEXCOORD_0 is read.");
+}
+
+std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files) {
+  if (picture == none) return std::nullopt;
+  const auto& images = gltf.model.images;
+  const tinygltf::Image& image = images[checkedIndex("image", picture, images.size())];
+  std::optional<Image> found = bytesOf(gltf, image, files);
+  if (!found || found->bytes.empty()) {
+    gltf.warn("The picture of the base colour (image " + std::to_string(picture) + ", " +
+              quotedText(image.uri) + ") is missing or broken; it is left out.");
+    return std::nullopt;
+  }
+  if (found->mimeType.empty()) found->mimeType = sniffedType(found->bytes);
+  return found;
+}
+
+std::vector<std::string> picturesOf(const Gltf& gltf) {
+  std::vector<std::string> uris;
+  const auto& images = gltf.model.images;
+  for (std::size_t i = 0; i < gltf.model.materials.size(); ++i) {
+    const int picture = lookOf(gltf, static_cast<int>(i)).picture;
+    if (picture != none) uris.push_back(images[checkedIndex("image", picture, images.size())].uri);
+  }
+  return uris;
+}
+
+}  // namespace warpjet

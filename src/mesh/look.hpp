@@ -1,0 +1,33 @@
+// What of a glTF material a Mesh can carry: base colour and base-colour texture.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "mesh/gltf.hpp"
+
+namespace warpjet {
+
+constexpr int none = -1;
+
+// `picture` is a place among the model's images, or none.
+struct Look {
+  std::array<double, 4> baseColor{1, 1, 1, 1};
+  int picture = none;
+
+  bool operator==(const Look&) const = default;
+};
+
+// Of a material's place, or of none: white. Throws a FileProblem.
+Look lookOf(const Gltf& gltf, int material);
+
+// Warns where a material's texture is not one that a Mesh can carry.
+void warnOfTexture(Gltf& gltf, int material);
+
+// A picture as the file has it, still encoded. One that is not there is a warning.
+std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files);
+
+// The uris of all materials' pictures of base colours; empty for those inside of a buffer.
+std::vector<std::string> picturesOf(const Gltf& gltf);
+
+}  // namespace warpjet

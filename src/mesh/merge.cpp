@@ -1,0 +1,140 @@
+#include "mesh/merge.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "mesh/accessor.hpp"
+#include "mesh/draws.hpp"
+#include "mesh/normals.hpp"
+#include "mesh/place.hpp"
+#include "mesh/sentences.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// Appends an attribute of a draw, or fills it where the draw has none.
+void append(const Gltf& gltf, const Draw& draw, const char* attribute, int least, int width,
+            float filler, std::vector<float>& numbers) {
+  const std::size_t end = numbers.size() + draw.vertices * static_cast<std::size_t>(width);
+  const int accessor = draw.accessor(attribute);
+  if (accessor == none) return numbers.resize(end, filler);
+  if (countOf(gltf, accessor) != draw.vertices)
+    throw FileProblem("a part has " + grouped(draw.vertices) + " positions, but " +
+                      grouped(countOf(gltf, accessor)) + " of " + attribute +
+                      "; export the model again.");
+  appendFloats(gltf, accessor, least, width, numbers);
+}
+
+void appendIndices(const Gltf& gltf, const Draw& draw, std::size_t firstVertex,
+                   std::vector<std::uint32_t>& indices) {
+  std::vector<std::uint32_t> corners(draw.isIndexed() ? 0 : draw.corners);
+  std::iota(corners.begin(), corners.end(), 0u);
+  if (draw.isIndexed()) corners = indicesOf(gltf, draw.primitive->indices);
+  for (std::uint32_t& corner : corners) {
+    if (corner >= draw.vertices)
+      throw FileProblem("a triangle uses vertex " + grouped(corner) + ", but its part has only " +
+                        grouped(draw.vertices) + ", counted from 0; export the model again.");
+    corner += static_cast<std::uint32_t>(firstVertex);
+  }
+  corners = separateTriangles(draw.kind(), std::move(corners));
+  indices.insert(indices.end(), corners.begin(), corners.end());
+}
+
+// The base colour of a part moves into its vertices.
+void tint(std::vector<float>& colors, std::size_t firstVertex, const Look& look) {
+  for (std::size_t i = firstVertex * 4; i < colors.size(); ++i)
+    colors[i] = static_cast<float>(colors[i] * look.baseColor[i % 4]);
+}
+
+void appendDraw(const Gltf& gltf, const Draw& draw, const Layout& layout, Mesh& mesh) {
+  const std::size_t firstVertex = mesh.vertexCount();
+  const std::size_t firstIndex = mesh.indices.size();
+  append(gltf, draw, "POSITION", 3, 3, 0, mesh.positions);
+  append(gltf, draw, "NORMAL", 3, 3, 0, mesh.normals);
+  if (layout.hasUvs) append(gltf, draw, "TEXCOORD_0", 2, 2, 0, mesh.uvs);
+  if (layout.hasColors) append(gltf, draw, "COLOR_0", 3, 4, 1, mesh.colors);
+  if (layout.hasTangents) append(gltf, draw, "TANGENT", 4, 4, 0, mesh.tangents);
+  if (layout.isIndexed) appendIndices(gltf, draw, firstVertex, mesh.indices);
+  if (!layout.hasEqualColors)
+    tint(mesh.colors, firstVertex, lookOf(gltf, draw.primitive->material));
+
+  const bool isExact =
+      (draw.accessor("NORMAL") == none || isFloat(gltf, draw.accessor("NORMAL"))) &&
+      (!layout.hasTangents || isFloat(gltf, draw.accessor("TANGENT")));
+  place(mesh, firstVertex, firstIndex, draw.placed->toWorld, isExact);
+}
+
+void reserve(const std::vector<Draw>& draws, const Layout& layout, Mesh& mesh) {
+  std::size_t vertices = 0, triangles = 0;
+  for (const Draw& draw : draws) {
+    vertices += draw.vertices;
+    triangles += trianglesOf(draw.kind(), draw.corners);
+  }
+  mesh.positions.reserve(vertices * 3);
+  mesh.normals.reserve(vertices * 3);
+  if (layout.hasUvs) mesh.uvs.reserve(vertices * 2);
+  if (layout.hasColors) mesh.colors.reserve(vertices * 4);
+  if (layout.hasTangents) mesh.tangents.reserve(vertices * 4);
+  if (layout.isIndexed) mesh.indices.reserve(triangles * 3);
+}
+
+// Of all triangles together, so that parts that touch are smooth; only where the file has none.
+void addMissingNormals(const std::vector<Draw>& draws, Mesh& mesh) {
+  const auto hasNormals = [](const Draw& draw) { return draw.accessor("NORMAL") != none; };
+  if (std::all_of(draws.begin(), draws.end(), hasNormals)) return;
+  const std::vector<float> computed = computeNormals(mesh);
+  std::size_t first = 0;
+  for (const Draw& draw : draws) {
+    const std::size_t end = first + draw.vertices * 3;
+    if (!hasNormals(draw))
+      std::copy(computed.begin() + first, computed.begin() + end, mesh.normals.begin() + first);
+    first = end;
+  }
+}
+
+std::optional<Material> materialOf(Gltf& gltf, const std::vector<Draw>& draws, const Layout& layout,
+                                   const Files& files) {
+  const auto hasMaterial = [](const Draw& draw) { return draw.primitive->material != none; };
+  if (std::none_of(draws.begin(), draws.end(), hasMaterial)) return std::nullopt;
+
+  int picture = none;
+  for (const Draw& draw : draws) {
+    warnOfTexture(gltf, draw.primitive->material);
+    if (picture == none) picture = lookOf(gltf, draw.primitive->material).picture;
+  }
+  for (const Draw& draw : draws) {
+    if (lookOf(gltf, draw.primitive->material).picture != picture)
+      gltf.warn("The parts have different base-colour textures; only the first is kept.");
+  }
+  Material material;
+  material.baseColorTexture = pictureOf(gltf, picture, files);
+  if (layout.hasEqualColors) {
+    const Look look = lookOf(gltf, draws[0].primitive->material);
+    std::transform(look.baseColor.begin(), look.baseColor.end(), material.baseColor.begin(),
+                   [](double channel) { return static_cast<float>(channel); });
+  }
+  return material;
+}
+
+}  // namespace
+
+Mesh mergedMesh(Gltf& gltf, const Files& files) {
+  const std::vector<Placed> placed = placedMeshes(gltf);
+  const std::vector<Draw> draws = drawsOf(gltf, placed);
+  if (draws.empty())
+    throw FileProblem(
+        "there is nothing to draw: the scene shows no mesh of triangles; export the model with its "
+        "meshes.");
+  const Layout layout = layoutOf(gltf, draws);
+  Mesh mesh;
+  reserve(draws, layout, mesh);
+  for (const Draw& draw : draws) appendDraw(gltf, draw, layout, mesh);
+  addMissingNormals(draws, mesh);
+  mesh.material = materialOf(gltf, draws, layout, files);
+  return mesh;
+}
+
+}  // namespace warpjet

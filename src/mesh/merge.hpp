@@ -1,0 +1,11 @@
+// The draws of a glTF as one mesh in the space of the scene.
+#pragma once
+
+#include "mesh/gltf.hpp"
+
+namespace warpjet {
+
+// Throws a FileProblem.
+Mesh mergedMesh(Gltf& gltf, const Files& files);
+
+}  // namespace warpjet

@@ -1,0 +1,18 @@
+// Wavefront OBJ, as text (B1, "Object Files", in the Advanced Visualizer manual).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace warpjet {
+
+// Reads v, vt, vn and f; negative indices count from the end, polygons become fans. A vertex is a
+// combination of position, uv and normal that faces use. Uvs are turned over, v to 1 - v, since
+// OBJ's go up and a Mesh's go down, as glTF's. Colours behind positions (v x y z r g b) are sRGB,
+// as Blender writes them, and become linear. Throws a FileProblem that names the line.
+Mesh meshOfObj(std::string_view text, std::vector<std::string>& warnings);
+
+}  // namespace warpjet

@@ -1,0 +1,56 @@
+#include "mesh/place.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include "mesh/triangles.hpp"
+
+namespace warpjet {
+
+namespace {
+
+glm::dvec3 at(const std::vector<float>& numbers, std::size_t place) {
+  return {numbers[place], numbers[place + 1], numbers[place + 2]};
+}
+
+void set(std::vector<float>& numbers, std::size_t place, const glm::dvec3& value) {
+  for (int i = 0; i < 3; ++i) numbers[place + i] = static_cast<float>(value[i]);
+}
+
+glm::dvec3 unit(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : glm::dvec3(0);
+}
+
+// The inverse transpose up to a positive factor, which needs no division and exists for flat
+// transforms too: cofactors have the columns m2 x m3, m3 x m1, m1 x m2, and the determinant's sign.
+glm::dmat3 normalMatrix(const glm::dmat3& m, bool isMirrored) {
+  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
+                             glm::cross(m[0], m[1]));
+  return isMirrored ? -cofactors : cofactors;
+}
+
+}  // namespace
+
+void place(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, const glm::dmat4& toWorld,
+           bool isExact) {
+  const glm::dmat3 m(toWorld);
+  const bool isMirrored = glm::determinant(m) < 0;
+  const bool isMoved = toWorld != glm::dmat4(1);
+
+  for (std::size_t i = firstVertex * 4 + 3; i < mesh.tangents.size(); i += 4)
+    mesh.tangents[i] = (mesh.tangents[i] < 0) == isMirrored ? 1.0f : -1.0f;
+  if (isMirrored) reverseWinding(mesh.indices, firstIndex);
+  if (!isMoved && isExact) return;
+
+  if (isMoved)
+    for (std::size_t i = firstVertex * 3; i < mesh.positions.size(); i += 3)
+      set(mesh.positions, i, glm::dvec3(toWorld * glm::dvec4(at(mesh.positions, i), 1)));
+  const glm::dmat3 forNormals = normalMatrix(m, isMirrored);
+  for (std::size_t i = firstVertex * 3; i < mesh.normals.size(); i += 3)
+    set(mesh.normals, i, unit(forNormals * at(mesh.normals, i)));
+  for (std::size_t i = firstVertex * 4; i < mesh.tangents.size(); i += 4)
+    set(mesh.tangents, i, unit(m * at(mesh.tangents, i)));
+}
+
+}  // namespace warpjet

@@ -1,0 +1,23 @@
+// Flat arrays read as points.
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace warpjet {
+
+inline glm::vec3 at(const std::vector<float>& numbers, std::size_t vertex) {
+  return {numbers[3 * vertex], numbers[3 * vertex + 1], numbers[3 * vertex + 2]};
+}
+
+inline float distance(const std::vector<float>& positions, std::size_t a, std::size_t b) {
+  return glm::distance(at(positions, a), at(positions, b));
+}
+
+// Of the parallelogram, twice that of the triangle; along the normal.
+inline glm::vec3 areaVector(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+  return glm::cross(b - a, c - a);
+}
+
+}  // namespace warpjet

@@ -1,0 +1,14 @@
+// The part of a glTF's JSON that a static mesh needs, checked member by member before tinygltf sees
+// it: 2.7.0 cuts integers to 32 bits, walks `extras` recursively and takes some shapes for granted.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace warpjet {
+
+// A copy with nothing but known members of the right types: indices are whole numbers from 0 to
+// 2^31 - 1, sizes from 0 to 2^32 - 1, lists of numbers have their length. Whether an index has its
+// element is for whoever follows it. Throws a FileProblem that names the member.
+nlohmann::json checkedGltf(const nlohmann::json& tree);
+
+}  // namespace warpjet

@@ -1,0 +1,40 @@
+#include "mesh/subdivide.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "mesh/refiner.hpp"
+#include "mesh/surface.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// Where all triangles had two corners in one place, nothing is left to index.
+Mesh orElse(Mesh finer, const Mesh& mesh) { return finer.indices.empty() ? mesh : finer; }
+
+}  // namespace
+
+Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp) {
+  if (mesh.triangleCount() == 0) return {mesh, true, 0};
+  Refined refined = Refiner(mesh, refinement, warp).run();
+  refined.mesh = orElse(std::move(refined.mesh), mesh);
+  return refined;
+}
+
+Mesh subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangles) {
+  if (mesh.triangleCount() == 0) return mesh;
+  maxTriangles = std::min(maxTriangles, mostTriangles);
+  Surface surface(mesh);
+  for (; levels > 0 && surface.triangles().size() <= maxTriangles / 4; --levels) {
+    std::vector<std::uint32_t> edges;
+    for (std::uint32_t i = 0; i < surface.edges().size(); ++i) {
+      if (surface.edges()[i].uses > 0) edges.push_back(i);
+    }
+    surface.addMiddles(edges);
+    surface.divide(surface.mesh().positions);
+  }
+  return orElse(std::move(surface).takeMesh(), mesh);
+}
+
+}  // namespace warpjet

@@ -1,0 +1,50 @@
+// More triangles where a warp needs them: a mesh and a warp enter, the same surface with more
+// vertices leaves, not warped yet. There are no cracks and no T-junctions that were not there
+// before: vertices at equal positions (split normals, UVs or colours) count as one.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace warpjet {
+
+// Moved positions and normals of vertices, three numbers each, in order. The normals may be
+// missing.
+struct Moved {
+  std::vector<float> positions, normals;
+};
+
+// The warp, on as many vertices as come: only attributes matter, there are no indices.
+using WarpFunction = std::function<Moved(const Mesh& vertices)>;
+
+struct Refinement {
+  float tolerance;  // model units, above 0: how far the warped surface may leave the triangles
+  // Radians, above 0: how far warped normals may turn away from those interpolated between corners.
+  // Infinity leaves normals out.
+  float angle = 0.17f;
+  std::size_t maxTriangles = std::size_t{1} << 20;
+};
+
+struct Refined {
+  Mesh mesh;              // indexed; what was there comes first, in its order
+  bool reachedTolerance;  // and the angle
+  float worst;            // model units: the largest distance that is left, where it was measured
+};
+
+// Edges are split in the middle, over and over, until the warped surface is as near as wanted to
+// the warped triangles. New vertices interpolate all attributes. Where the warp gives NaN or
+// infinity, where it tears the surface apart, or where floats have no room between two positions,
+// nothing is split. More than `maxTriangles` are never made: the worst edges are split first.
+// Triangles with two corners in one place (as at the poles of many spheres) go when a side of
+// theirs is split. Without any triangle the mesh comes back as it was.
+Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp);
+
+// Each triangle into four, `levels` times, or as often as `maxTriangles` allows; those with two
+// corners in one place go.
+Mesh subdivideUniformly(const Mesh& mesh, int levels,
+                        std::size_t maxTriangles = std::size_t{1} << 20);
+
+}  // namespace warpjet

@@ -1,0 +1,95 @@
+// A mesh whose edges can be split without a crack: triangles know their sides, and sides know the
+// edge that they share with all others between the same two positions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "mesh/pairs.hpp"
+#include "mesh/weld.hpp"
+
+namespace warpjet {
+
+// Two positions, by their numbers. Whether it is split is decided here, once for all its sides.
+struct Edge {
+  std::array<std::uint32_t, 2> ends;
+  std::uint32_t middle = none;  // once it is split
+  std::uint32_t uses = 0;       // by triangles, now
+  std::uint32_t lastSide = none;
+};
+
+// Two vertices, in the order of their edge's ends. Triangles on both sides of a seam (split
+// normals, UVs or colours) have different sides on one edge.
+struct Side {
+  std::array<std::uint32_t, 2> ends;
+  std::uint32_t edge;
+  std::uint32_t previous;                           // on the same edge
+  std::uint32_t middle = none;                      // once it is split
+  std::array<std::uint32_t, 2> halves{none, none};  // then, at each end
+};
+
+struct Triangle {
+  std::array<std::uint32_t, 3> corners;
+  std::array<std::uint32_t, 3> sides;  // the first between the first two corners, and so on
+  float distance = -1;  // of the warped surface from its inside, once that is measured
+};
+
+class Surface {
+ public:
+  explicit Surface(Mesh mesh);
+
+  // Its indices are as they came; see `takeMesh`.
+  const Mesh& mesh() const { return mesh_; }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const std::vector<Side>& sides() const { return sides_; }
+  const std::vector<Edge>& edges() const { return edges_; }
+
+  const Edge& edgeOf(const Triangle& triangle, int side) const {
+    return edges_[edgeNumber(triangle, side)];
+  }
+  std::uint32_t edgeNumber(const Triangle& triangle, int side) const {
+    return sides_[triangle.sides[side]].edge;
+  }
+  const Position& endOf(const Edge& edge, int end) const {
+    return welder_.position(edge.ends[end]);
+  }
+  Position middleOf(const Edge& edge) const;
+
+  // Gives each of these edges (and all its sides) a vertex in the middle. Then `divide` must
+  // follow.
+  void addMiddles(std::span<const std::uint32_t> edges);
+
+  // Replaces each triangle that has split sides: 1, 2, 3 of them make 2, 3, 4 triangles. Where
+  // there is a choice, the diagonal that is shorter between `positions` is taken, 3 numbers a
+  // vertex.
+  void divide(const std::vector<float>& positions);
+
+  void setDistance(std::size_t triangle, float distance) {
+    triangles_[triangle].distance = distance;
+  }
+
+  Mesh takeMesh() &&;
+
+ private:
+  using Three = std::array<std::uint32_t, 3>;
+
+  std::uint32_t findSide(std::uint32_t a, std::uint32_t b);
+  bool isSlit(const Triangle& triangle) const;
+  std::uint32_t halfOf(std::uint32_t side, std::uint32_t end) const;
+  void split(std::uint32_t side);
+  void add(const Three& corners, const Three& sides);
+  void divide(const Triangle& triangle, const std::vector<float>& positions);
+
+  Mesh mesh_;
+  Welder welder_;
+  std::vector<std::uint32_t> welded_;  // by vertex, the number of its position
+  Pairs edgesByEnds_;
+  std::vector<Side> sides_;
+  std::vector<Edge> edges_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace warpjet

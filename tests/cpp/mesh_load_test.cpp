@@ -1,0 +1,426 @@
+// What comes out of glTF files, form by form; expected numbers are worked out by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gltf_builder.hpp"
+#include "mesh/check.hpp"
+#include "mesh/load.hpp"
+
+namespace warpjet {
+namespace {
+
+using Floats = std::vector<float>;
+using Indices = std::vector<std::uint32_t>;
+
+Mesh loaded(const File& file, const Files& files = {}) {
+  Loaded result = loadMesh(file, files);
+  EXPECT_EQ(result.problem, "");
+  if (!result.mesh) return {};
+  EXPECT_EQ(problemOf(*result.mesh), "");
+  return *result.mesh;
+}
+
+std::vector<std::string> warningsOf(const File& file) { return loadMesh(file).warnings; }
+
+void expectNear(const Floats& came, const Floats& expected, float tolerance = 1e-6f) {
+  ASSERT_EQ(came.size(), expected.size());
+  for (std::size_t i = 0; i < came.size(); ++i) EXPECT_NEAR(came[i], expected[i], tolerance) << i;
+}
+
+TEST(LoadMesh, ReadsATriangleWithoutIndices) {
+  const Mesh mesh = loaded(triangleFile().glb());
+  EXPECT_EQ(mesh.positions, triangle);
+  EXPECT_EQ(mesh.normals, (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1}));
+  EXPECT_TRUE(mesh.indices.empty());
+  EXPECT_TRUE(mesh.uvs.empty() && mesh.colors.empty() && mesh.tangents.empty());
+  EXPECT_FALSE(mesh.material);
+}
+
+TEST(LoadMesh, ReadsEmbeddedAndExternalBuffersToo) {
+  const GltfBuilder file = triangleFile();
+  EXPECT_EQ(loaded(file.embedded()).positions, triangle);
+  EXPECT_EQ(loaded(file.external("a.bin"), {{"a.bin", file.binary}}).positions, triangle);
+  EXPECT_EQ(loaded(file.external("a%20b.bin"), {{"a%20b.bin", file.binary}}).positions, triangle);
+  EXPECT_EQ(loaded(file.external("a%20b.bin"), {{"a b.bin", file.binary}}).positions, triangle);
+  EXPECT_EQ(externalFiles(file.external("a%20b.bin")), std::vector<std::string>{"a%20b.bin"});
+  EXPECT_TRUE(externalFiles(file.glb()).empty());
+  EXPECT_EQ(loadMesh(file.external("a.bin")).problem,
+            "loadMesh: the model needs the file \"a.bin\"; hand it over with the model, or export "
+            "the model as .glb.");
+}
+
+TEST(LoadMesh, ReadsAllAttributesBitForBit) {
+  GltfBuilder file;
+  const Floats normals{0, 0, 1, 0.6f, 0, 0.8f, 0, 0.1f, 0.5f};
+  const Floats tangents{1, 0, 0, 1, 0, 1, 0, -1, 1, 0, 0, 1};
+  const Floats uvs{0, 0.25f, 1, 0, 0, 1};
+  const Floats colors{1, 0, 0, 1, 0, 1, 0, 0.5f, 0, 0, 1, 0};
+  file.mesh({{"POSITION", file.floats(triangle, "VEC3")},
+             {"NORMAL", file.floats(normals, "VEC3")},
+             {"TANGENT", file.floats(tangents, "VEC4")},
+             {"TEXCOORD_0", file.floats(uvs, "VEC2")},
+             {"COLOR_0", file.floats(colors, "VEC4")}},
+            {{"indices", file.accessor<std::uint16_t>({2, 0, 1}, "SCALAR")}});
+  file.node({{"mesh", 0}});
+  const Mesh mesh = loaded(file.glb());
+  EXPECT_EQ(mesh.positions, triangle);
+  EXPECT_EQ(mesh.normals, normals);
+  EXPECT_EQ(mesh.tangents, tangents);
+  EXPECT_EQ(mesh.uvs, uvs);
+  EXPECT_EQ(mesh.colors, colors);
+  EXPECT_EQ(mesh.indices, (Indices{2, 0, 1}));
+}
+
+template <typename T>
+Indices indicesRead() {
+  GltfBuilder file;
+  const Floats square{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  file.mesh({{"POSITION", file.floats(square, "VEC3")}},
+            {{"indices", file.accessor<T>({0, 1, 2, 0, 2, 3}, "SCALAR")}});
+  file.node({{"mesh", 0}});
+  return loaded(file.glb()).indices;
+}
+
+TEST(LoadMesh, ReadsIndicesOfEveryType) {
+  const Indices expected{0, 1, 2, 0, 2, 3};
+  EXPECT_EQ(indicesRead<std::uint8_t>(), expected);
+  EXPECT_EQ(indicesRead<std::uint16_t>(), expected);
+  EXPECT_EQ(indicesRead<std::uint32_t>(), expected);
+}
+
+Indices separated(int mode, const std::vector<std::uint8_t>& corners) {
+  GltfBuilder file;
+  const Floats five{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
+  json more = {{"mode", mode}};
+  if (!corners.empty()) more["indices"] = file.accessor(corners, "SCALAR");
+  file.mesh({{"POSITION", file.floats(five, "VEC3")}}, more);
+  file.node({{"mesh", 0}});
+  return loaded(file.glb()).indices;
+}
+
+TEST(LoadMesh, SeparatesStripsAndFans) {
+  EXPECT_EQ(separated(5, {}), (Indices{0, 1, 2, 1, 3, 2, 2, 3, 4}));
+  EXPECT_EQ(separated(5, {4, 3, 2, 1}), (Indices{4, 3, 2, 3, 1, 2}));
+  EXPECT_EQ(separated(6, {}), (Indices{1, 2, 0, 2, 3, 0, 3, 4, 0}));
+  // Repeated corners join strips: triangles without area go, and every second one is turned.
+  EXPECT_EQ(separated(5, {0, 1, 2, 2, 1, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 3, 4}));
+  EXPECT_EQ(separated(5, {0, 1, 2, 2, 1, 1, 3, 4}), (Indices{0, 1, 2, 1, 4, 3}));
+}
+
+TEST(LoadMesh, LeavesOutCornersTooMany) {
+  EXPECT_EQ(separated(4, {0, 1, 2, 3}), (Indices{0, 1, 2}));
+  EXPECT_EQ(separated(4, {}), (Indices{0, 1, 2}));
+}
+
+TEST(LoadMesh, LeavesOutPointsAndLines) {
+  GltfBuilder file = triangleFile();
+  file.tree["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 1}});
+  EXPECT_EQ(loaded(file.glb()).positions, triangle);
+  EXPECT_EQ(warningsOf(file.glb()),
+            std::vector<std::string>{"Points and lines are left out; only triangles are read."});
+}
+
+template <typename T>
+Floats positionsFrom(const std::vector<T>& numbers, bool isNormalized) {
+  GltfBuilder file;
+  file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"KHR_mesh_quantization"};
+  // Three elements of three numbers, four apart: strides are multiples of 4.
+  const int positions =
+      file.accessor(numbers, "VEC3", {{"normalized", isNormalized}, {"count", 3}});
+  file.tree["bufferViews"][0]["byteStride"] = 4 * sizeof(T);
+  file.mesh({{"POSITION", positions}});
+  file.node({{"mesh", 0}});
+  return loaded(file.glb()).positions;
+}
+
+TEST(LoadMesh, ReadsQuantizedPositions) {
+  EXPECT_EQ(positionsFrom<std::int8_t>({-128, -127, 0, 9, 127, 1, 0, 9, 0, 64, 0, 9}, true),
+            (Floats{-1, -1, 0, 1, 1 / 127.0f, 0, 0, 64 / 127.0f, 0}));
+  EXPECT_EQ(positionsFrom<std::uint8_t>({0, 255, 0, 9, 51, 0, 0, 9, 0, 0, 102, 9}, true),
+            (Floats{0, 1, 0, 0.2f, 0, 0, 0, 0, 0.4f}));
+  EXPECT_EQ(positionsFrom<std::int16_t>({-32768, 32767, 0, 9, 1, 0, 0, 9, 0, 0, 2, 9}, true),
+            (Floats{-1, 1, 0, 1 / 32767.0f, 0, 0, 0, 0, 2 / 32767.0f}));
+  EXPECT_EQ(positionsFrom<std::uint16_t>({0, 65535, 0, 9, 13107, 0, 0, 9, 0, 0, 0, 9}, true),
+            (Floats{0, 1, 0, 0.2f, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(positionsFrom<std::int8_t>({-128, 5, 0, 9, 127, 0, 0, 9, 0, 0, 3, 9}, false),
+            (Floats{-128, 5, 0, 127, 0, 0, 0, 0, 3}));
+  EXPECT_EQ(positionsFrom<std::uint16_t>({65535, 5, 0, 9, 127, 0, 0, 9, 0, 0, 3, 9}, false),
+            (Floats{65535, 5, 0, 127, 0, 0, 0, 0, 3}));
+}
+
+TEST(LoadMesh, MakesQuantizedNormalsUnit) {
+  GltfBuilder file;
+  // 90/127 and 90/127 are together 1.002 long.
+  const int normals = file.accessor<std::int8_t>({90, 90, 0, 0, 0, -128, 0, 0, 0, 127, 0, 0},
+                                                 "VEC3", {{"normalized", true}, {"count", 3}});
+  file.tree["bufferViews"][0]["byteStride"] = 4;
+  file.mesh({{"POSITION", file.floats(triangle, "VEC3")}, {"NORMAL", normals}});
+  file.node({{"mesh", 0}});
+  const float half = std::sqrt(0.5f);
+  expectNear(loaded(file.glb()).normals, {half, half, 0, 0, -1, 0, 0, 1, 0});
+}
+
+TEST(LoadMesh, ReadsInterleavedAttributes) {
+  GltfBuilder file;
+  const int view = file.view<float>({-1,                   // not part of the view's first element
+                                     0, 0, 0, 0.1f, 0.2f,  // position, uv
+                                     1, 0, 0, 0.3f, 0.4f,  //
+                                     0, 1, 0, 0.5f, 0.6f});
+  file.tree["bufferViews"][view]["byteStride"] = 20;
+  const auto accessor = [&](int offset, const char* type) {
+    return file.add("accessors", {{"bufferView", view},
+                                  {"byteOffset", offset},
+                                  {"componentType", 5126},
+                                  {"count", 3},
+                                  {"type", type}});
+  };
+  file.mesh({{"POSITION", accessor(4, "VEC3")}, {"TEXCOORD_0", accessor(16, "VEC2")}});
+  file.node({{"mesh", 0}});
+  const Mesh mesh = loaded(file.glb());
+  EXPECT_EQ(mesh.positions, triangle);
+  EXPECT_EQ(mesh.uvs, (Floats{0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f}));
+}
+
+TEST(LoadMesh, ReadsColorsOfThreeAndFourNumbers) {
+  GltfBuilder file;
+  const int three = file.accessor<std::uint8_t>({255, 0, 51, 0, 0, 255, 0, 0, 0, 0, 255, 0}, "VEC3",
+                                                {{"normalized", true}, {"count", 3}});
+  file.tree["bufferViews"][0]["byteStride"] = 4;
+  const int four = file.accessor<std::uint16_t>({65535, 0, 0, 13107, 0, 0, 0, 0, 0, 0, 0, 65535},
+                                                "VEC4", {{"normalized", true}});
+  const int positions = file.floats(triangle, "VEC3");
+  file.mesh({{"POSITION", positions}, {"COLOR_0", three}});
+  file.mesh({{"POSITION", positions}, {"COLOR_0", four}});
+  file.node({{"mesh", 0}});
+  file.node({{"mesh", 1}});
+  EXPECT_EQ(loaded(file.glb()).colors,
+            (Floats{1, 0, 0.2f, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0, 0.2f, 0, 0, 0, 0, 0, 0, 0, 1}));
+}
+
+TEST(LoadMesh, ReadsSparseAccessors) {
+  GltfBuilder file;
+  const int places = file.view<std::uint16_t>({0, 2});
+  const int values = file.view<float>({5, 6, 7, 8, 9, 10});
+  const json sparse = {{"count", 2},
+                       {"indices", {{"bufferView", places}, {"componentType", 5123}}},
+                       {"values", {{"bufferView", values}}}};
+  const int positions = file.accessor(triangle, "VEC3", {{"sparse", sparse}});
+  const int zeros = file.add(
+      "accessors", {{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}, {"sparse", sparse}});
+  file.mesh({{"POSITION", positions}});
+  file.mesh({{"POSITION", zeros}});
+  file.node({{"mesh", 0}});
+  file.node({{"mesh", 1}});
+  EXPECT_EQ(loaded(file.glb()).positions,
+            (Floats{5, 6, 7, 1, 0, 0, 8, 9, 10, 5, 6, 7, 0, 0, 0, 8, 9, 10}));
+}
+
+TEST(LoadMesh, ReadsSparseIndices) {
+  GltfBuilder file;
+  const json sparse = {
+      {"count", 1},
+      {"indices", {{"bufferView", file.view<std::uint8_t>({1})}, {"componentType", 5121}}},
+      {"values", {{"bufferView", file.view<std::uint8_t>({3})}}}};
+  const Floats square{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  file.mesh({{"POSITION", file.floats(square, "VEC3")}},
+            {{"indices", file.accessor<std::uint8_t>({0, 1, 2}, "SCALAR", {{"sparse", sparse}})}});
+  file.node({{"mesh", 0}});
+  EXPECT_EQ(loaded(file.glb()).indices, (Indices{0, 3, 2}));
+}
+
+// A file whose only node has this transform, with a normal and a tangent at each corner.
+GltfBuilder transformed(const json& transform) {
+  GltfBuilder file;
+  file.mesh({{"POSITION", file.floats({1, 0, 0, 0, 2, 0, 0, 0, 3}, "VEC3")},
+             {"NORMAL", file.floats({0.6f, 0.8f, 0, 0, 0, 1, 0, 0, 0}, "VEC3")},
+             {"TANGENT", file.floats({0.8f, -0.6f, 0, 1, 1, 0, 0, -1, 0, 1, 0, 1}, "VEC4")}});
+  json node = {{"mesh", 0}};
+  node.update(transform);
+  file.node(node);
+  return file;
+}
+
+TEST(LoadMesh, MovesByTranslationRotationAndScale) {
+  // Scaled by (2, 1, 1), then turned by 90 degrees around z: x to y, y to -x. Then moved.
+  const float half = std::sqrt(0.5f);
+  const Mesh mesh = loaded(
+      transformed(
+          {{"translation", {10, 20, 30}}, {"rotation", {0, 0, half, half}}, {"scale", {2, 1, 1}}})
+          .glb());
+  expectNear(mesh.positions, {10, 22, 30, 8, 20, 30, 10, 20, 33}, 1e-5f);
+  // By the inverse transpose: (0.3, 0.8, 0) of length sqrt(0.73), turned. Zero stays zero.
+  const float length = std::sqrt(0.73f);
+  expectNear(mesh.normals, {-0.8f / length, 0.3f / length, 0, 0, 0, 1, 0, 0, 0});
+  // By the matrix: (1.6, -0.6, 0) of length sqrt(2.92), turned.
+  const float along = std::sqrt(2.92f);
+  expectNear(mesh.tangents, {0.6f / along, 1.6f / along, 0, 1, 0, 1, 0, -1, -1, 0, 0, 1});
+  EXPECT_TRUE(mesh.indices.empty());
+}
+
+TEST(LoadMesh, ReadsAMatrixByColumns) {
+  const Mesh mesh =
+      loaded(transformed({{"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}}).glb());
+  EXPECT_EQ(mesh.positions, (Floats{5, 7, 7, 3, 6, 7, 5, 6, 10}));
+}
+
+TEST(LoadMesh, TurnsTrianglesOverWhereATransformMirrors) {
+  const Mesh mesh = loaded(transformed({{"scale", {-1, 1, 1}}}).glb());
+  EXPECT_EQ(mesh.positions, (Floats{-1, 0, 0, 0, 2, 0, 0, 0, 3}));
+  expectNear(mesh.normals, {-0.6f, 0.8f, 0, 0, 0, 1, 0, 0, 0});
+  expectNear(mesh.tangents, {-0.8f, -0.6f, 0, -1, -1, 0, 0, 1, 0, 1, 0, -1});
+  EXPECT_EQ(mesh.indices, (Indices{0, 2, 1}));
+}
+
+TEST(LoadMesh, KeepsNormalsOfAFlattenedMesh) {
+  // z is scaled to nothing: the inverse does not exist, but the normals of the plane do.
+  const Mesh mesh = loaded(transformed({{"scale", {1, 1, 0}}}).glb());
+  expectNear(mesh.normals, {0, 0, 0, 0, 0, 1, 0, 0, 0});
+}
+
+TEST(LoadMesh, MultipliesTransformsDownTheTree) {
+  GltfBuilder file;
+  file.mesh({{"POSITION", file.floats(triangle, "VEC3")}});
+  file.node({{"children", {1, 2}}, {"translation", {10, 0, 0}}});
+  file.node({{"mesh", 0}, {"scale", {2, 2, 2}}, {"children", {3}}});
+  file.node({{"mesh", 0}});
+  file.node({{"mesh", 0}, {"translation", {0, 0, 1}}});
+  EXPECT_EQ(loaded(file.glb()).positions,
+            (Floats{10, 0, 0, 12, 0, 0, 10, 2, 0,     // node 1
+                    10, 0, 2, 12, 0, 2, 10, 2, 2,     // node 3, its child
+                    10, 0, 0, 11, 0, 0, 10, 1, 0}));  // node 2
+}
+
+TEST(LoadMesh, ShowsTheDefaultSceneOnly) {
+  GltfBuilder file;
+  file.mesh({{"POSITION", file.floats(triangle, "VEC3")}});
+  for (const int x : {1, 2, 3}) file.node({{"mesh", 0}, {"translation", {x, 0, 0}}});
+  EXPECT_EQ(loaded(file.glb()).vertexCount(), 9u);  // no scenes: every node
+  file.tree["scenes"] = {{{"nodes", {1}}}, {{"nodes", {2, 0}}}};
+  EXPECT_EQ(loaded(file.glb()).positions, (Floats{2, 0, 0, 3, 0, 0, 2, 1, 0}));
+  file.tree["scene"] = 1;
+  EXPECT_EQ(loaded(file.glb()).positions,
+            (Floats{3, 0, 0, 4, 0, 0, 3, 1, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0}));
+}
+
+TEST(LoadMesh, FillsWhatOnlySomePartsHave) {
+  GltfBuilder file;
+  const int positions = file.floats(triangle, "VEC3");
+  file.mesh({{"POSITION", positions},
+             {"NORMAL", file.floats({1, 0, 0, 1, 0, 0, 1, 0, 0}, "VEC3")},
+             {"TANGENT", file.floats({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, "VEC4")},
+             {"TEXCOORD_0", file.floats({1, 2, 3, 4, 5, 6}, "VEC2")}});
+  file.mesh(
+      {{"POSITION", positions}, {"COLOR_0", file.floats({0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3")}},
+      {{"indices", file.accessor<std::uint8_t>({2, 1, 0}, "SCALAR")}});
+  file.node({{"mesh", 0}});
+  file.node({{"mesh", 1}, {"translation", {5, 0, 0}}});
+  const Mesh mesh = loaded(file.glb());
+  EXPECT_EQ(mesh.uvs, (Floats{1, 2, 3, 4, 5, 6, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(mesh.colors, (Floats{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,  //
+                                 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}));
+  EXPECT_EQ(mesh.normals, (Floats{1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, -1, 0, 0, -1}));
+  EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 5, 4, 3}));
+  EXPECT_TRUE(mesh.tangents.empty());
+  EXPECT_EQ(warningsOf(file.glb()),
+            std::vector<std::string>{
+                "Only some parts have tangents and normals; the tangents are left out."});
+}
+
+// Two triangles, each with a material of its own; a texture's source is an image.
+GltfBuilder painted(const json& first, const json& second) {
+  GltfBuilder file;
+  const int positions = file.floats(triangle, "VEC3");
+  for (const json& look : {first, second}) {
+    const json more = {{"material", file.add("materials", {{"pbrMetallicRoughness", look}})}};
+    file.node({{"mesh", file.mesh({{"POSITION", positions}}, more)}});
+  }
+  const int view = file.view<std::uint8_t>({0x89, 'P', 'N', 'G'});
+  file.tree["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}},
+                         {{"uri", "data:image/jpeg;base64,/9j/4A=="}},
+                         {{"uri", "my%20wood.webp"}}};
+  file.tree["textures"] = {{{"source", 0}}, {{"source", 1}}, {{"source", 2}}};
+  return file;
+}
+
+json texture(int index) { return {{"baseColorTexture", {{"index", index}}}}; }
+
+TEST(LoadMesh, KeepsAMaterialThatAllPartsShare) {
+  const json look = {{"baseColorFactor", {0.5, 0.25, 1, 0.1}},
+                     {"baseColorTexture", {{"index", 0}}}};
+  const Mesh mesh = loaded(painted(look, look).glb());
+  ASSERT_TRUE(mesh.material);
+  EXPECT_EQ(mesh.material->baseColor, (std::array<float, 4>{0.5f, 0.25f, 1, 0.1f}));
+  EXPECT_EQ(mesh.material->baseColorTexture, (Image{{0x89, 'P', 'N', 'G'}, "image/png"}));
+  EXPECT_TRUE(mesh.colors.empty());
+  EXPECT_TRUE(warningsOf(painted(look, look).glb()).empty());
+}
+
+TEST(LoadMesh, MovesUnequalBaseColorsIntoTheVertices) {
+  GltfBuilder file = painted({{"baseColorFactor", {0.5, 0.25, 1, 1}}}, json::object());
+  file.tree["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
+      file.floats({1, 1, 1, 0.5f, 0, 0, 0, 0, 0.5f, 0.5f, 0.5f, 1}, "VEC4");
+  const Mesh mesh = loaded(file.glb());
+  EXPECT_EQ(mesh.material, Material{});
+  EXPECT_EQ(mesh.colors, (Floats{0.5f, 0.25f, 1, 0.5f, 0, 0, 0, 0, 0.25f, 0.125f, 0.5f, 1,  //
+                                 1,    1,     1, 1,    1, 1, 1, 1, 1,     1,      1,    1}));
+}
+
+TEST(LoadMesh, KeepsTheFirstOfSeveralTextures) {
+  const File file = painted(texture(1), texture(0)).glb();
+  EXPECT_EQ(loaded(file).material->baseColorTexture,
+            (Image{{0xFF, 0xD8, 0xFF, 0xE0}, "image/jpeg"}));
+  EXPECT_EQ(warningsOf(file),
+            std::vector<std::string>{
+                "The parts have different base-colour textures; only the first is kept."});
+}
+
+TEST(LoadMesh, TakesPicturesFromTheCallersFiles) {
+  const File file = painted(texture(2), texture(2)).glb();
+  EXPECT_EQ(externalFiles(file), std::vector<std::string>{"my%20wood.webp"});
+  const File picture = bytesOf("RIFF1234WEBPVP8 ");
+  EXPECT_EQ(loaded(file, {{"my%20wood.webp", picture}}).material->baseColorTexture,
+            (Image{picture, "image/webp"}));
+  EXPECT_EQ(loaded(file).material, Material{});
+  EXPECT_EQ(warningsOf(file),
+            std::vector<std::string>{"The picture of the base colour (image 2, \"my%20wood.webp\") "
+                                     "is missing or broken; it is left out."});
+}
+
+TEST(LoadMesh, SaysWhatItIgnores) {
+  json look = texture(0);
+  look["baseColorTexture"]["texCoord"] = 1;
+  look["baseColorTexture"]["extensions"]["KHR_texture_transform"]["scale"] = {2, 2};
+  GltfBuilder file = painted(look, look);
+  file.tree["skins"] = {{{"joints", {0}}}};
+  file.tree["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
+  file.tree["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
+  EXPECT_EQ(warningsOf(file.glb()),
+            (std::vector<std::string>{
+                "The model has skins (bones); they are ignored, and it stands in its rest pose.",
+                "The model has animations; they are ignored, and it stands still.",
+                "The model has morph targets; they are ignored, and it keeps its base shape.",
+                "A texture is moved or scaled by KHR_texture_transform, which is ignored.",
+                "A texture uses the uvs TEXCOORD_1, but only TEXCOORD_0 is read."}));
+}
+
+TEST(LoadMesh, RefusesRequiredExtensionsByName) {
+  const auto problemWith = [](const char* extension) {
+    GltfBuilder file = triangleFile();
+    file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {extension};
+    return loadMesh(file.glb()).problem;
+  };
+  EXPECT_EQ(
+      problemWith("KHR_draco_mesh_compression"),
+      "loadMesh: the model requires the extension \"KHR_draco_mesh_compression\", which is not "
+      "read here; export the model without Draco compression.");
+  EXPECT_NE(problemWith("EXT_meshopt_compression").find("without meshopt compression"),
+            std::string::npos);
+  EXPECT_NE(problemWith("KHR_texture_basisu").find("with PNG or JPEG textures"), std::string::npos);
+  EXPECT_NE(problemWith("ACME_teapots").find("ACME_teapots"), std::string::npos);
+  EXPECT_EQ(problemWith("KHR_materials_unlit"), "");
+  EXPECT_EQ(problemWith("KHR_mesh_quantization"), "");
+}
+
+}  // namespace
+}  // namespace warpjet

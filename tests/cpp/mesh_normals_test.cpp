@@ -1,0 +1,111 @@
+// Computed normals, against meshes whose normals everyone knows.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/check.hpp"
+#include "mesh/normals.hpp"
+
+namespace warpjet {
+namespace {
+
+using Floats = std::vector<float>;
+
+Mesh meshOf(Floats positions, std::vector<std::uint32_t> indices) {
+  Mesh mesh;
+  mesh.positions = std::move(positions);
+  mesh.indices = std::move(indices);
+  return mesh;
+}
+
+void expectNear(const Floats& came, const Floats& expected) {
+  ASSERT_EQ(came.size(), expected.size());
+  for (std::size_t i = 0; i < came.size(); ++i) EXPECT_NEAR(came[i], expected[i], 1e-6f) << i;
+}
+
+TEST(ComputeNormals, PointWhereTheTriangleTurnsLeft) {
+  EXPECT_EQ(computeNormals(meshOf({0, 0, 0, 0, 2, 0, 0, 0, 3}, {})),
+            (Floats{1, 0, 0, 1, 0, 0, 1, 0, 0}));
+  EXPECT_EQ(computeNormals(meshOf({0, 0, 0, 0, 2, 0, 0, 0, 3}, {2, 1, 0})),
+            (Floats{-1, 0, 0, -1, 0, 0, -1, 0, 0}));
+}
+
+TEST(ComputeNormals, DoNotDependOnHowAQuadIsCut) {
+  // A cube's faces are equal, so each corner's normal is the diagonal, however many triangles meet
+  // there: angles make up for it, areas alone would not.
+  Mesh cube =
+      meshOf({-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1, -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1},
+             {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+              2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5});
+  Floats diagonals = cube.positions;
+  for (float& number : diagonals) number /= std::sqrt(3.0f);
+  expectNear(computeNormals(cube), diagonals);
+}
+
+TEST(ComputeNormals, WeighByAreaAndAngle) {
+  // At the origin meet a right angle of area 1/2 facing z, and one of 45 degrees of area 2 facing
+  // x: twice the area times the angle is 1 * 90 against 4 * 45.
+  const Floats normals =
+      computeNormals(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 0, 0, 2, 2}, {0, 1, 2, 0, 3, 4}));
+  const float length = std::sqrt(5.0f);
+  expectNear({normals.begin(), normals.begin() + 3}, {2 / length, 0, 1 / length});
+}
+
+TEST(ComputeNormals, AreSharedByVerticesAtOnePlace) {
+  // A roof of two sides without common vertices; 0 and -0 are one place.
+  const Floats normals =
+      computeNormals(meshOf({0.0f, 0, 0, 0, 1, 0, -1, 0, -1, -0.0f, 0, 0, 1, 0, -1, 0, 1, 0}, {}));
+  expectNear(normals, {0, 0, 1, 0, 0, 1, -std::sqrt(0.5f), 0, std::sqrt(0.5f),  //
+                       0, 0, 1, std::sqrt(0.5f), 0, std::sqrt(0.5f), 0, 0, 1});
+}
+
+TEST(ComputeNormals, AreZeroWhereNoTriangleSaysMore) {
+  const Mesh mesh = meshOf({0, 0, 0, 1, 0, 0, 2, 0, 0, 9, 9, 9}, {0, 1, 2, 0, 0, 1});
+  EXPECT_EQ(computeNormals(mesh), Floats(12, 0.0f));
+  // Front and back of one triangle take each other away.
+  EXPECT_EQ(computeNormals(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 2, 1, 0})),
+            Floats(9, 0.0f));
+  EXPECT_TRUE(computeNormals({}).empty());
+}
+
+TEST(ComputeNormals, HoldForTheLargestAndTheSmallestFloats) {
+  for (const float size : {3e38f, 1e-38f, 1e-45f})
+    EXPECT_EQ(computeNormals(meshOf({0, 0, 0, size, 0, 0, 0, size, 0}, {})),
+              (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1}))
+        << size;
+}
+
+TEST(ProblemOf, NamesTheArrayAndTheVertex) {
+  const Mesh right = meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2});
+  EXPECT_EQ(problemOf(right), "");
+  EXPECT_EQ(problemOf({}), "");
+  const auto problemAfter = [&](auto change) {
+    Mesh mesh = right;
+    change(mesh);
+    return problemOf(mesh);
+  };
+  EXPECT_EQ(problemAfter([](Mesh& mesh) { mesh.positions.pop_back(); }),
+            "positions must hold 3 numbers a vertex, but hold 8.");
+  EXPECT_EQ(problemAfter([](Mesh& mesh) { mesh.uvs.assign(5, 0); }),
+            "uvs must hold 2 numbers a vertex, 6 for 3 vertices, but hold 5.");
+  EXPECT_EQ(problemAfter([](Mesh& mesh) { mesh.positions[4] = NAN; }),
+            "positions must be finite numbers, but vertex 1 has NaN.");
+  EXPECT_EQ(problemAfter([](Mesh& mesh) { mesh.colors.assign(12, INFINITY); }),
+            "colors must be finite numbers, but vertex 0 has Infinity.");
+  EXPECT_EQ(problemAfter([](Mesh& mesh) { mesh.tangents.assign(9, 0); }),
+            "tangents must hold 4 numbers a vertex, 12 for 3 vertices, but hold 9.");
+  EXPECT_EQ(problemAfter([](Mesh& mesh) { mesh.normals.assign(12, 0); }),
+            "normals must hold 3 numbers a vertex, 9 for 3 vertices, but hold 12.");
+  EXPECT_EQ(problemAfter([](Mesh& mesh) { mesh.indices[1] = 3; }),
+            "index 3 has no vertex; there are only 3 vertices, counted from 0.");
+  EXPECT_EQ(problemAfter([](Mesh& mesh) { mesh.indices.pop_back(); }),
+            "every three indices make a triangle, but there are 2 indices.");
+  EXPECT_EQ(problemAfter([](Mesh& mesh) {
+              mesh.indices.clear();
+              mesh.positions.resize(12);
+            }),
+            "without indices every three vertices make a triangle, but there are 4 vertices.");
+}
+
+}  // namespace
+}  // namespace warpjet
