@@ -14,34 +14,46 @@ const generated = 'js-bindings/generated'
 const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
-const bundles = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'p5.warpjet.min'].map(
+// Of .cmake/wasm.cmake.
+const wasmModules = ['core', 'evaluation', 'mesh']
+const compiled = wasmModules.flatMap((name) => [
+  `.build/wasm/${name}.mjs`,
+  `.build/wasm/${name}.wasm`,
+])
+
+const bundles = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'cli', 'p5.warpjet.min'].map(
   (name) => `dist/${name}.js`,
 )
-const entries = ['index', 'p5', 'p5.browser', 'autodiff', 'p5.global'].map(
+const entries = ['index', 'p5', 'p5.browser', 'autodiff', 'mesh', 'cli', 'p5.global'].map(
   (name) => `js-bindings/${name}.ts`,
 )
 
 export const build = () => locked(buildAll)
 
 async function buildAll() {
-  await step('WebAssembly core', {
+  await step('WebAssembly', {
     inputs: [
       ...scripts,
+      'package.json',
       'CMakeLists.txt',
       'CMakePresets.json',
       '.cmake/wasm.cmake',
       '.cmake/embind.js',
+      '.cmake/mesh.js',
       '.cmake/math.cpp',
       'src',
       ...sources(/\.[ch]pp$/),
     ],
-    outputs: ['.build/wasm/core.mjs', '.build/wasm/core.wasm'],
+    outputs: compiled,
     work: () => cmakeBuild('wasm'),
   })
 
-  await step('Core as JavaScript', {
-    inputs: [...scripts, 'package.json', '.build/wasm/core.mjs', '.build/wasm/core.wasm'],
-    outputs: ['core.js', 'core-wasm.js', 'version.ts'].map((name) => `${generated}/${name}`),
+  await step('WebAssembly as JavaScript', {
+    inputs: [...scripts, 'package.json', ...compiled],
+    outputs: [
+      ...wasmModules.flatMap((name) => [`${name}.js`, `${name}-wasm.js`]),
+      'version.ts',
+    ].map((name) => `${generated}/${name}`),
     work: generateModules,
   })
 
@@ -57,35 +69,38 @@ async function buildAll() {
 
   await step('Types', {
     inputs: [...inputs, '.scripts/tsconfig.types.json'],
-    outputs: ['index', 'p5', 'autodiff'].map((name) => `dist/types/${name}.d.ts`),
+    outputs: ['index', 'p5', 'autodiff', 'mesh'].map((name) => `dist/types/${name}.d.ts`),
     work: declareTypes,
   })
 
   reportSizes(walk('dist', /\.js$/), { 'dist/p5.warpjet.min.js': 64 * 1024 })
 }
 
-/** The compiler's output as modules that any bundler takes: the wasm is handed in, so its address never matters. */
 async function generateModules() {
-  const write = (name, text) => writeFileSync(path(generated, name), text)
   mkdirSync(path(generated), { recursive: true })
+  for (const name of wasmModules) await generateModule(name)
+  const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
+  writeGenerated('version.ts', `export const version: string = '${version}'\n`)
+}
 
-  const glue = readFileSync(path('.build/wasm/core.mjs'), 'utf8')
-  write('core.js', glue.replaceAll('import.meta.url', '"file:///"'))
-  write(
-    'core.d.ts',
-    'export default function core<Module>(options: { wasmBinary: Uint8Array }): Module\n',
+/** The compiler's output as modules that any bundler takes: the wasm is handed in, so its address never matters. */
+async function generateModule(name) {
+  const glue = readFileSync(path(`.build/wasm/${name}.mjs`), 'utf8')
+  writeGenerated(`${name}.js`, glue.replaceAll('import.meta.url', '"file:///"'))
+  writeGenerated(
+    `${name}.d.ts`,
+    'export default function instantiate<Module>(options: { wasmBinary: Uint8Array }): Module\n',
   )
 
-  // Base64 hides the repetitions from the server's gzip, so they are taken out before: 11 KB less on the wire, and
-  // another 3 by Zopfli instead of zlib.
+  // Base64 hides the repetitions from the server's gzip, so they are taken out before: 11 KB less of the core on the
+  // wire, and another 3 by Zopfli instead of zlib.
   const { deflateAsync } = (await import('@gfx/zopfli')).default
-  const wasm = await deflateAsync(readFileSync(path('.build/wasm/core.wasm')), {})
-  write('core-wasm.js', `export default '${Buffer.from(wasm).toString('base64')}'\n`)
-  write('core-wasm.d.ts', 'declare const base64: string\nexport default base64\n')
-
-  const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
-  write('version.ts', `export const version: string = '${version}'\n`)
+  const wasm = await deflateAsync(readFileSync(path(`.build/wasm/${name}.wasm`)), {})
+  writeGenerated(`${name}-wasm.js`, `export default '${Buffer.from(wasm).toString('base64')}'\n`)
+  writeGenerated(`${name}-wasm.d.ts`, 'declare const base64: string\nexport default base64\n')
 }
+
+const writeGenerated = (name, text) => writeFileSync(path(generated, name), text)
 
 async function bundle() {
   const vite = await import('vite')

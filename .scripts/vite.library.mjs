@@ -1,4 +1,4 @@
-// How Vite bundles the library: ES modules that share one chunk, and one script for a <script> tag.
+// How Vite bundles the library: ES modules that share chunks, and one script for a <script> tag.
 import { path } from './lib/files.mjs'
 
 const common = {
@@ -8,8 +8,8 @@ const common = {
   logLevel: 'warn',
 }
 
-// p5 is the page's own: the addon is handed it, or finds it as a global.
-const external = ['p5']
+// p5 is the page's own: the addon is handed it, or finds it as a global. The command line runs in Node only.
+const external = ['p5', /^node:/]
 
 export const modules = {
   ...common,
@@ -23,15 +23,23 @@ export const modules = {
         p5: path('js-bindings/p5.ts'),
         'p5.browser': path('js-bindings/p5.browser.ts'),
         autodiff: path('js-bindings/autodiff.ts'),
+        mesh: path('js-bindings/mesh.ts'),
+        cli: path('js-bindings/cli.ts'),
       },
       formats: ['es'],
     },
-    rolldownOptions: { external, output: { chunkFileNames: 'core-[hash].js' } },
+    rolldownOptions: { external, output: { chunkFileNames: 'shared-[hash].js' } },
   },
 }
 
 export const script = {
   ...common,
+  // It stays one small file: what reads models is fetched from beside it.
+  resolve: {
+    alias: [
+      { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
+    ],
+  },
   build: {
     outDir: 'dist',
     emptyOutDir: false,

@@ -179,14 +179,16 @@ export class Compilation {
     if (!this.core.outputSum(session, method, text, value.handle, input.handle, term)) this.refuse()
   }
 
-  /** What was built, for the CPU; nothing if it calls a function of the host. */
-  program(): Program | undefined {
+  /** For the CPU; nothing if it would call a function of the host. */
+  program(results: readonly Expression[]): Program | undefined {
     const session = this.open('program')
+    for (const { handle } of results) this.core._push(session, handle)
     if (!this.core._makeProgram(session)) return undefined
     const at = this.core._programWords(session) / 4
     return {
       words: this.core.HEAPU32.slice(at, at + this.core._programSize(session)),
       instructions: this.core._instructionCount(session),
+      inputs: readLines(this.core.allInputLines(session)),
     }
   }
 

@@ -1,8 +1,7 @@
-// Loads the compiler. The wasm is inlined and compiled synchronously, so that `createWarp` works in
-// a plain `setup()`; nothing happens before the first warp.
-import { inflateSync } from 'fflate'
-import instantiate from './generated/core.js'
+// Loads the compiler. Nothing happens before the first warp.
+import factory from './generated/core.js'
 import base64 from './generated/core-wasm.js'
+import { instantiate } from './wasm.js'
 
 /** A compilation inside the wasm: an address, to be closed. */
 export type Session = number & { readonly session: unique symbol }
@@ -63,6 +62,7 @@ export interface Core {
   code(session: Session): string
   declarations(session: Session): string
   inputLines(session: Session): string
+  allInputLines(session: Session): string
   outputLines(session: Session): string
 
   readonly HEAPU32: Uint32Array
@@ -75,14 +75,10 @@ export const needsPartials = -2
 let core: Core | undefined
 
 export function getCore(): Core {
-  return (core ??= instantiate<Core>({ wasmBinary: inflateSync(decode(base64)) }))
+  return (core ??= instantiate<Core>(factory, base64))
 }
 
 /** How many bytes the compiler holds inside the wasm. Between two warps it is always the same. */
 export function memoryInUse(): number {
   return getCore()._memoryInUse()
-}
-
-function decode(text: string): Uint8Array {
-  return Uint8Array.from(atob(text), (character) => character.charCodeAt(0))
 }

@@ -7,6 +7,8 @@ import { WarpError, describe } from './errors.js'
 export interface Program {
   words: Uint32Array
   instructions: number
+  /** Whose numbers it wants, in order. */
+  inputs: Variable[]
 }
 
 export type Numbers = number | ArrayLike<number>
@@ -15,16 +17,19 @@ const sizeOf = ({ shape: [columns, rows] }: Variable) => columns * rows
 const totalSize = (variables: readonly Variable[]) =>
   variables.reduce((sum, variable) => sum + sizeOf(variable), 0)
 
-/** Runs `program` on the values of its inputs by name. */
+/** Runs `program` on the values of its inputs by name; one that the text does not read, since it cancels, counts as 0. */
 export function evaluate(
   program: Program | undefined,
-  inputs: readonly Variable[],
+  read: readonly Variable[],
   outputs: readonly Variable[],
   given: Readonly<Record<string, Numbers>>,
 ): Record<string, number | number[]> {
   if (!program)
     throw new WarpError('evaluate: a function of glsl.fn can only be computed by the GPU.')
-  const numbers = inputs.flatMap((input) => readNumbers(input, given))
+  const isRead = (input: Variable) => read.some(({ name }) => name === input.name)
+  const numbers = program.inputs.flatMap((input) =>
+    isRead(input) ? readNumbers(input, given) : Array<number>(sizeOf(input)).fill(0),
+  )
   const results = run(program, numbers, totalSize(outputs))
   let at = 0
   return Object.fromEntries(

@@ -1,18 +1,16 @@
-// 'warpjet': compiles offset functions, and any other functions, into shader text.
-export { compile, compileWarp, gen } from './compile.js'
-export type {
-  Compiled,
-  CompiledExpressions,
-  CompiledWarp,
-  CompileOptions,
-  GenSettings,
-  InputName,
-  Stats,
-  WarpOptions,
-} from './compile.js'
+// 'warpjet': compiles offset functions, and any other functions, into shader text and for the CPU.
+export { compile, gen } from './compile.js'
+export type { CompiledExpressions, GenSettings } from './compile.js'
+export { compileWarp } from './compile-warp.js'
+export type { CompiledWarp } from './compile-warp.js'
+export type { Compiled, CompileOptions, Stats } from './compiled.js'
+export type { CpuWarp, Foldover, PointInputs, WarpedPoint, WarpedVertices } from './cpu-warp.js'
 export { targets, type Target } from './compilation.js'
 export type { Numbers } from './evaluate.js'
 export { memoryInUse } from './core.js'
 export { WarpError } from './errors.js'
 export { version } from './generated/version.js'
+export type { InputName } from './inputs.js'
 export type * from './types.js'
+export type { Box, Uniforms, Vertices } from './vertices.js'
+export type { WarpOptions, WarpText } from './warp-text.js'

@@ -289,6 +289,17 @@ export interface Vec3Methods {
    * this offset; zero where there is none.
    */
   adjustNormal(normal: Vec3, position: Vec3): Vec3
+  /**
+   * `offset.adjustTangent(tangent, normal, position)`: The unit tangent after the warp of
+   * `position` by this offset, at right angles to `normal`, the one after the warp.
+   */
+  adjustTangent(tangent: Vec3, normal: Vec3, position: Vec3): Vec3
+  /**
+   * `offset.deformation(position)`: What the warp of `position` by this offset makes of
+   * directions: 1 on the diagonal plus the Jacobian. Where its determinant is not above 0, space
+   * turns inside out.
+   */
+  deformation(position: Vec3): Mat3
 }
 
 export interface MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self> {
@@ -492,6 +503,16 @@ export interface Functions {
   ): Jacobian<Value, Inputs>
   /** The unit normal after the warp of `position` by this offset; zero where there is none. */
   adjustNormal(offset: Vec3, normal: Vec3, position: Vec3): Vec3
+  /**
+   * The unit tangent after the warp of `position` by this offset, at right angles to `normal`,
+   * the one after the warp.
+   */
+  adjustTangent(offset: Vec3, tangent: Vec3, normal: Vec3, position: Vec3): Vec3
+  /**
+   * What the warp of `position` by this offset makes of directions: 1 on the diagonal plus the
+   * Jacobian. Where its determinant is not above 0, space turns inside out.
+   */
+  deformation(offset: Vec3, position: Vec3): Mat3
   /** Another name of `add`. */
   sum: ByComponent<Operand[], Expression>
   /** Another name of `mult`. */

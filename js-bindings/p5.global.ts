@@ -2,10 +2,35 @@
  * The single script for a <script> tag. Its exports are what the global `warpjet` holds. It may stand before or after
  * p5's own tag: p5 starts a sketch when the page has loaded, which is after DOMContentLoaded.
  */
-import { gen } from './index.js'
+import { gen } from './compile.js'
+import type { CompiledWarp } from './compile-warp.js'
+import type { CpuWarp } from './cpu-warp.js'
+import { WarpError } from './errors.js'
+import { version } from './generated/version.js'
 import { registerGlobally } from './p5.js'
+import type { OffsetFunction } from './types.js'
+import { type WarpOptions, compileWarpText } from './warp-text.js'
 
-export { WarpError, compile, compileWarp, gen, version } from './index.js'
+export { compile, gen } from './compile.js'
+export { WarpError } from './errors.js'
+export { version } from './generated/version.js'
+
+/** `compileWarp` without what runs on the CPU, which would make this script a quarter larger. */
+export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): CompiledWarp {
+  const { text } = compileWarpText('compileWarp', offset, options)
+  return { ...text, ...onlyInThePackage }
+}
+
+const onlyInThePackage = Object.fromEntries(
+  ['evaluate', 'evaluateAt', 'bounds', 'foldover'].map((method) => [
+    method,
+    () => {
+      throw new WarpError(
+        `${method}: this script leaves out what runs on the CPU; take compileWarp from the package: const { compileWarp } = await import('https://cdn.jsdelivr.net/npm/warpjet@${version}/dist/warpjet.js').`,
+      )
+    },
+  ]),
+) as unknown as CpuWarp
 
 if (!registerGlobally() && typeof document !== 'undefined')
   document.addEventListener('DOMContentLoaded', registerGlobally)

@@ -5,10 +5,20 @@
  */
 import { type Distort, createWarp as create, keepWarp } from './p5/create-warp.js'
 import { type Canvas, sketchRemoved } from './p5/host.js'
+import {
+  type LoadModelOptions,
+  type Makers,
+  type Preloading,
+  type WarpModel,
+  awaitable,
+  emptyModel,
+  fillModel,
+} from './p5/load-model.js'
 import type { CreateWarpOptions } from './p5/options.js'
 import type { OffsetFunction } from './types.js'
 
 export type { Distort }
+export type { LoadModelOptions, WarpModel }
 export type { CreateWarpOptions, WarpSpace, WarpType } from './p5/options.js'
 export type { WarpUniforms } from './p5/uniforms.js'
 
@@ -27,8 +37,17 @@ export const createWarp = (
   options?: CreateWarpOptions,
 ): Distort => create(canvas as Canvas, offset, options)
 
-interface P5 {
-  prototype: Methods
+/** What it adds to a sketch alone. */
+export interface Loading {
+  /**
+   * A .glb, .gltf or .obj file as a p5.Geometry for `model()`. On p5 2.x it is awaited; on 1.x it may be called in
+   * `preload()` as `loadModel` is, or awaited.
+   */
+  loadWarpModel(url: string | URL, options?: LoadModelOptions): Promise<WarpModel>
+}
+
+interface P5 extends Makers {
+  prototype: SketchMethods
   Graphics: { prototype: Methods }
   registerAddon?(addon: unknown): void
 }
@@ -38,9 +57,13 @@ interface Methods extends Partial<Warping> {
   registerMethod?(event: 'remove', listener: (this: Canvas) => void): void
 }
 
+interface SketchMethods extends Methods, Partial<Loading> {
+  registerPreloadMethod?(name: string, methods: object): void
+}
+
 const registered = Symbol.for('warpjet')
 
-/** Adds `createWarp` to p5 and p5.Graphics. Doing it again changes nothing. */
+/** Adds `createWarp` to p5 and p5.Graphics, and `loadWarpModel` to p5. Doing it again changes nothing. */
 export default function warpjet(p5: object, _fn?: object, lifecycles?: { remove?: unknown }): void {
   const host = p5 as P5
   if (!lifecycles && host.registerAddon) return host.registerAddon(warpjet)
@@ -48,6 +71,7 @@ export default function warpjet(p5: object, _fn?: object, lifecycles?: { remove?
   Object.defineProperty(p5, registered, { value: true })
 
   for (const methods of [host.prototype, host.Graphics.prototype]) addMethods(methods)
+  addLoading(host, !lifecycles)
   if (lifecycles) lifecycles.remove = sketchRemoved
   else host.prototype.registerMethod?.('remove', sketchRemoved)
 }
@@ -64,6 +88,15 @@ function addMethods(methods: Methods) {
     keepWarp(this)
     return result
   }
+}
+
+function addLoading(p5: P5, preloads: boolean) {
+  p5.prototype.loadWarpModel = function (this: Canvas & Preloading, url, options) {
+    const model = emptyModel(p5, this._renderer)
+    const filling = fillModel(model, p5, url, options)
+    return preloads ? awaitable(model, filling, this) : filling.then(() => model)
+  }
+  p5.prototype.registerPreloadMethod?.('loadWarpModel', p5.prototype)
 }
 
 /** Registers with p5 if it is a global, and says whether it was. */

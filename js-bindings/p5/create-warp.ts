@@ -1,5 +1,5 @@
 /** `createWarp` itself: compiles the offset once for the canvas, and makes the function that a sketch calls to draw with it. */
-import { compileWarpFor } from '../compile.js'
+import { compileWarpText } from '../warp-text.js'
 import { WarpError, describe } from '../errors.js'
 import { hookStyleOf, namesFor, results, weave } from './hooks.js'
 import { type Canvas, type Shader, materialOf, webglOf } from './host.js'
@@ -58,7 +58,7 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
 
   const renderer = webglOf(canvas)
   const target = renderer?.webglVersion === 'webgl' ? 'glsl100' : 'glsl300'
-  const { warp, parameters } = compileWarpFor('createWarp', offset, {
+  const { text: warp, parameters } = compileWarpText('createWarp', offset, {
     target,
     names: namesFor(style),
     outputs: results,

@@ -3,7 +3,7 @@
  * separate hooks for position and normal, and those that it calls "world" are in view space. What both need is said
  * once, in `weave`; the two kinds of hooks differ in the names a warp reads and in how its results get back.
  */
-import type { CompiledWarp } from '../compile.js'
+import type { WarpText } from '../warp-text.js'
 import type { Shader } from './host.js'
 import type { WarpSettings, WarpSpace, WarpType } from './options.js'
 import { inputUniforms, uniformDeclarations } from './uniforms.js'
@@ -135,7 +135,7 @@ export const namesFor = (style: HookStyle) => ({ ...style.names, ...inputUniform
 export function weave(
   base: Shader,
   style: HookStyle,
-  warp: CompiledWarp,
+  warp: WarpText,
   { space, defs }: WarpSettings,
   type: WarpType,
 ): Shader {

@@ -14,21 +14,13 @@ import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { orphans, warps } from '../warps/index.js'
 import { launchBrowser } from './support/browser.js'
+import { compare, degrees, moments } from './support/compare.js'
 import { denseMesh, stride, vertices } from './support/dense-mesh.js'
-import { angleBetween, distanceBetween, warpVertex } from './support/oracle.js'
+import { warpVertex } from './support/oracle.js'
 import { withAccurateSine } from './support/accurate.js'
 import { openPipeline, vertexShader } from './support/transform-feedback.js'
 
-const degrees = 0.02
-const mostSensitive = 1e5
 const positionBound = { exact: 2e-5, builtIn: 1e-3 }
-
-const moments = [0, 1234, 98765].map((millis) => ({
-  millis,
-  mouse: [120, 250],
-  size: [640, 480],
-  pixelDensity: 2,
-}))
 
 /** More than this many sines, each a polynomial, take SwiftShader too long to compile. */
 const mostSines = 100
@@ -100,44 +92,6 @@ describe('positions and normals are right:', () => {
       assert.ok(builtIn.position <= positionBound.builtIn, `positions are ${builtIn.position} off`)
     })
 })
-
-/** The greatest differences. Of vertices with a kink nearby, only whether the result is finite. */
-function compare(results, expected, reach) {
-  const worst = { position: 0, angle: 0, relativeAngle: 0, length: 0 }
-  const counts = {
-    count: 0,
-    kinks: 0,
-    collapsing: 0,
-    vanishing: 0,
-    notFinite: 0,
-    notZero: 0,
-    beyond: 0,
-  }
-  const raise = (name, value) => (worst[name] = Math.max(worst[name], value))
-  expected.forEach((moment, k) =>
-    moment.forEach(({ position, normal, sensitivity }, i) => {
-      const [moved, turned] = [0, 3].map((at) => [
-        ...results[k].subarray(6 * i + at, 6 * i + at + 3),
-      ])
-      counts.count++
-      if (![...moved, ...turned].every(Number.isFinite)) return counts.notFinite++
-      if (!normal) return counts.kinks++
-      raise('position', distanceBetween(moved, position) / Math.max(reach, Math.hypot(...position)))
-      if (turned.some(Boolean)) raise('length', Math.abs(Math.hypot(...turned) - 1))
-      if (!normal.some(Boolean)) {
-        counts.vanishing++
-        if (turned.some(Boolean)) counts.notZero++
-        return
-      }
-      if (sensitivity > mostSensitive) return counts.collapsing++
-      const angle = angleBetween(turned, normal)
-      if (!(angle <= degrees)) counts.beyond++
-      raise('angle', angle)
-      raise('relativeAngle', angle / sensitivity)
-    }),
-  )
-  return { ...worst, ...counts }
-}
 
 function row(name, builtIn, exact) {
   const percent = (value) => `${((100 * value) / exact.count).toFixed(1)}%`

@@ -13,8 +13,8 @@ const targets = ['glsl300', 'glsl100', 'wgsl']
 const groups = [...new Set(cases.map(({ group }) => group))]
 const casesOf = (group) => cases.filter((operation) => operation.group === group)
 
-/** Results are asked for, not computed: tests/js/compile.test.js has these. */
-const results = ['output', 'outputDeriv', 'adjustNormal']
+/** Results are asked for, not computed; and those of a warp: tests/js/compile.test.js and tests/cpp/warp_test.cpp have them. */
+const results = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent', 'deformation']
 
 /** The names that a user can call, { builder, method }. */
 function surface() {

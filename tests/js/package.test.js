@@ -1,7 +1,7 @@
 // What `npm i warpjet` brings.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { mkdirSync, writeFileSync } from 'node:fs'
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 
@@ -19,7 +19,7 @@ test('the package holds what a user needs and nothing else', () => {
     .map(({ path }) => path)
     .filter((path) => !/^dist\/[\w.-]+\.js$|^dist\/types\/.*\.d\.ts$/.test(path))
   assert.deepEqual(others.sort(), ['CHANGELOG.md', 'LICENSE', 'README.md', 'package.json'])
-  for (const file of ['warpjet', 'p5', 'p5.browser', 'autodiff', 'p5.warpjet.min'])
+  for (const file of ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'cli', 'p5.warpjet.min'])
     assert.ok(
       files.some(({ path }) => path === `dist/${file}.js`),
       file,
@@ -33,7 +33,9 @@ test('the shipped types stand on their own', () => {
   writeFileSync(
     `${project}/use.ts`,
     "import { compileWarp, version } from 'warpjet'\nimport { gen } from 'warpjet/autodiff'\n" +
-      "import { createWarp } from 'warpjet/p5'\nexport const all: unknown[] = [compileWarp, gen, createWarp]\n" +
+      "import { createWarp } from 'warpjet/p5'\nimport { loadMesh, type Mesh } from 'warpjet/mesh'\n" +
+      'export const all: unknown[] = [compileWarp, gen, createWarp]\n' +
+      'export const mesh: Promise<Mesh> = loadMesh(new Uint8Array(8))\n' +
       'export const text: string = version\n',
   )
   for (const [module, moduleResolution] of [
@@ -63,12 +65,24 @@ test('every entry loads in Node, without a DOM and without p5', async () => {
   const core = await import('warpjet')
   const autodiff = await import('warpjet/autodiff')
   const addon = await import('warpjet/p5')
+  const mesh = await import('warpjet/mesh')
   assert.equal(autodiff.gen, core.gen)
   assert.equal(typeof addon.default, 'function')
+  assert.equal(mesh.WarpError, core.WarpError)
   assert.equal(typeof globalThis.window, 'undefined')
 })
 
 test('glsl-autodiff’s global script name works: AutoDiff.gen', async () => {
   await import('../../dist/p5.warpjet.min.js')
   assert.equal(typeof globalThis.AutoDiff.gen, 'function')
+})
+
+test('a page with a warp of p5 carries neither the evaluation nor the meshes', () => {
+  for (const name of ['evaluation', 'mesh']) {
+    const wasm = readFileSync(`${root}js-bindings/generated/${name}-wasm.js`, 'utf8')
+    const [, base64] = /'([^']+)'/.exec(wasm)
+    const script = readFileSync(`${root}dist/p5.warpjet.min.js`, 'utf8')
+    assert.ok(base64.length > 1000)
+    assert.ok(!script.includes(base64.slice(0, 200)), name)
+  }
 })

@@ -70,3 +70,21 @@ export function vertices(mesh) {
     return Object.fromEntries(Object.entries(layout).map(([name, size]) => [name, read(size)]))
   })
 }
+
+/** Those objects as `evaluate` takes them. */
+export const arraysOf = (points) => ({
+  positions: Float32Array.from(points.flatMap(({ position }) => position)),
+  normals: Float32Array.from(points.flatMap(({ normal }) => normal)),
+  uvs: Float32Array.from(points.flatMap(({ uv }) => uv)),
+  colors: Float32Array.from(points.flatMap(({ color }) => color)),
+})
+
+/** Positions and normals, six numbers a vertex, as the shaders give them. */
+export function interleaved({ positions, normals }) {
+  const results = new Float32Array(2 * positions.length)
+  for (let i = 0; i < positions.length; i += 3) {
+    results.set(positions.subarray(i, i + 3), 2 * i)
+    results.set(normals.subarray(i, i + 3), 2 * i + 3)
+  }
+  return results
+}

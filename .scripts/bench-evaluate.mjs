@@ -1,0 +1,129 @@
+// npm run bench:evaluate: how many vertices a second a warp moves on the CPU, positions and normals, by warp.evaluate, by
+// the same function written by hand in JavaScript, and by the same C++ compiled natively with -O3.
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { performance } from 'node:perf_hooks'
+import { build } from './build.mjs'
+import { cmakeBuild } from './lib/cmake.mjs'
+import { path } from './lib/files.mjs'
+import { main } from './lib/terminal.mjs'
+
+await main(async () => {
+  await build()
+  await cmakeBuild('release', 'warpjet_bench_evaluate')
+  const { compileWarp } = await import('../dist/warpjet.js')
+  const { rows, warps } = await import('./bench/evaluate-rows.mjs')
+
+  console.log('Millions of vertices a second, positions and normals; medians of rounds in turn.\n')
+  console.log(
+    'warp               vertices   evaluate    by hand     native   evaluate / by hand   native / evaluate   largest difference',
+  )
+  for (const { name, vertices, rounds } of rows) {
+    const { warp: offset, byHand } = warps[name]
+    const warp = compileWarp(offset)
+    const mesh = randomMesh(vertices)
+    const uniforms = { millis: 1234 }
+    const results = {
+      positions: new Float32Array(3 * vertices),
+      normals: new Float32Array(3 * vertices),
+    }
+    const native = nativeRunner(warp, mesh, 1234)
+
+    const times = { evaluate: [], byHand: [], native: [] }
+    let moved
+    for (let round = -1; round < rounds; round++) {
+      const evaluate = seconds(() => (moved = warp.evaluate({ ...mesh, uniforms })))
+      const hand = seconds(() => byHand(mesh, 1234, results))
+      const compiled = native.seconds()
+      if (round < 0) continue // warm-up
+      times.evaluate.push(evaluate)
+      times.byHand.push(hand)
+      times.native.push(compiled)
+    }
+    native.end()
+    const ratio = (a, b) => median(times[a].map((time, i) => time / times[b][i])).toFixed(2)
+    const speed = (method) => (vertices / median(times[method]) / 1e6).toFixed(2).padStart(11)
+    console.log(
+      name.padEnd(16),
+      vertices.toLocaleString('en').padStart(10),
+      speed('evaluate'),
+      speed('byHand'),
+      speed('native'),
+      ratio('byHand', 'evaluate').padStart(20),
+      ratio('evaluate', 'native').padStart(19),
+      largestDifference(moved, results).toExponential(1).padStart(20),
+    )
+  }
+})
+
+function median(numbers) {
+  return numbers.toSorted((a, b) => a - b)[numbers.length >> 1]
+}
+
+function seconds(work) {
+  const start = performance.now()
+  work()
+  return (performance.now() - start) / 1000
+}
+
+/** Vertices on a sphere of radius 100, whose normals point outwards. */
+function randomMesh(vertices) {
+  const positions = new Float32Array(3 * vertices)
+  const normals = new Float32Array(3 * vertices)
+  for (let i = 0; i < vertices; i++) {
+    const z = 1 - (2 * (i + 0.5)) / vertices
+    const angle = i * 2.399963229728653
+    const r = Math.sqrt(1 - z * z)
+    normals.set([r * Math.cos(angle), r * Math.sin(angle), z], 3 * i)
+    for (let k = 0; k < 3; k++) positions[3 * i + k] = 100 * normals[3 * i + k]
+  }
+  return { positions, normals }
+}
+
+/** Relative to the size of the mesh, positions and normals. */
+function largestDifference(moved, results) {
+  let largest = 0
+  for (const [name, size] of [
+    ['positions', 100],
+    ['normals', 1],
+  ])
+    for (let i = 0; i < results[name].length; i++)
+      largest = Math.max(largest, Math.abs(moved[name][i] - results[name][i]) / size)
+  return largest
+}
+
+/** The program and the mesh in a file; each run of the native program times one pass over the mesh. */
+function nativeRunner(warp, { positions, normals }, millis) {
+  const { program } = warp[Symbol.for('warpjet.program')]
+  const folder = mkdtempSync(join(tmpdir(), 'warpjet-'))
+  const file = join(folder, 'program')
+  const sizes = program.inputs.map(({ shape: [columns, rows] }) => columns * rows)
+  const header = new Uint32Array([
+    program.words.length,
+    program.instructions,
+    sizes.length,
+    ...sizes,
+  ])
+  const time = new Float32Array([millis])
+  const parts = [
+    header,
+    program.words,
+    new Uint32Array([positions.length / 3]),
+    positions,
+    normals,
+    time,
+  ]
+  writeFileSync(file, Buffer.concat(parts.map((part) => Buffer.from(part.buffer))))
+  return {
+    seconds() {
+      const { stdout, status, stderr } = spawnSync(path('.build/release/warpjet_bench_evaluate'), [
+        file,
+      ])
+      if (status !== 0) throw new Error(`${stderr}`)
+      return Number(stdout)
+    },
+    end: () => rmSync(folder, { recursive: true }),
+  }
+}

@@ -1,0 +1,83 @@
+// What bench:evaluate measures, and the same functions as somebody writes them by hand in JavaScript, derivatives and all:
+// from { positions, normals } and the time into { positions, normals }.
+import { stackedSines, stress } from '../../tests/warps/stress.js'
+
+const NODES_OF_A_SINE = 5
+const { sin, cos, hypot } = Math
+
+/** n' = cof(M) n, of length 1; `m` by columns. */
+function turnNormal(m, normals, i, out) {
+  const [a, b, c, d, e, f, g, h, k] = m
+  const [nx, ny, nz] = [normals[i], normals[i + 1], normals[i + 2]]
+  const x = (e * k - f * h) * nx + (h * c - k * b) * ny + (b * f - c * e) * nz
+  const y = (f * g - d * k) * nx + (k * a - g * c) * ny + (c * d - a * f) * nz
+  const z = (d * h - e * g) * nx + (g * b - h * a) * ny + (a * e - b * d) * nz
+  const length = hypot(x, y, z)
+  out[i] = x / length
+  out[i + 1] = y / length
+  out[i + 2] = z / length
+}
+
+/** Turned about the axis through (0, 0, -500) along x, as tests/warps/stress.js has it. */
+function twist({ positions, normals }, millis, out) {
+  for (let i = 0; i < positions.length; i += 3) {
+    const [x, y, z] = [positions[i], positions[i + 1], positions[i + 2] + 500]
+    const angle = 0.02 * x + millis / 1000
+    const c = cos(angle)
+    const s = sin(angle)
+    const movedY = y * c - z * s
+    const movedZ = y * s + z * c
+    out.positions[i] = x
+    out.positions[i + 1] = movedY
+    out.positions[i + 2] = movedZ - 500
+    // The first column is (1, -0.02 movedZ, 0.02 movedY), the others are the rotation.
+    const [nx, ny, nz] = [normals[i], normals[i + 1], normals[i + 2]]
+    const ty = c * ny - s * nz
+    const tz = s * ny + c * nz
+    const tx = nx + 0.02 * (movedZ * ty - movedY * tz)
+    const length = Math.sqrt(tx * tx + ty * ty + tz * tz)
+    out.normals[i] = tx / length
+    out.normals[i + 1] = ty / length
+    out.normals[i + 2] = tz / length
+  }
+}
+
+function sines(waves) {
+  const m = new Float64Array(9)
+  const moved = new Float64Array(3)
+  return ({ positions, normals }, millis, out) => {
+    for (let i = 0; i < positions.length; i += 3) {
+      m.fill(0)
+      for (let k = 0; k < 3; k++) {
+        moved[k] = positions[i + k]
+        m[4 * k] = 1
+      }
+      for (const { component, coordinate, frequency, speed, amplitude } of waves) {
+        const angle = frequency * positions[i + coordinate] + speed * millis
+        const share = amplitude / waves.length
+        moved[component] += share * sin(angle)
+        m[3 * coordinate + component] += share * frequency * cos(angle)
+      }
+      out.positions.set(moved, i)
+      turnNormal(m, normals, i, out.normals)
+    }
+  }
+}
+
+const stacked = (nodes) => {
+  const { warp, waves } = stackedSines(nodes / NODES_OF_A_SINE)
+  return { warp, byHand: sines(waves) }
+}
+
+/** By name: the offset as a sketch writes it, and `byHand`. */
+export const warps = {
+  twist: { warp: stress.find(({ name }) => name === 'twist').warp, byHand: twist },
+  '150 nodes': stacked(150),
+  '1,500 nodes': stacked(1500),
+  '3,000 nodes': stacked(3000),
+}
+
+export const rows = Object.keys(warps).flatMap((name) => [
+  { name, vertices: 14_000, rounds: 9 },
+  { name, vertices: 500_000, rounds: 3 },
+])

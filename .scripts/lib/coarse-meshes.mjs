@@ -1,0 +1,78 @@
+// The coarsest meshes that still have the shape: what a warp cannot bend until they are subdivided.
+
+/** A box with one edge a side, from -x to x, -y to y and -z to z: 12 triangles. */
+export function box([x, y, z]) {
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [
+    i & 1 ? x : -x,
+    i & 2 ? y : -y,
+    i & 4 ? z : -z,
+  ])
+  const sides = [
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+  ]
+  return mesh(
+    corners,
+    sides.flatMap(([a, b, c, d]) => [
+      [a, b, c],
+      [a, c, d],
+    ]),
+  )
+}
+
+/** A rectangle in the plane z = 0 from -x to x and -y to y: 2 triangles. */
+export function plane([x, y]) {
+  return mesh(
+    [
+      [-x, -y, 0],
+      [x, -y, 0],
+      [x, y, 0],
+      [-x, y, 0],
+    ],
+    [
+      [0, 1, 2],
+      [0, 2, 3],
+    ],
+  )
+}
+
+/** 20 equal triangles, with corners on a sphere. */
+export function icosahedron(radius) {
+  const golden = (1 + Math.sqrt(5)) / 2
+  const scale = radius / Math.hypot(1, golden)
+  const corners = []
+  for (const a of [-1, 1])
+    for (const b of [-golden, golden]) corners.push([0, a, b], [a, b, 0], [b, 0, a])
+  const areNear = (i, j) =>
+    Math.abs(Math.hypot(...corners[i].map((x, k) => x - corners[j][k])) - 2) < 1e-9
+  const triangles = []
+  for (let a = 0; a < 12; a++)
+    for (let b = a + 1; b < 12; b++)
+      for (let c = b + 1; c < 12; c++)
+        if (areNear(a, b) && areNear(b, c) && areNear(c, a))
+          triangles.push(outwards([a, b, c], corners))
+  return mesh(
+    corners.map((corner) => corner.map((x) => x * scale)),
+    triangles,
+  )
+}
+
+function outwards([a, b, c], corners) {
+  const [p, q, r] = [corners[a], corners[b], corners[c]]
+  const volume =
+    p[0] * (q[1] * r[2] - q[2] * r[1]) +
+    p[1] * (q[2] * r[0] - q[0] * r[2]) +
+    p[2] * (q[0] * r[1] - q[1] * r[0])
+  return volume > 0 ? [a, b, c] : [a, c, b]
+}
+
+function mesh(corners, triangles) {
+  return {
+    positions: Float32Array.from(corners.flat()),
+    indices: Uint32Array.from(triangles.flat()),
+  }
+}

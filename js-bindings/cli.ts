@@ -1,0 +1,37 @@
+#!/usr/bin/env node
+/// <reference types="node" />
+// `npx warpjet`: finds the command, and turns errors into one sentence and an exit code.
+import { bake } from './cli/bake.js'
+import { emit } from './cli/emit.js'
+import { help, helpOf } from './cli/help.js'
+import { info } from './cli/info.js'
+import { UsageError } from './cli/usage.js'
+import { WarpError } from './errors.js'
+import { version } from './generated/version.js'
+
+const commands: Record<string, (args: string[]) => Promise<void>> = { emit, bake, info }
+
+const [name = '', ...args] = process.argv.slice(2)
+const asksForHelp = (text: string) => text === '--help' || text === '-h'
+
+try {
+  const command = Object.hasOwn(commands, name) ? commands[name] : undefined
+  if (command && args.some(asksForHelp)) console.log(helpOf(name))
+  else if (command) await command(args)
+  else if (asksForHelp(name) || name === 'help') console.log(help)
+  else if (name === '--version' || name === '-v') console.log(version)
+  else throw new UsageError(name ? `There is no command "${name}".` : 'A command is missing.')
+} catch (error) {
+  process.exitCode = report(error)
+}
+
+/** Says what went wrong: 2 for a wrong command line, 1 for what it names. */
+function report(error: unknown): number {
+  if (error instanceof UsageError) {
+    console.error(`warpjet: ${error.message} \`npx warpjet ${error.command}--help\` shows how.`)
+    return 2
+  }
+  if (error instanceof WarpError) console.error(`warpjet: ${error.message}`)
+  else console.error(error)
+  return 1
+}

@@ -1,0 +1,86 @@
+// `npx warpjet bake`: a warped model as a file.
+import { writeFile } from 'node:fs/promises'
+import { resolve } from 'node:path'
+import { type CompiledWarp, compileWarp } from '../compile-warp.js'
+import { WarpError } from '../errors.js'
+import { type Mesh, type Uniforms, bakeWarp, exportGLB, loadMesh, subdivide } from '../mesh.js'
+import { writing } from './files.js'
+import { Progress, count } from './progress.js'
+import { type UsageError, readArguments, readPositive } from './usage.js'
+import { blame, readWarp } from './warp-file.js'
+
+type Wrong = (message: string) => UsageError
+
+export async function bake(args: string[]): Promise<void> {
+  const { values, files, wrong } = readArguments('bake', args, ['a model', 'a warp.js'], {
+    output: { type: 'string', short: 'o' },
+    set: { type: 'string', multiple: true, default: [] },
+    subdivide: { type: 'string' },
+    'max-triangles': { type: 'string' },
+    quiet: { type: 'boolean', short: 'q', default: false },
+  })
+  const [model, file] = files as [string, string]
+  const { output } = values
+  if (output === undefined) throw wrong('bake needs -o and the name of the file to write.')
+  if (!/\.glb$/i.test(output)) throw wrong(`bake writes .glb files, but -o is "${output}".`)
+  if (resolve(output) === resolve(model)) throw wrong('bake does not write over the model itself.')
+  const uniforms = readUniforms(values.set, wrong)
+  const positive = (name: 'subdivide' | 'max-triangles') => {
+    const text = values[name]
+    return text === undefined ? undefined : readPositive(name, text, wrong)
+  }
+  const tolerance = positive('subdivide')
+  const maxTriangles = positive('max-triangles')
+
+  const progress = new Progress(values.quiet)
+  const offset = await readWarp(file)
+  const warp = await blame(file, () => compileWarp(offset))
+  checkUniforms(file, warp, uniforms)
+
+  let mesh = await loadMesh(model)
+  for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
+  progress.step(`${model}: ${sizeOf(mesh)}`)
+  if (tolerance) {
+    mesh = subdivide(mesh, { warp: watched(warp, progress), uniforms, tolerance, maxTriangles })
+    for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
+    progress.step(`Subdivided: ${sizeOf(mesh)}`)
+  }
+  const bytes = exportGLB(bakeWarp(mesh, warp, uniforms))
+  await writing(output, () => writeFile(output, bytes))
+  progress.step(`${output}: ${count(bytes.length, 'byte')}`)
+}
+
+const sizeOf = ({ positions, indices }: Mesh) =>
+  `${count((indices ?? positions).length / (indices ? 3 : 9), 'triangle')}, ${count(positions.length / 3, 'vertex', 'vertices')}`
+
+/** The same warp, which tells how many vertices it has moved. */
+function watched(warp: CompiledWarp, progress: Progress): Pick<CompiledWarp, 'evaluate'> {
+  let vertices = 0
+  return {
+    evaluate(mesh) {
+      vertices += mesh.positions.length / 3
+      progress.update(`Subdividing: ${count(vertices, 'vertex', 'vertices')} tried`)
+      return warp.evaluate(mesh)
+    },
+  }
+}
+
+function readUniforms(settings: readonly string[], wrong: Wrong): Uniforms {
+  return Object.fromEntries(
+    settings.map((setting) => {
+      const [, name, text] = /^([^=]+)=(.*)$/s.exec(setting) ?? []
+      const numbers = text?.split(',').map((part) => (part.trim() === '' ? NaN : Number(part)))
+      if (name === undefined || !numbers!.every(Number.isFinite))
+        throw wrong(
+          `--set takes a name and numbers, as in --set millis=1200, but "${setting}" came.`,
+        )
+      return [name, numbers!.length === 1 ? numbers![0]! : numbers!]
+    }),
+  )
+}
+
+function checkUniforms(file: string, warp: CompiledWarp, uniforms: Uniforms) {
+  const missing = warp.uniforms.find((name) => !Object.hasOwn(uniforms, name))
+  if (missing !== undefined)
+    throw new WarpError(`${file} reads ${missing}; add --set ${missing}=<number>.`)
+}

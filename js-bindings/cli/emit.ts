@@ -1,0 +1,32 @@
+// `npx warpjet emit`: a warp as shader text.
+import { writeFile } from 'node:fs/promises'
+import { targets, type Target } from '../compilation.js'
+import { compileWarp } from '../compile-warp.js'
+import { writing } from './files.js'
+import { readArguments } from './usage.js'
+import { blame, readWarp } from './warp-file.js'
+
+export async function emit(args: string[]): Promise<void> {
+  const { values, files, wrong } = readArguments('emit', args, ['a warp.js'], {
+    target: { type: 'string', default: 'glsl300' },
+    tangents: { type: 'boolean', default: false },
+    output: { type: 'string', short: 'o' },
+  })
+  const target = values.target as Target
+  if (!targets.includes(target))
+    throw wrong(`--target must be one of ${targets.join(', ')}, but is "${target}".`)
+
+  const [file] = files as [string]
+  const offset = await readWarp(file)
+  const warp = await blame(file, () => compileWarp(offset, { target, tangents: values.tangents }))
+  const lines = [
+    `// uniforms: ${warp.uniforms.join(', ') || 'none'}`,
+    `// attributes: ${warp.attributes.join(', ') || 'none'}`,
+    ...(warp.declarations ? ['// above main:', warp.declarations.trimEnd(), '// in main:'] : []),
+    warp.code.trimEnd(),
+  ]
+  const text = lines.join('\n') + '\n'
+  const { output } = values
+  if (output === undefined) process.stdout.write(text)
+  else await writing(output, () => writeFile(output, text))
+}

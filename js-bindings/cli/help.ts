@@ -1,0 +1,47 @@
+// What --help says.
+
+export const help = `warpjet warps 3D models with a function of their vertices.
+
+  npx warpjet emit warp.js --target glsl300       the warp as shader text
+  npx warpjet bake model.glb warp.js -o out.glb   the warped model as a file
+  npx warpjet info model.glb                      what is in a model
+
+\`npx warpjet <command> --help\` has the options. Models are .glb, .gltf or .obj.
+
+warp.js is an ES module that exports the offset function, the one that createWarp takes too:
+
+  export default ({ glsl, position, millis }) =>
+    glsl.vec3(position.y().mult(4).add(millis.div(500)).sin().mult(0.15), 0, 0)
+
+  --version   prints the version
+
+It ends with 0 if all went well, 1 if a file or the warp is wrong, and 2 if the command line is.`
+
+const commands: Record<string, string> = {
+  emit: `npx warpjet emit <warp.js> [options]
+
+Prints shader statements that move a vertex and turn its normal. They declare offset, warpedPosition and warpedNormal;
+comments above name what they read, which your shader declares.
+
+  --target <language>   glsl300 for WebGL 2 (default), glsl100 for WebGL 1, wgsl for WebGPU
+  --tangents            also turns tangents: declares warpedTangent
+  -o, --output <file>   writes a file instead`,
+
+  bake: `npx warpjet bake <model> <warp.js> -o <out.glb> [options]
+
+Moves every vertex of the model as the shader would, turns normals and tangents, and writes a GLB file.
+
+  -o, --output <file>       where to, always .glb
+  --set <name>=<value>      a uniform that the warp reads: --set millis=1200, --set mouse=10,20; as often as needed
+  --subdivide <tolerance>   first gives the model more triangles where the warp bends it: the result is nowhere farther
+                            than this from the smooth shape, in units of the model
+  --max-triangles <n>       never makes more than so many (default 1048576)
+  -q, --quiet               tells nothing on the way`,
+
+  info: `npx warpjet info <model>
+
+Prints how many triangles and vertices a model has, how large it is, which attributes its vertices have, its material,
+and what is left out when it is loaded.`,
+}
+
+export const helpOf = (command: string) => commands[command]!

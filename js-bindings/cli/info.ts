@@ -1,0 +1,46 @@
+// `npx warpjet info`: what is in a model.
+import { type Mesh, loadMesh } from '../mesh.js'
+import { readArguments } from './usage.js'
+
+export async function info(args: string[]): Promise<void> {
+  const { files } = readArguments('info', args, ['a model'], {})
+  const mesh = await loadMesh(files[0]!)
+  const rows = Object.entries(describe(mesh)).map(([name, text]) => `${name.padEnd(11)} ${text}`)
+  const notes = (mesh.warnings ?? []).map((warning) => `note        ${warning}`)
+  console.log([...rows, ...notes].join('\n'))
+}
+
+function describe(mesh: Mesh): Record<string, string> {
+  const { positions, indices, material } = mesh
+  const vertices = positions.length / 3
+  const [min, max] = extent(positions)
+  const attributes = (['normals', 'uvs', 'colors', 'tangents'] as const).filter(
+    (name) => mesh[name]?.length,
+  )
+  return {
+    triangles: whole(indices ? indices.length / 3 : vertices / 3),
+    vertices: whole(vertices),
+    ...(vertices > 0 && {
+      size: max.map((high, i) => rounded(high - min[i]!)).join(' × '),
+      from: min.map(rounded).join(', '),
+      to: max.map(rounded).join(', '),
+    }),
+    attributes: ['positions', ...attributes].join(', '),
+    ...(material && { 'base color': material.baseColor.map(rounded).join(', ') }),
+    ...(material?.baseColorTexture && {
+      texture: `${material.baseColorTexture.mimeType}, ${whole(material.baseColorTexture.bytes.length)} bytes`,
+    }),
+  }
+}
+
+const whole = (number: number) => number.toLocaleString('en-US')
+const rounded = (number: number) => String(Number(number.toPrecision(4)))
+
+function extent(positions: Float32Array): [min: number[], max: number[]] {
+  const [min, max] = [Array<number>(3).fill(Infinity), Array<number>(3).fill(-Infinity)]
+  positions.forEach((value, i) => {
+    min[i % 3] = Math.min(min[i % 3]!, value)
+    max[i % 3] = Math.max(max[i % 3]!, value)
+  })
+  return [min, max]
+}

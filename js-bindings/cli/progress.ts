@@ -1,0 +1,23 @@
+// What is told on the way, on stderr, so that stdout has only the result.
+
+export const count = (number: number, one: string, many = `${one}s`) =>
+  `${number.toLocaleString('en-US')} ${number === 1 ? one : many}`
+
+export class Progress {
+  private shown = 0
+
+  constructor(private readonly isQuiet: boolean) {}
+
+  /** A line that stays. */
+  step(text: string) {
+    if (this.isQuiet) return
+    process.stderr.write(`${process.stderr.isTTY ? '\r\x1b[K' : ''}${text}\n`)
+  }
+
+  /** A line that the next one replaces, at most ten times a second; only where somebody watches. */
+  update(text: string) {
+    if (this.isQuiet || !process.stderr.isTTY || performance.now() < this.shown + 100) return
+    this.shown = performance.now()
+    process.stderr.write(`\r\x1b[K${text}`)
+  }
+}

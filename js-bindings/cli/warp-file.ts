@@ -1,0 +1,60 @@
+// The offset function of a file.
+import { resolve } from 'node:path'
+import { pathToFileURL } from 'node:url'
+import { WarpError } from '../errors.js'
+import type { OffsetFunction } from '../types.js'
+
+/** Runs the file, and takes its default export or the only function that it exports. */
+export async function readWarp(file: string): Promise<OffsetFunction> {
+  const module: Record<string, unknown> = await load(file)
+  if (typeof module.default === 'function') return module.default as OffsetFunction
+  const functions = Object.values(module).filter((value) => typeof value === 'function')
+  if (functions.length === 1) return functions[0] as OffsetFunction
+  throw new WarpError(
+    functions.length
+      ? `${file} exports ${functions.length} functions; export the offset function as default.`
+      : `${file} exports no function; write \`export default ({ glsl, position }) => glsl.vec3(…)\`.`,
+  )
+}
+
+async function load(file: string): Promise<Record<string, unknown>> {
+  const url = pathToFileURL(resolve(file)).href
+  try {
+    return await import(/* @vite-ignore */ url)
+  } catch (error) {
+    throw new WarpError(sentence(file, url, error))
+  }
+}
+
+function sentence(file: string, url: string, error: unknown): string {
+  const { code, name, message } = error as Error & { code?: string }
+  const first = String(message).split('\n')[0]!
+  if (
+    code === 'ERR_MODULE_NOT_FOUND' &&
+    first.includes(resolve(file)) &&
+    !first.includes('imported from ' + resolve(file))
+  )
+    return `The file ${file} does not exist.`
+  // Node before 20.19 takes a .js file for CommonJS unless a package.json says otherwise.
+  if (name === 'SyntaxError' && /\bexport\b/.test(first))
+    return `${file} is an ES module; name it .mjs, or put "type": "module" into its package.json.`
+  return `${file} cannot be run: ${name}: ${first.replace(url, file)}`
+}
+
+/** What the sketch's own code throws while it is compiled, as a sentence that names the file. */
+export async function blame<Result>(file: string, work: () => Result): Promise<Result> {
+  try {
+    return work()
+  } catch (error) {
+    if (error instanceof WarpError || !(error instanceof Error)) throw error
+    const { name, message } = error
+    throw new WarpError(`${file}: ${name}: ${message.split('\n')[0]}${lineOf(file, error)}`)
+  }
+}
+
+function lineOf(file: string, { stack = '' }: Error): string {
+  const url = pathToFileURL(resolve(file)).href
+  const at = stack.indexOf(url)
+  const [, line] = at < 0 ? [] : (/^:(\d+)/.exec(stack.slice(at + url.length)) ?? [])
+  return line ? ` (line ${line})` : ''
+}

@@ -1,0 +1,13 @@
+/**
+ * 'warpjet/mesh': meshes from files, warped meshes, and files from meshes, in browsers and in Node. It has a wasm module
+ * of its own, which starts when it is first used. All functions leave what comes in as it is.
+ */
+export { bakeWarp, type Evaluates } from './mesh/bake.js'
+export { exportGLB } from './mesh/export.js'
+export { loadMesh, type LoadOptions } from './mesh/load.js'
+export type { Material, Mesh, MeshInput, Picture } from './mesh/mesh.js'
+export { meshMemoryInUse } from './mesh/module.js'
+export { subdivide, type AdaptiveOptions, type UniformOptions } from './mesh/subdivide.js'
+export type { Bytes, Resolve, Source } from './mesh/sources.js'
+export { WarpError } from './errors.js'
+export type { Uniforms } from './vertices.js'

@@ -1,0 +1,72 @@
+// `loadMesh`: from a file to a mesh.
+import { WarpError, describe } from '../errors.js'
+import { type Mesh, takeMesh } from './mesh.js'
+import { type Job, withJob } from './module.js'
+import {
+  type Bytes,
+  type Resolve,
+  type Source,
+  locate,
+  readBytes,
+  resolveBeside,
+} from './sources.js'
+
+export interface LoadOptions {
+  /** Gives the further files that a .gltf names; where the model has a URL they are taken from beside it. */
+  resolve?: Resolve
+}
+
+type FurtherFiles = Map<string, Uint8Array>
+
+/**
+ * Reads a model: .glb and .gltf (2.0), and .obj. All triangles of its scene become one mesh, each where its nodes place
+ * it; missing normals are computed, and what is left out, such as animations, stands in `warnings`. `source` is bytes, a
+ * Blob or File, or a URL, which in Node may be a path. Throws a `WarpError` for a file that cannot be read, or is broken
+ * or too large.
+ */
+export async function loadMesh(source: Source, options: LoadOptions = {}): Promise<Mesh> {
+  const given: unknown = options?.resolve
+  if (given !== undefined && typeof given !== 'function')
+    throw new WarpError(
+      `loadMesh: the option "resolve" must be a function from a URI to bytes, but is ${describe(given)}.`,
+    )
+  const place = locate(source, 'loadMesh')
+  const bytes = await readBytes(place, 'loadMesh')
+  const beside = place instanceof URL ? resolveBeside(place, 'loadMesh') : undefined
+  const resolve = options?.resolve ?? beside
+
+  const first = withJob('loadMesh', (job) => {
+    job.setBytes('file', bytes)
+    job.act('findFiles')
+    const missing = job.texts()
+    return missing.length && resolve ? { missing } : { mesh: load(job) }
+  })
+  if (first.mesh) return first.mesh
+  const files = await gather(first.missing!, resolve!)
+  return withJob('loadMesh', (job) => {
+    job.setBytes('file', bytes)
+    for (const [name, contents] of files) {
+      job.setText('name', name)
+      job.setBytes('contents', contents)
+      job.act('keepFile')
+    }
+    return load(job)
+  })
+}
+
+function load(job: Job): Mesh {
+  job.act('loadFile')
+  const warnings = job.texts()
+  return warnings.length ? { ...takeMesh(job), warnings } : takeMesh(job)
+}
+
+/** Those of the files that there are; what is missing, the loader says. */
+async function gather(uris: readonly string[], resolve: Resolve): Promise<FurtherFiles> {
+  const files: FurtherFiles = new Map()
+  for (const uri of uris) {
+    const contents: Bytes | undefined = await resolve(uri)
+    if (contents !== undefined)
+      files.set(uri, await readBytes(contents, `loadMesh: resolve("${uri}")`))
+  }
+  return files
+}

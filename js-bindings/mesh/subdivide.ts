@@ -1,0 +1,92 @@
+// `subdivide`: more triangles, where a warp needs them.
+import { WarpError, describe } from '../errors.js'
+import type { Uniforms } from '../vertices.js'
+import { type Evaluates, checkWarp, evaluateFor } from './bake.js'
+import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
+import { type Job, withJob } from './module.js'
+
+interface Limit {
+  /** Never more than so many; 1,048,576 unless given. */
+  maxTriangles?: number
+}
+
+export interface AdaptiveOptions extends Limit {
+  /** What `compileWarp` returns. */
+  warp: Evaluates
+  /** Of the warp. */
+  uniforms?: Uniforms
+  /** How far the warped surface may leave its triangles, in units of the model. */
+  tolerance: number
+  /** How far, in radians, warped normals may turn away from those between corners: 0.17 (10 degrees) unless given.
+   * Infinity leaves normals out. */
+  angle?: number
+}
+
+export interface UniformOptions extends Limit {
+  /** How often each triangle becomes four. */
+  levels: number
+}
+
+/** Indices are whole numbers of 32 bits. */
+const mostTriangles = 2 ** 30
+
+/**
+ * The same surface with more vertices, not warped yet. Edges are split until the warped triangles are as near to the
+ * warped surface as `tolerance` says, only where that is needed; or, with `levels`, everywhere. No cracks come up, and
+ * new vertices lie between the old ones in every attribute. If `maxTriangles` ends it before, `warnings` says so. Throws
+ * a `WarpError` for wrong options and arrays that do not fit together.
+ */
+export function subdivide(mesh: MeshInput, options: AdaptiveOptions | UniformOptions): Mesh {
+  if (typeof options !== 'object' || options === null)
+    throw new WarpError(
+      `subdivide: options such as { warp, tolerance: 0.01 } or { levels: 2 } were expected, but ${describe(options)} came.`,
+    )
+  const { maxTriangles = 2 ** 20 } = options
+  checkNumber('maxTriangles', maxTriangles, 'a whole number from 1 to 2^30', isCount)
+  const refine =
+    'levels' in options ? uniformly(options, maxTriangles) : adaptively(options, maxTriangles)
+  return withJob('subdivide', (job) => {
+    putMesh(job, mesh)
+    job.act('addNormals')
+    refine(job)
+    const warnings = job.texts()
+    return warnings.length ? { ...takeMesh(job), warnings } : takeMesh(job)
+  })
+}
+
+const isCount = (value: number) => Number.isInteger(value) && value >= 1 && value <= mostTriangles
+
+function uniformly({ levels }: UniformOptions, maxTriangles: number) {
+  checkNumber(
+    'levels',
+    levels,
+    'a whole number from 0 to 15',
+    (value) => Number.isInteger(value) && value >= 0 && value <= 15,
+  )
+  return (job: Job) => job.refineUniformly(levels, maxTriangles)
+}
+
+function adaptively(options: AdaptiveOptions, maxTriangles: number) {
+  const { warp, uniforms, tolerance, angle = 0.17 } = options
+  checkWarp('subdivide', warp)
+  checkNumber('tolerance', tolerance, 'a number above 0', (value) => value > 0 && value < Infinity)
+  checkNumber('angle', angle, 'a number above 0', (value) => value > 0)
+  return (job: Job) =>
+    job.refine(tolerance, angle, maxTriangles, (vertices) => {
+      const warped = evaluateFor('subdivide', warp, takeMesh(vertices), uniforms)
+      vertices.setFloats('positions', warped.positions)
+      vertices.setFloats('normals', warped.normals ?? [])
+    })
+}
+
+function checkNumber(
+  name: string,
+  value: unknown,
+  expected: string,
+  isRight: (value: number) => boolean,
+) {
+  if (typeof value === 'number' && isRight(value)) return
+  throw new WarpError(
+    `subdivide: the option "${name}" must be ${expected}, but is ${describe(value)}.`,
+  )
+}

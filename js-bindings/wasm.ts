@@ -1,0 +1,14 @@
+// How each wasm module starts: it is inlined, deflated and in base64, and compiled synchronously, so that `createWarp`
+// works in a plain `setup()`.
+import { inflateSync } from 'fflate'
+
+type Factory<Module> = (options: { wasmBinary: Uint8Array }) => Module
+
+/** A new instance, with a memory of its own. */
+export function instantiate<Module>(factory: Factory<Module>, base64: string): Module {
+  return factory({ wasmBinary: inflateSync(decode(base64)) })
+}
+
+function decode(text: string): Uint8Array {
+  return Uint8Array.from(atob(text), (character) => character.charCodeAt(0))
+}

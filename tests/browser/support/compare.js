@@ -1,0 +1,56 @@
+// How far warped vertices are from what they must be.
+import { angleBetween, distanceBetween } from './oracle.js'
+
+/** So far off may a normal be. */
+export const degrees = 0.02
+
+/** Beyond this a surface has all but collapsed, and float32 cannot tell its direction. */
+export const mostSensitive = 1e5
+
+export const moments = [0, 1234, 98765].map((millis) => ({
+  millis,
+  mouse: [120, 250],
+  size: [640, 480],
+  pixelDensity: 2,
+}))
+
+/**
+ * The greatest differences of `results`, for each moment six numbers a vertex, from `expected`, for each moment and vertex
+ * what `warpVertex` gives. Of vertices with a kink nearby, only whether the result is finite.
+ */
+export function compare(results, expected, reach) {
+  const worst = { position: 0, angle: 0, relativeAngle: 0, length: 0 }
+  const counts = {
+    count: 0,
+    kinks: 0,
+    collapsing: 0,
+    vanishing: 0,
+    notFinite: 0,
+    notZero: 0,
+    beyond: 0,
+  }
+  const raise = (name, value) => (worst[name] = Math.max(worst[name], value))
+  expected.forEach((moment, k) =>
+    moment.forEach(({ position, normal, sensitivity }, i) => {
+      const [moved, turned] = [0, 3].map((at) => [
+        ...results[k].subarray(6 * i + at, 6 * i + at + 3),
+      ])
+      counts.count++
+      if (![...moved, ...turned].every(Number.isFinite)) return counts.notFinite++
+      if (!normal) return counts.kinks++
+      raise('position', distanceBetween(moved, position) / Math.max(reach, Math.hypot(...position)))
+      if (turned.some(Boolean)) raise('length', Math.abs(Math.hypot(...turned) - 1))
+      if (!normal.some(Boolean)) {
+        counts.vanishing++
+        if (turned.some(Boolean)) counts.notZero++
+        return
+      }
+      if (sensitivity > mostSensitive) return counts.collapsing++
+      const angle = angleBetween(turned, normal)
+      if (!(angle <= degrees)) counts.beyond++
+      raise('angle', angle)
+      raise('relativeAngle', angle / sensitivity)
+    }),
+  )
+  return { ...worst, ...counts }
+}

@@ -1,0 +1,260 @@
+// `npx warpjet`, as a shell starts it.
+import assert from 'node:assert/strict'
+import { spawn } from 'node:child_process'
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { after, describe, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import validator from 'gltf-validator'
+import { compileWarp, targets, version } from 'warpjet'
+import { exportGLB, loadMesh } from 'warpjet/mesh'
+import { sphere } from './support/meshes.js'
+import { png } from './support/png.js'
+
+const program = fileURLToPath(new URL('../../dist/cli.js', import.meta.url))
+const folder = mkdtempSync(join(tmpdir(), 'warpjet cli '))
+after(() => rmSync(folder, { recursive: true }))
+
+const write = (name, contents) => writeFileSync(join(folder, name), contents)
+write('package.json', '{ "type": "module" }')
+write(
+  'wave.js',
+  'export default ({ glsl, position, millis }) => glsl.vec3(0, position.x().mult(millis), 0)',
+)
+write(
+  'named.js',
+  'export const speed = 2\nexport function bend({ glsl, position }) { return glsl.vec3(position.y().sin(), 0, 0) }',
+)
+write('mouse.js', 'export default ({ glsl, mouse }) => glsl.vec3(mouse, 0)')
+const material = {
+  baseColor: [1, 0.5, 0, 1],
+  baseColorTexture: { bytes: png(2, 2, () => [9, 9, 9]), mimeType: 'image/png' },
+}
+const model = { ...sphere(), material }
+write('model.glb', exportGLB(model))
+
+/** Starts the program in the folder; its exit code and all that it wrote. */
+function warpjet(...args) {
+  const child = spawn(process.execPath, [program, ...args], { cwd: folder })
+  const result = { stdout: '', stderr: '' }
+  for (const stream of ['stdout', 'stderr'])
+    child[stream].setEncoding('utf8').on('data', (text) => (result[stream] += text))
+  return new Promise((resolve) => child.on('close', (code) => resolve({ code, ...result })))
+}
+
+/** Ends with this code, nothing on stdout, and one sentence on stderr. */
+async function fails(code, args, pattern) {
+  const result = await warpjet(...args)
+  assert.equal(result.stdout, '')
+  assert.match(result.stderr, pattern)
+  assert.equal(result.stderr.trim().split('\n').length, 1, result.stderr)
+  assert.match(result.stderr, /^warpjet: /)
+  assert.equal(result.code, code, result.stderr)
+}
+
+const usage = (args, pattern) => fails(2, args, pattern)
+const refuses = (args, pattern) => fails(1, args, pattern)
+
+async function works(...args) {
+  const result = await warpjet(...args)
+  assert.equal(result.code, 0, result.stderr)
+  return result
+}
+
+describe('the program', () => {
+  test('--version and --help', async () => {
+    assert.equal((await works('--version')).stdout, `${version}\n`)
+    const { stdout } = await works('--help')
+    for (const command of ['emit', 'bake', 'info'])
+      assert.match(stdout, new RegExp(`npx warpjet ${command} `))
+    for (const command of ['emit', 'bake', 'info'])
+      assert.match((await works(command, '--help')).stdout, new RegExp(`^npx warpjet ${command} <`))
+    for (const option of ['--output', '--set', '--subdivide', '--max-triangles', '--quiet'])
+      assert.match((await works('bake', '-h')).stdout, new RegExp(option))
+  })
+
+  test('wrong usage ends with 2', async () => {
+    await usage([], /A command is missing\. `npx warpjet --help` shows how/)
+    await usage(['bend'], /no command "bend"/)
+    await usage(['toString'], /no command "toString"/)
+    await usage(['emit'], /emit needs a warp\.js\. `npx warpjet emit --help`/)
+    await usage(['emit', 'wave.js', 'named.js'], /nothing more, but "named\.js" came/)
+    await usage(['emit', 'wave.js', '--target', 'hlsl'], /--target must be one of glsl300.*"hlsl"/)
+    await usage(['emit', 'wave.js', '--speed', '2'], /emit: Unknown option '--speed'/)
+    await usage(['info'], /info needs a model/)
+    await usage(['bake', 'model.glb'], /bake needs a warp\.js/)
+    await usage(['bake', 'model.glb', 'wave.js'], /bake needs -o/)
+    await usage(['bake', 'model.glb', 'wave.js', '-o', 'out.obj'], /bake writes \.glb files/)
+    await usage(
+      ['bake', 'model.glb', 'wave.js', '-o', './model.glb'],
+      /does not write over the model/,
+    )
+    for (const setting of ['millis', 'millis=', 'millis=x', '=1', 'mouse=1,'])
+      await usage(
+        ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--set', setting],
+        /--set takes a name and numbers/,
+      )
+    for (const tolerance of ['0', 'x', '', 'Infinity'])
+      await usage(
+        ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--subdivide', tolerance],
+        /--subdivide must be a number above 0/,
+      )
+  })
+})
+
+describe('emit', () => {
+  test('prints what compileWarp gives, in every language', async () => {
+    const { default: offset } = await import(join(folder, 'wave.js'))
+    for (const target of targets) {
+      const { stdout, stderr } = await works('emit', 'wave.js', '--target', target)
+      assert.equal(stderr, '')
+      const lines = stdout.split('\n')
+      assert.deepEqual(lines.slice(0, 2), [
+        '// uniforms: millis',
+        '// attributes: position, normal',
+      ])
+      assert.equal(lines.slice(2).join('\n').trim(), compileWarp(offset, { target }).code.trim())
+    }
+  })
+
+  test('glsl300 unless told; the only function that a file exports; into a file', async () => {
+    const { bend } = await import(join(folder, 'named.js'))
+    const { stdout } = await works('emit', 'named.js')
+    assert.ok(stdout.includes(compileWarp(bend).code.trim()))
+    assert.equal((await works('emit', 'named.js', '-o', 'named.glsl')).stdout, '')
+    assert.equal(readFileSync(join(folder, 'named.glsl'), 'utf8'), stdout)
+    assert.match((await works('emit', 'named.js', '--tangents')).stdout, /warpedTangent/)
+  })
+
+  test('a warp that is none', async () => {
+    write('none.js', 'export const x = 1')
+    write('two.js', 'export const a = () => 1, b = () => 2')
+    write('broken.js', 'export default ({ glsl }) => {')
+    write('throws.js', 'throw new Error("no\\nway")')
+    write('undefined.js', 'export default () => undefined')
+    write(
+      'typo.js',
+      'export default ({ glsl, position }) =>\n  glsl.vec3(position.x().sine(), 0, 0)',
+    )
+    write('imports.js', 'import "./gone.js"\nexport default () => 1')
+    await refuses(['emit', 'gone.js'], /The file gone\.js does not exist/)
+    await refuses(['emit', 'none.js'], /none\.js exports no function/)
+    await refuses(['emit', 'two.js'], /two\.js exports 2 functions/)
+    await refuses(['emit', 'broken.js'], /broken\.js cannot be run: SyntaxError/)
+    await refuses(['emit', 'throws.js'], /throws\.js cannot be run: Error: no/)
+    await refuses(['emit', 'undefined.js'], /must return a vec3/)
+    await refuses(['emit', 'typo.js'], /typo\.js: TypeError: .*sine is not a function \(line 2\)/)
+    await refuses(['emit', 'imports.js'], /imports\.js cannot be run: .*gone\.js/)
+    await refuses(
+      ['emit', 'wave.js', '-o', 'no/such/folder.glsl'],
+      /cannot be written: there is no such folder/,
+    )
+  })
+})
+
+describe('bake', () => {
+  const load = (name) => loadMesh(join(folder, name))
+
+  test('writes the warped model, and tells about it on stderr only', async () => {
+    const { stdout, stderr } = await works(
+      'bake',
+      'model.glb',
+      'wave.js',
+      '-o',
+      'out.glb',
+      '--set',
+      'millis=0.5',
+    )
+    assert.equal(stdout, '')
+    assert.match(stderr, /^model\.glb: 168 triangles, 117 vertices\nout\.glb: [\d,]+ bytes\n$/)
+    const { issues } = await validator.validateBytes(readFileSync(join(folder, 'out.glb')))
+    assert.equal(issues.numErrors + issues.numWarnings, 0)
+    const out = await load('out.glb')
+    // p' = (x, y + x / 2, z), in float32.
+    for (let i = 0; i < model.positions.length; i += 3)
+      assert.ok(
+        Math.abs(out.positions[i + 1] - model.positions[i + 1] - model.positions[i] / 2) < 1e-6,
+      )
+    assert.deepEqual(out.uvs, model.uvs)
+    assert.deepEqual(out.material, model.material)
+  })
+
+  test('numbers of a vector, negative ones too; --quiet', async () => {
+    const { stderr } = await works(
+      'bake',
+      'model.glb',
+      'mouse.js',
+      '-o',
+      'moved.glb',
+      '--set',
+      'mouse=1,-2.5',
+      '-q',
+    )
+    assert.equal(stderr, '')
+    const out = await load('moved.glb')
+    assert.ok(Math.abs(out.positions[0] - model.positions[0] - 1) < 1e-6)
+    assert.ok(Math.abs(out.positions[1] - model.positions[1] + 2.5) < 1e-6)
+  })
+
+  test('--subdivide makes more triangles, up to --max-triangles', async () => {
+    const args = ['bake', 'model.glb', 'named.js', '-o', 'fine.glb', '--subdivide', '0.001']
+    const { stderr } = await works(...args)
+    assert.match(stderr, /\nSubdivided: [\d,]+ triangles/)
+    assert.ok((await load('fine.glb')).indices.length > 2 * model.indices.length)
+    const limited = await works(...args, '--max-triangles', '300')
+    assert.match(limited.stderr, /\nNote: The tolerance was not reached/)
+    assert.ok((await load('fine.glb')).indices.length <= 3 * 300)
+  })
+
+  test('what is wrong with files and warps', async () => {
+    write('text.glb', 'no model')
+    write(
+      'pole.js',
+      'export default ({ glsl, position }) => glsl.vec3(glsl.div(1, position.x()), 0, 0)',
+    )
+    mkdirSync(join(folder, 'folder.glb'))
+    const baking = (model, warp, ...rest) => ['bake', model, warp, '-q', '-o', 'bad.glb', ...rest]
+    await refuses(
+      baking('model.glb', 'wave.js'),
+      /wave\.js reads millis; add --set millis=<number>/,
+    )
+    await refuses(
+      baking('model.glb', 'wave.js', '--set', 'millis=1', '--set', 'milis=1'),
+      /no uniform "milis"/,
+    )
+    await refuses(
+      baking('model.glb', 'mouse.js', '--set', 'mouse=1'),
+      /"mouse" must be an array of 2/,
+    )
+    await refuses(baking('gone.glb', 'named.js'), /loadMesh: the file .*gone\.glb does not exist/)
+    await refuses(
+      baking('model.glb', 'pole.js'),
+      /bakeWarp: the warp gives vertex 0 at \(0, 1, 0\) no finite position/,
+    )
+    await refuses(baking('text.glb', 'named.js'), /loadMesh: /)
+    await refuses(baking('model.glb', 'gone.js'), /gone\.js does not exist/)
+    await refuses(
+      ['bake', 'model.glb', 'named.js', '-q', '-o', 'folder.glb'],
+      /folder\.glb cannot be written/,
+    )
+    assert.throws(() => readFileSync(join(folder, 'bad.glb')), /ENOENT/)
+  })
+})
+
+describe('info', () => {
+  test('says what is in a model', async () => {
+    const { stdout } = await works('info', 'model.glb')
+    assert.match(stdout, /^triangles +168$/m)
+    assert.match(stdout, /^vertices +117$/m)
+    assert.match(stdout, /^size +2 × 2 × 2$/m)
+    assert.match(stdout, /^attributes +positions, normals, uvs, colors, tangents$/m)
+    assert.match(stdout, /^base color +1, 0\.5, 0, 1$/m)
+    assert.match(stdout, /^texture +image\/png, \d+ bytes$/m)
+  })
+
+  test('a file that is none', async () => {
+    await refuses(['info', 'wave.js'], /loadMesh: /)
+    await refuses(['info', 'gone.glb'], /does not exist/)
+  })
+})

@@ -1,0 +1,372 @@
+// Warps on the CPU: against the oracle in double that the GPU is held against too, and what wrong input gives.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { WarpError, compileWarp } from '../../dist/warpjet.js'
+import { compare, degrees, moments } from '../browser/support/compare.js'
+import { arraysOf, denseMesh, interleaved, vertices } from '../browser/support/dense-mesh.js'
+import { warpVertex } from '../browser/support/oracle.js'
+import { warps } from '../warps/index.js'
+
+/** The square of a smaller number is subnormal, which the CPU tells from 0 and GPUs do not. */
+const hasNoTinyPart = ({ normal }) => normal.every((x) => x === 0 || Math.abs(x) > 1e-15)
+
+describe('positions and normals are right:', () => {
+  for (const { name, compile, offset, size, reach, params, collapses } of warps) {
+    const warp = compile('glsl300')
+    // The text of `gen` that two sketches splice into their own shaders is no warp.
+    if (!warp.evaluate) continue
+    test(name, () => {
+      const points = vertices(denseMesh(size)).filter(hasNoTinyPart)
+      const draws = moments.map((moment) => ({ ...moment, ...params }))
+      const results = draws.map((uniforms) =>
+        interleaved(warp.evaluate({ ...arraysOf(points), uniforms })),
+      )
+      const expected = draws.map((inputs) =>
+        points.map((vertex) => warpVertex(offset, vertex, inputs, size / 1000)),
+      )
+      const found = compare(results, expected, reach)
+      assert.equal(found.notFinite, 0, 'NaN or infinite')
+      if (collapses) assert.equal(found.notZero, 0, 'normals that should be zero')
+      assert.ok(found.length < 1e-6, `normals are ${found.length} off length 1`)
+      assert.ok(found.angle <= degrees, `normals are ${found.angle}° off`)
+      assert.ok(found.position <= 2e-5, `positions are ${found.position} off`)
+    })
+  }
+})
+
+const wave = compileWarp(({ glsl, position, millis }) =>
+  glsl.vec3(0, position.x().mult(3).add(millis.div(500)).sin().mult(0.2), 0),
+)
+const uniforms = { millis: 250 }
+const plane = { positions: [0, 0, 0, 1, 0, 0], normals: [0, 1, 0, 0, 1, 0] }
+
+describe('evaluate', () => {
+  test('gives float32 arrays and leaves what came in alone', () => {
+    const mesh = {
+      positions: new Float32Array(plane.positions),
+      normals: Object.freeze([...plane.normals]),
+    }
+    const { positions, normals } = wave.evaluate({ ...mesh, uniforms })
+    assert.ok(positions instanceof Float32Array && normals instanceof Float32Array)
+    assert.deepEqual([...mesh.positions], plane.positions)
+    assert.ok(Math.abs(positions[4] - 0.2 * Math.sin(3.5)) < 1e-7)
+    assert.equal(positions[3], 1)
+  })
+
+  test('takes any number of vertices, none too', () => {
+    assert.deepEqual(wave.evaluate({ positions: [], normals: [], uniforms }), {
+      positions: new Float32Array(0),
+      normals: new Float32Array(0),
+    })
+    // Around what is in the wasm at a time.
+    for (const count of [1, 5, 4095, 4096, 4097, 9001]) {
+      const xs = Float32Array.from({ length: count }, (_, i) => Math.sin(i))
+      const positions = Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 ? 0 : xs[i / 3]))
+      const normals = Float32Array.from({ length: 3 * count }, (_, i) => Number(i % 3 === 1))
+      const moved = wave.evaluate({ positions, normals, uniforms })
+      assert.equal(moved.positions.length, 3 * count)
+      for (let i = 0; i < count; i += 97) {
+        const one = wave.evaluateAt([xs[i], 0, 0], { normal: [0, 1, 0], uniforms })
+        assert.deepEqual([...moved.positions.subarray(3 * i, 3 * i + 3)], one.position)
+        assert.deepEqual([...moved.normals.subarray(3 * i, 3 * i + 3)], one.normal)
+      }
+      assert.equal(
+        moved.positions.at(-2),
+        wave.evaluateAt([xs.at(-1), 0, 0], { uniforms }).position[1],
+      )
+    }
+  })
+
+  test('gives normals only where normals came, tangents where both came', () => {
+    const keys = (mesh) => Object.keys(wave.evaluate({ ...mesh, uniforms }))
+    const { positions, normals } = plane
+    const tangents = [1, 0, 0, 1, 1, 0, 0, -1]
+    assert.deepEqual(keys({ positions }), ['positions'])
+    assert.deepEqual(keys({ positions, tangents }), ['positions'])
+    assert.deepEqual(keys({ positions, normals, tangents }), ['positions', 'normals', 'tangents'])
+    assert.deepEqual(Object.keys(wave.evaluateAt([1, 2, 3], { uniforms })), ['position'])
+    const bare = compileWarp(({ position }) => position, { normals: false })
+    assert.deepEqual(Object.keys(bare.evaluate({ positions, normals })), ['positions'])
+  })
+
+  test('turns tangents with the surface: y = 0.2 sin(3x + t) has the slope 0.6 cos(3x + t)', () => {
+    const { normals, tangents } = wave.evaluate({
+      ...plane,
+      tangents: [1, 0, 0, 1, 0, 0, 2, -1],
+      uniforms,
+    })
+    const slope = 0.6 * Math.cos(0.5)
+    const length = Math.hypot(1, slope)
+    const expected = [1 / length, slope / length, 0, 1, 0, 0, 1, -1]
+    expected.forEach((x, i) => assert.ok(Math.abs(tangents[i] - x) < 1e-6, `${i}: ${tangents[i]}`))
+    for (const i of [0, 1]) {
+      const [n, t] = [normals.subarray(3 * i, 3 * i + 3), tangents.subarray(4 * i, 4 * i + 3)]
+      assert.ok(Math.abs(n[0] * t[0] + n[1] * t[1] + n[2] * t[2]) < 1e-6)
+    }
+  })
+
+  test('finds inputs by the names of the warp, whatever the shader calls them', () => {
+    const renamed = compileWarp(
+      ({ glsl, position, millis, uv, mouseX }) =>
+        position
+          .mult(millis)
+          .add(glsl.vec3(uv, mouseX))
+          .add(glsl.mat3Param('turn').mult(position))
+          .mult(glsl.param('amount')),
+      { names: { position: 'aPosition', millis: 'uTime', mouse: 'uMouse.xy' } },
+    )
+    const turn = [0, 1, 0, -1, 0, 0, 0, 0, 1]
+    const { position } = renamed.evaluateAt([1, 2, 3], {
+      uv: [10, 20],
+      uniforms: { millis: 2, mouse: [30, 40], amount: 0.5, turn },
+    })
+    const moved = [2 + 10 - 2, 4 + 20 + 1, 6 + 30 + 3]
+    assert.deepEqual(
+      position,
+      [1, 2, 3].map((x, i) => x + moved[i] / 2),
+    )
+  })
+
+  test('leaves nothing behind: a thousand times is like once', () => {
+    const before = process.memoryUsage().arrayBuffers
+    const positions = new Float32Array(3 * 5000)
+    for (let i = 0; i < 1000; i++) wave.evaluate({ positions, uniforms })
+    global.gc?.()
+    assert.ok(process.memoryUsage().arrayBuffers - before < 100e6)
+  })
+})
+
+describe('foldover', () => {
+  test('marks where det(I + J) is not above 0', () => {
+    // x -> x + 2 sin(x) has the derivative 1 + 2 cos(x).
+    const folded = compileWarp(({ glsl, position }) => glsl.vec3(position.x().sin().mult(2), 0, 0))
+    const xs = Array.from({ length: 1000 }, (_, i) => i / 100)
+    const { mask, count } = folded.foldover({ positions: xs.flatMap((x) => [x, 5, -7]) })
+    const expected = xs.map((x) => Number(1 + 2 * Math.cos(x) <= 0))
+    assert.deepEqual([...mask], expected)
+    assert.equal(count, expected.filter(Boolean).length)
+    assert.ok(mask instanceof Uint8Array)
+  })
+
+  test('a mirror is inside out everywhere, and so is what is flattened', () => {
+    const positions = [1, 2, 3, 4, 5, 6]
+    const count = (warp) => compileWarp(warp).foldover({ positions }).count
+    assert.equal(
+      count(({ glsl, position }) => glsl.vec3(position.x().mult(-2), 0, 0)),
+      2,
+    )
+    assert.equal(
+      count(({ glsl, position }) => glsl.vec3(position.x().neg(), 0, 0)),
+      2,
+    )
+    assert.equal(
+      count(({ glsl }) => glsl.vec3(1, 2, 3)),
+      0,
+    )
+    assert.equal(wave.foldover({ positions: [] }, uniforms).count, 0)
+  })
+})
+
+describe('bounds', () => {
+  const box = (size) => ({ min: [-size, -size, -size], max: [size, size, size] })
+
+  for (const { name, compile, offset, size, reach, params, kept } of warps) {
+    const warp = compile('glsl300')
+    if (!warp.bounds) continue
+    test(`hold all that becomes of a box, and in the gallery at most twice as much: ${name}`, () => {
+      for (const moment of moments) {
+        const all = { ...moment, ...params }
+        const { min, max } = warp.bounds(box(size), all)
+        const truth = {
+          min: [Infinity, Infinity, Infinity],
+          max: [-Infinity, -Infinity, -Infinity],
+        }
+        const cells = 24
+        for (let i = 0; i <= cells; i++)
+          for (let j = 0; j <= cells; j++)
+            for (let k = 0; k <= cells; k++) {
+              const p = [i, j, k].map((n) => size * ((2 * n) / cells - 1))
+              const normal = p.map((x) => Math.sign(x) / Math.sqrt(3))
+              const inputs = {
+                ...all,
+                position: p,
+                normal,
+                uv: [i / cells, j / cells],
+                color: [0, 1, 0.5, 1],
+              }
+              offset(p, inputs).forEach((x, axis) => {
+                truth.min[axis] = Math.min(truth.min[axis], p[axis] + x)
+                truth.max[axis] = Math.max(truth.max[axis], p[axis] + x)
+              })
+            }
+        for (let axis = 0; axis < 3; axis++) {
+          assert.ok(min[axis] <= truth.min[axis], `${min[axis]} > ${truth.min[axis]}`)
+          assert.ok(max[axis] >= truth.max[axis], `${max[axis]} < ${truth.max[axis]}`)
+          const extent = Math.max(truth.max[axis] - truth.min[axis], reach / 1000)
+          const ratio = (max[axis] - min[axis]) / extent
+          if (kept) assert.ok(ratio <= 2, `${ratio} times as large as needed`)
+        }
+      }
+    })
+  }
+
+  test('count uvs as 0 to 1 unless the box says otherwise', () => {
+    const warp = compileWarp(({ glsl, uv, color, normal }) =>
+      glsl.vec3(uv.x(), color.x(), normal.x()),
+    )
+    const point = { min: [0, 0, 0], max: [0, 0, 0] }
+    const near = (found, expected) =>
+      found.forEach((x, i) => assert.ok(Math.abs(x - expected[i]) < 1e-3, `${found}`))
+    near(warp.bounds(point).min, [0, 0, -1])
+    near(warp.bounds(point).max, [1, 1, 1])
+    const wider = warp.bounds({ ...point, uvs: { min: [-2, 0], max: [5, 0] } })
+    near(wider.min, [-2, 0, -1])
+    near(wider.max, [5, 1, 1])
+  })
+})
+
+describe('one sentence for', () => {
+  const refuses = (work, expected) =>
+    assert.throws(work, (error) => {
+      assert.ok(error instanceof WarpError, `${error.stack}`)
+      assert.match(error.message, expected)
+      return true
+    })
+  const positions = [1, 2, 3]
+
+  test('meshes', () => {
+    refuses(
+      () => wave.evaluate(),
+      /evaluate: a mesh with an array of positions was expected, but undefined came/,
+    )
+    refuses(
+      () => wave.evaluate({ positions: 3 }),
+      /positions must be a flat array of 3 numbers a vertex, but is the number 3/,
+    )
+    refuses(() => wave.evaluate({ positions: [1, 2] }), /three numbers a vertex, but has 2 numbers/)
+    refuses(
+      () =>
+        wave.evaluate({
+          positions: [
+            [1, 2, 3],
+            [1, 2, 3],
+            [1, 2, 3],
+          ],
+        }),
+      /positions\[0\], of vertex 0, must be a finite number/,
+    )
+    refuses(
+      () => wave.evaluate({ positions, normals: [1] }),
+      /normals must have 3 numbers a vertex, 3 for these positions, but has 1/,
+    )
+    refuses(
+      () => wave.evaluate({ positions: [1, 2, 3, 4, NaN, 6], uniforms }),
+      /positions\[4\], of vertex 1, must be a finite number, but is NaN/,
+    )
+    refuses(
+      () => wave.evaluate({ positions: [1, 2, Infinity], uniforms }),
+      /positions\[2\], of vertex 0, must be a finite number, but is Infinity/,
+    )
+    refuses(
+      () => wave.evaluateAt([1, 2], { uniforms }),
+      /evaluateAt: the position must be an array of 3 finite numbers, but is an array of 2/,
+    )
+    refuses(
+      () => wave.evaluateAt([1, 2, 3], { uniforms, normal: [0, NaN, 1] }),
+      /the normal must be an array of 3 finite numbers, but has NaN among them/,
+    )
+  })
+
+  test('uniforms', () => {
+    refuses(
+      () => wave.evaluate({ positions }),
+      /the warp reads "millis"; give it a value as in \{ uniforms: \{ "millis": 0 \} \}/,
+    )
+    refuses(
+      () => wave.evaluate({ positions, uniforms: { milis: 3 } }),
+      /the warp has no uniform "milis"; there are millis, mouse, size, pixelDensity/,
+    )
+    refuses(
+      () => wave.evaluate({ positions, uniforms: { millis: '3' } }),
+      /the uniform "millis" must be a finite number, but is the text "3"/,
+    )
+    refuses(
+      () => wave.evaluate({ positions, uniforms: 3 }),
+      /uniforms must be an object, such as \{ millis: 1200 \}, but is the number 3/,
+    )
+    const follows = compileWarp(({ glsl, mouse }) => glsl.vec3(mouse, glsl.param('amount')))
+    refuses(() => follows.evaluate({ positions, uniforms: { mouse: [1, 2] } }), /reads "amount"/)
+    refuses(() => follows.evaluate({ positions, uniforms: { amount: 1 } }), /"mouse": \[0,0\]/)
+    refuses(
+      () => follows.evaluate({ positions, uniforms: { amount: 1, mouse: [1] } }),
+      /"mouse" must be an array of 2 finite numbers, but is an array of 1/,
+    )
+  })
+
+  test('attributes that the warp reads', () => {
+    const colored = compileWarp(({ color }) => color.rgb())
+    refuses(
+      () => colored.evaluate({ positions }),
+      /the warp reads the color of each vertex, but no colors came/,
+    )
+    const inflated = compileWarp(({ normal }) => normal.mult(2))
+    refuses(
+      () => inflated.evaluateAt(positions),
+      /evaluateAt: the warp reads the normal of each vertex, but no normals came/,
+    )
+  })
+
+  test('boxes', () => {
+    refuses(
+      () => wave.bounds(),
+      /bounds: the box must be a box \{ min, max \}, each of 3 numbers, but is undefined/,
+    )
+    refuses(
+      () => wave.bounds({ min: [0, 0, 0] }),
+      /bounds: the box\.max must be an array of 3 finite numbers, but is undefined/,
+    )
+    refuses(
+      () => wave.bounds({ min: [0, 2, 0], max: [1, 1, 1] }, uniforms),
+      /min\[1\] is 2, above the box\.max\[1\], which is 1|min\[1\] is 2, above/,
+    )
+    refuses(
+      () => wave.bounds({ min: [0, 0, 0], max: [1, 1, 1] }),
+      /bounds: the warp reads "millis"/,
+    )
+  })
+
+  test('warps that the CPU cannot run, and without normals', () => {
+    const own = compileWarp(({ glsl, position }) => {
+      const bump = glsl.fn({
+        name: 'bump',
+        source: 'float bump(float x) { return x; }',
+        arity: 1,
+        derivatives: [1],
+      })
+      return glsl.vec3(bump(position.x()), 0, 0)
+    })
+    for (const method of ['evaluate', 'foldover'])
+      refuses(
+        () => own[method]({ positions }),
+        new RegExp(
+          `${method}: this warp calls a function of glsl\\.fn, which can only be computed by the GPU`,
+        ),
+      )
+    const bare = compileWarp(({ position }) => position, { normals: false })
+    refuses(
+      () => bare.foldover({ positions }),
+      /foldover: the warp was compiled with "normals: false"/,
+    )
+  })
+
+  test('tangents without normals', () => {
+    refuses(
+      () => compileWarp(({ position }) => position, { normals: false, tangents: true }),
+      /compileWarp: tangents are turned with the normal; leave "normals: false" out/,
+    )
+    refuses(
+      () => compileWarp(({ position }) => position, { tangents: 1 }),
+      /compileWarp: the option "tangents" must be true or false, but is the number 1/,
+    )
+  })
+})

@@ -1,0 +1,93 @@
+// How far warped triangles are from the warped surface, measured by dense samples and not by what `subdivide` looks at.
+
+/**
+ * The largest distance from a point of the true surface (a point inside a triangle of `mesh`, warped) to that triangle
+ * with its corners warped: to the closest point of it. Samples lie in each triangle on a lattice no wider than
+ * `spacing`, measured before the warp, and with at least four steps a side.
+ */
+export function deviation(mesh, warp, uniforms, spacing) {
+  // No warp that is measured reads normals, but each wants some.
+  const moved = (positions) =>
+    warp.evaluate({ positions, normals: new Float32Array(positions.length), uniforms }).positions
+  const corners = moved(mesh.positions)
+  let most = 0
+  let batch = []
+  let positions = []
+  const flush = () => {
+    const points = moved(Float32Array.from(positions))
+    let next = 0
+    for (const { triangle, steps } of batch)
+      for (const [s, t] of lattice(steps)) {
+        const sample = point(points, next++)
+        // No point of the triangle is farther than the closest: most samples need no more than this.
+        if (length(sub(sample, between(triangle, s, t))) > most)
+          most = Math.max(most, distanceToTriangle(sample, triangle))
+      }
+    batch = []
+    positions = []
+  }
+  for (let t = 0; t < mesh.indices.length / 3; t++) {
+    const at = (from) => [0, 1, 2].map((side) => point(from, mesh.indices[3 * t + side]))
+    const before = at(mesh.positions)
+    const [a, b, c] = before
+    const longest = Math.max(length(sub(b, a)), length(sub(c, b)), length(sub(a, c)))
+    const steps = Math.max(4, Math.ceil(longest / spacing))
+    for (const [s, t] of lattice(steps)) positions.push(...between(before, s, t))
+    batch.push({ triangle: at(corners), steps })
+    if (positions.length > 3e5) flush()
+  }
+  flush()
+  return most
+}
+
+/** Edges, by the positions of their ends, that are not used by `times` triangles: cracks of a closed mesh, with 2. */
+export function edgesNotUsed(times, { positions, indices }) {
+  const used = new Map()
+  const key = (v) => point(positions, v).join()
+  for (let i = 0; i < indices.length; i++) {
+    const ends = [key(indices[i]), key(indices[i % 3 === 2 ? i - 2 : i + 1])].sort().join('|')
+    used.set(ends, (used.get(ends) ?? 0) + 1)
+  }
+  return [...used].filter(([, count]) => count !== times).map(([ends]) => ends)
+}
+
+const point = (array, i) => [array[3 * i], array[3 * i + 1], array[3 * i + 2]]
+const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+const length = (a) => Math.sqrt(dot(a, a))
+
+const between = ([a, b, c], s, t) => [
+  a[0] + s * (b[0] - a[0]) + t * (c[0] - a[0]),
+  a[1] + s * (b[1] - a[1]) + t * (c[1] - a[1]),
+  a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]),
+]
+
+const lattices = new Map()
+function lattice(steps) {
+  if (!lattices.has(steps)) {
+    const points = []
+    for (let i = 0; i <= steps; i++)
+      for (let j = 0; j <= steps - i; j++) points.push([i / steps, j / steps])
+    lattices.set(steps, points)
+  }
+  return lattices.get(steps)
+}
+
+/** To the inside if the foot of the perpendicular is there, else to the nearest side. */
+function distanceToTriangle(p, [a, b, c]) {
+  const [ab, ac, ap] = [sub(b, a), sub(c, a), sub(p, a)]
+  const [uu, uv, vv] = [dot(ab, ab), dot(ab, ac), dot(ac, ac)]
+  const [u, v] = [dot(ap, ab), dot(ap, ac)]
+  const area = uu * vv - uv * uv
+  const s = (vv * u - uv * v) / area
+  const t = (uu * v - uv * u) / area
+  if (s >= 0 && t >= 0 && s + t <= 1) return length(sub(p, between([a, b, c], s, t)))
+  return Math.min(distanceToSide(p, a, b), distanceToSide(p, b, c), distanceToSide(p, c, a))
+}
+
+function distanceToSide(p, a, b) {
+  const [along, away] = [sub(b, a), sub(p, a)]
+  const squared = dot(along, along)
+  const t = squared ? Math.min(1, Math.max(0, dot(away, along) / squared)) : 0
+  return length(sub(p, between([a, b, a], t, 0)))
+}

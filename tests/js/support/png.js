@@ -1,0 +1,39 @@
+// A picture as the bytes of a PNG file (PNG specification, section 5), 8 bits of red, green and blue.
+import { crc32, deflateSync } from 'node:zlib'
+
+const crc = crc32 ?? slowCrc32
+
+export function png(width, height, pixel) {
+  const rows = []
+  for (let y = 0; y < height; y++)
+    rows.push(0, ...Array.from({ length: width }, (_, x) => pixel(x, y)).flat())
+  const header = Buffer.alloc(13)
+  header.writeUInt32BE(width, 0)
+  header.writeUInt32BE(height, 4)
+  header.set([8, 2, 0, 0, 0], 8)
+  const chunks = [
+    ['IHDR', header],
+    ['IDAT', deflateSync(Buffer.from(rows))],
+    ['IEND', Buffer.alloc(0)],
+  ]
+  const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a])
+  return new Uint8Array(Buffer.concat([signature, ...chunks.map(chunk)]))
+}
+
+function chunk([type, data]) {
+  const body = Buffer.concat([Buffer.from(type, 'latin1'), data])
+  const ends = Buffer.alloc(8)
+  ends.writeUInt32BE(data.length, 0)
+  ends.writeUInt32BE(crc(body) >>> 0, 4)
+  return Buffer.concat([ends.subarray(0, 4), body, ends.subarray(4)])
+}
+
+/** Node before 22.2 has no `crc32`. */
+function slowCrc32(bytes) {
+  let sum = -1
+  for (const byte of bytes) {
+    sum ^= byte
+    for (let i = 0; i < 8; i++) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0)
+  }
+  return ~sum
+}

@@ -1,0 +1,40 @@
+// What the types of 'warpjet/mesh' must allow and refuse; only checked, never run.
+import { compileWarp } from '../../js-bindings/index.js'
+import {
+  type Mesh,
+  type Resolve,
+  bakeWarp,
+  exportGLB,
+  loadMesh,
+  subdivide,
+} from '../../js-bindings/mesh.js'
+
+const warp = compileWarp(({ position }) => position)
+const resolve: Resolve = (uri) => (uri ? new Uint8Array(1) : undefined)
+
+export async function use(file: File) {
+  const mesh: Mesh = await loadMesh(file)
+  await loadMesh('model.gltf', { resolve })
+  await loadMesh(new URL('https://a.b/c.glb'), { resolve: async () => new ArrayBuffer(1) })
+  const [first]: number[] = [...mesh.positions, ...(mesh.uvs ?? []), ...(mesh.indices ?? [])]
+  const color: number[] | undefined = mesh.material?.baseColor
+  const bytes: Uint8Array = exportGLB(bakeWarp(mesh, warp, { millis: 1200, wind: [1, 0] }))
+  const fine: Mesh = subdivide(mesh, { warp, tolerance: 0.01, uniforms: { millis: 0 }, angle: 0.1 })
+  const finer: Mesh = subdivide(fine, { levels: 2, maxTriangles: 1e6 })
+  exportGLB({ positions: [0, 0, 0], indices: new Uint16Array(3) })
+  warp.evaluate(mesh)
+
+  // @ts-expect-error a number is no source
+  await loadMesh(7)
+  // @ts-expect-error a promise is no mesh
+  exportGLB(loadMesh(file))
+  // @ts-expect-error no warp
+  bakeWarp(mesh, { millis: 1200 })
+  // @ts-expect-error a uniform is numbers
+  bakeWarp(mesh, warp, { millis: '1200' })
+  // @ts-expect-error neither a tolerance nor levels
+  subdivide(mesh, { warp })
+  // @ts-expect-error a mesh has positions
+  exportGLB({ normals: [0, 0, 1] })
+  return { first, color, bytes, finer }
+}
