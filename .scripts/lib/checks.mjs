@@ -1,5 +1,6 @@
 // The steps of `npm test`, each ends well or throws.
 import { availableParallelism } from 'node:os'
+import { fuzz } from '../fuzz.mjs'
 import { staleFiles } from '../reference.mjs'
 import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
@@ -59,6 +60,8 @@ export const checks = [
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
   { group: 'cpp', title: 'C++ tests', work: () => cpp('native') },
   { group: 'cpp', title: 'C++ tests under ASan and UBSan', work: () => cpp('sanitize') },
+  // From the committed seeds alone, so that it takes the same time everywhere.
+  { group: 'fuzz', title: 'Fuzzing', work: () => fuzz({ seconds: 60, isKept: false }) },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },
   // One after the other: each starts a browser that takes every core.
   {

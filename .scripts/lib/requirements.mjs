@@ -31,20 +31,36 @@ static_assert(std::get<0>(rows)(1.0) == 2.0 && Key{1, 2} < Key{1, 3});
 int main() { const int n[] = {0}; return std::span(n)[0] + int(std::bit_cast<std::uint32_t>(0.0f)); }
 `
 
+/** Whether the compiler makes a program of this source, remembered for as long as it stays the same. */
+const compiles = (compiler, name, source, args) =>
+  remembered(compiler, [source, ...args].join('\0'), async () => {
+    const file = path('.build', `${name}.cpp`)
+    mkdirSync(path('.build'), { recursive: true })
+    writeFileSync(file, source)
+    const output = await capture(compiler, [...args, file, '-o', path('.build', name)])
+    return output === null ? null : 'yes'
+  })
+
 async function compiler() {
   const file = onPath(...[process.env.CXX, 'c++', 'g++', 'clang++'].filter(Boolean))
   if (!file) return {}
   const version = await versionOf(file)
-  const works = await remembered(file, probe, async () => {
-    const source = path('.build/probe.cpp')
-    mkdirSync(path('.build'), { recursive: true })
-    writeFileSync(source, probe)
-    const args = ['-std=c++20', source, '-o', path('.build/probe')]
-    return (await capture(file, args)) === null ? null : 'yes'
-  })
-  return works
+  return (await compiles(file, 'probe', probe, ['-std=c++20']))
     ? { found: `${version} (${file})` }
     : { wrong: `${file} ${version} does not compile C++20` }
+}
+
+const fuzzProbe = `extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }
+`
+
+/** For `npm run fuzz`: clang, and libFuzzer with the sanitizers, which Debian has in a package of its own. */
+async function libFuzzer() {
+  const file = onPath('clang++')
+  if (!file) return {}
+  const args = ['-fsanitize=fuzzer,address,undefined']
+  return (await compiles(file, 'fuzz-probe', fuzzProbe, args))
+    ? { found: `${await versionOf(file)} (${file})` }
+    : {}
 }
 
 export const requirements = [
@@ -62,6 +78,7 @@ export const requirements = [
     apt: ['g++'],
     advice: 'install g++ 11 or newer and name it in CXX',
   },
+  { name: "clang's libFuzzer", find: libFuzzer, apt: ['clang', 'libclang-rt-dev'] },
   {
     name: 'GoogleTest',
     find: () => ({ found: cmakePackageVersion('GTest') }),

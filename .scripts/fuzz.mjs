@@ -1,0 +1,140 @@
+// npm run fuzz: gives the fuzz targets of tests/fuzz new bytes for a time, under the sanitizers. What reached new places in
+// the code is kept in .build/fuzz/corpus, so that the next run goes on from there.
+import { spawn } from 'node:child_process'
+import { createWriteStream, mkdirSync, readdirSync, rmSync } from 'node:fs'
+import { availableParallelism } from 'node:os'
+import { createInterface } from 'node:readline'
+import { parseArgs } from 'node:util'
+import { cmakeBuild } from './lib/cmake.mjs'
+import { path, walk } from './lib/files.mjs'
+import { run } from './lib/run.mjs'
+import { Stop, good, heading, isMain, main, say } from './lib/terminal.mjs'
+import { setup } from './setup.mjs'
+
+const folder = '.build/fuzz'
+const seeds = 'tests/fuzz/corpus'
+
+/** By name, what libFuzzer is told: the longest input, in bytes, and the words of the format. */
+const targets = {
+  mesh: ['-max_len=8192', '-dict=tests/fuzz/gltf.dict'],
+  graph: ['-max_len=1024'],
+}
+
+// One input may take 10 s and 2 GB, and ask for 1.5 GB at once: the largest mesh that a file may claim has 1.
+const limits = ['-timeout=10', '-rss_limit_mb=2048', '-malloc_limit_mb=1536', '-print_final_stats=1']
+
+/** Runs the targets at once where there are cores for it; `isKept` says whether to go on from earlier runs. */
+export async function fuzz({ seconds, names = Object.keys(targets), isKept = true }) {
+  await cmakeBuild('fuzz', ...names.map((name) => `${name}_fuzz`))
+  const results = []
+  if (availableParallelism() >= names.length)
+    results.push(...(await Promise.all(names.map((name) => runTarget(name, seconds, isKept)))))
+  else for (const name of names) results.push(await runTarget(name, seconds, isKept))
+  const problems = results.filter(Boolean)
+  if (problems.length) throw new Stop(problems.join('\n'))
+}
+
+/** A sentence if it found something. */
+async function runTarget(name, seconds, isKept) {
+  const corpus = `${folder}/${isKept ? 'corpus' : 'scratch'}/${name}`
+  if (!isKept) rmSync(path(corpus), { recursive: true, force: true })
+  const findings = `${folder}/findings`
+  for (const needed of [corpus, findings]) mkdirSync(path(needed), { recursive: true })
+  const known = new Set(readdirSync(path(findings)))
+
+  const program = `${folder}/${name}_fuzz`
+  const args = [corpus, `${seeds}/${name}`, `-max_total_time=${seconds}`, ...limits]
+  const log = `${findings}/${name}.log`
+  const { code, progress, reason } = await follow(
+    name,
+    spawn(path(program), [...args, `-artifact_prefix=${findings}/${name}-`, ...targets[name]], {
+      cwd: path(),
+      stdio: ['ignore', 'ignore', 'pipe'],
+    }),
+    createWriteStream(path(log)),
+  )
+  if (code === 0) {
+    good(`${name}: ${progress}; nothing found`)
+    return null
+  }
+  const [input] = readdirSync(path(findings)).filter(
+    (file) => file.startsWith(`${name}-`) && !known.has(file),
+  )
+  const why = reason ?? `it ended with ${code}`
+  return input
+    ? `${name}: ${why}; see ${log}, and run it again with: ${program} ${findings}/${input}`
+    : `${name}: ${why}; see ${log}.`
+}
+
+// What the sanitizers, libFuzzer and tests/fuzz/require.hpp say of a finding.
+const reasons = [/^NOT TRUE: (.*)/, /runtime error: (.*)/, /^=*\d+=+ ?ERROR: (.*)/]
+
+/** Says every ten seconds how far it is. */
+async function follow(name, child, log) {
+  const ended = new Promise((resolve) => {
+    child.on('error', (error) => resolve(error.code))
+    child.on('close', (code, signal) => resolve(code ?? signal))
+  })
+  let progress = 'no runs'
+  let reason
+  let next = performance.now() + 10_000
+  for await (const line of createInterface(child.stderr)) {
+    log.write(`${line}\n`)
+    reason ??= reasons.map((pattern) => line.match(pattern)?.[1]).find(Boolean)
+    const [, runs, places] = line.match(/^#(\d+)\s.*\bcov: (\d+)/) ?? []
+    if (runs) progress = `${count(runs)} runs, ${count(places)} edges of the code covered`
+    if (runs && performance.now() > next) {
+      say(`${name}: ${progress}`)
+      next = performance.now() + 10_000
+    }
+  }
+  log.end()
+  return { code: await ended, progress, reason }
+}
+
+const count = (text) => Number(text).toLocaleString('en')
+
+/** Writes tests/fuzz/corpus anew. */
+async function writeSeeds() {
+  await cmakeBuild('fuzz', 'fuzz_seeds')
+  rmSync(path(seeds), { recursive: true, force: true })
+  await run(path(folder, 'fuzz_seeds'), [seeds])
+  good(`${walk(seeds).length} files in ${seeds}`)
+}
+
+const help = `npm run fuzz -- [--seconds 60] [--target ${Object.keys(targets).join('|')}] [--seeds]
+
+  --seconds  how long each target runs; 60 by default
+  --target   only this one; otherwise all, at once where there are cores for it
+  --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp, and ends`
+
+function options() {
+  try {
+    const { values } = parseArgs({
+      options: {
+        seconds: { type: 'string', default: '60' },
+        target: { type: 'string' },
+        seeds: { type: 'boolean' },
+        help: { type: 'boolean' },
+      },
+    })
+    return values
+  } catch (error) {
+    throw new Stop(`${error.message}\n\n${help}`)
+  }
+}
+
+async function start() {
+  const { seconds, target, seeds: writes, help: asks } = options()
+  if (asks) return say(help)
+  if (!(Number(seconds) >= 1 && Number.isInteger(Number(seconds))))
+    throw new Stop(`--seconds must be a whole number from 1 up, but is ${seconds}.`)
+  if (target !== undefined && !targets[target])
+    throw new Stop(`There is no target ${target}: choose from ${Object.keys(targets).join(', ')}.`)
+  await setup()
+  if (writes) return writeSeeds()
+  heading(`Fuzzing for ${seconds} s`)
+  await fuzz({ seconds: Number(seconds), names: target ? [target] : Object.keys(targets) })
+}
+
+if (isMain(import.meta)) await main(start)

@@ -1,0 +1,255 @@
+#include "fuzz/graph_calls.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "fuzz/require.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// Derivatives of derivatives grow without end.
+constexpr std::size_t mostNodes = 4000, mostValues = 1000;
+
+constexpr double largest = std::numeric_limits<float>::max();
+constexpr double tiny = std::numeric_limits<float>::denorm_min();
+
+constexpr std::array constants{0.0,
+                               -0.0,
+                               1.0,
+                               -1.0,
+                               2.0,
+                               0.5,
+                               3.0,
+                               1e-7,
+                               0.1,
+                               1e10,
+                               1e38,
+                               largest,
+                               -largest,
+                               tiny,
+                               -tiny,
+                               1e-38,
+                               16777217.0,
+                               255.0,
+                               3.14159265358979,
+                               1.5707963267948966,
+                               2147483648.0,
+                               1e-30,
+                               -0.7,
+                               1024.0};
+
+constexpr std::array names{"x",      "y",           "position", "position.x", "position[0]",
+                           "normal", "t0",          "t1",       "uv",         "sin",
+                           "float",  "gl_Position", "a.b.c",    "noise",      "bump",
+                           "main",   "(a + b)",     "f32",      "m * v",      "vec3",
+                           "offset", "position.xz", "result",   "__x",        "texture2D(s, uv).r",
+                           ""};
+
+constexpr std::array shapes{oneNumber,      vectorOf(2),    vectorOf(3),   vectorOf(4),
+                            matrixOf(2, 2), matrixOf(3, 3), matrixOf(4, 4)};
+
+// How many operands an operation takes, or two if any number.
+std::size_t arityOf(const Operation& operation) {
+  using Source = Operation::Source;
+  switch (operation.source) {
+    case Source::Row:
+      return static_cast<std::size_t>(ops::infos[operation.index].arity);
+    case Source::Composition:
+      return forms[operation.index].operands.size();
+    case Source::Part:
+      return 2;
+    default:
+      return operation.index;
+  }
+}
+
+}  // namespace
+
+int operationNamed(std::string_view name) {
+  std::size_t i = 0;
+  while (i < operations.size() && operations[i].name != name) ++i;
+  require(i < operations.size(), "there is such an operation", std::string(name));
+  return static_cast<int>(i);
+}
+
+void requireProblem(const Builder& builder) {
+  const std::string& problem = builder.problem();
+  require(problem.size() > 1 && problem.ends_with('.'), "a problem is one sentence", problem);
+}
+
+void GraphCalls::run() {
+  keep(builder_.input("vec3Param", "position", vectorOf(3)));
+  keep(builder_.input("param", "time", oneNumber));
+  while (!reader_.isAtEnd() && builder_.graph().size() < mostNodes && values_.size() < mostValues)
+    step();
+}
+
+void GraphCalls::keep(int handle) {
+  if (handle >= 0)
+    values_.push_back(handle);
+  else
+    requireProblem(builder_);
+}
+
+// The latest are the likeliest.
+int GraphCalls::value() {
+  const std::size_t back = reader_.byte();
+  const std::size_t least = back < 128 ? back / 16 : back - 120;
+  return values_[values_.size() - 1 - least % values_.size()];
+}
+
+int GraphCalls::valueLike(int handle) {
+  const int found = value();
+  if (builder_.shape(found) == builder_.shape(handle)) return found;
+  for (std::size_t i = values_.size(); i-- > 0;) {
+    if (values_[i] < found && builder_.shape(values_[i]) == builder_.shape(handle))
+      return values_[i];
+  }
+  return handle;
+}
+
+std::string GraphCalls::name() {
+  const int which = reader_.byte();
+  if (which < 224) return names[static_cast<std::size_t>(which) % names.size()];
+  hasForeignText_ = true;
+  return reader_.text(static_cast<std::size_t>(which - 224));
+}
+
+// What JavaScript lets through: 0, or within the range of float32 and not 0 there.
+void GraphCalls::constant(double value) {
+  const bool isHeld = std::abs(value) <= largest && (value == 0 || static_cast<float>(value) != 0);
+  if (isHeld) keep(builder_.constant(value));
+}
+
+void GraphCalls::step() {
+  switch (static_cast<Step>(reader_.below(static_cast<std::size_t>(Step::count)))) {
+    case Step::Constant:
+      constant(constants[static_cast<std::size_t>(reader_.byte()) % constants.size()]);
+      break;
+    case Step::OddConstant:
+      if (reader_.byte() & 1)
+        constant(reader_.number<double>());
+      else
+        constant(static_cast<double>(reader_.number<float>()));
+      break;
+    case Step::Input: {
+      const Shape shape = shapes[static_cast<std::size_t>(reader_.below(shapes.size()))];
+      keep(builder_.input("param", name(), shape));
+      break;
+    }
+    case Step::Call:
+      call(false);
+      break;
+    case Step::SameShape:
+      call(true);
+      break;
+    case Step::Swizzle: {
+      const int of = value(), count = 1 + reader_.below(4);
+      keep(builder_.swizzle(of, count, reader_.byte()));
+      break;
+    }
+    case Step::Derivative:
+      derivative();
+      break;
+    case Step::Function: {
+      const std::string of = name();
+      const int arity = 1 + reader_.below(4);
+      const int function =
+          builder_.addFunction(of, "float " + of + "(float a) { return a; }", arity);
+      if (function < 0) requireProblem(builder_);
+      if (function >= 0 && static_cast<std::size_t>(function) == arities_.size())
+        arities_.push_back(arity);
+      break;
+    }
+    case Step::CallFunction:
+      callFunction();
+      break;
+    case Step::Comment:
+      builder_.comment(name());
+      break;
+    case Step::Output:
+      output();
+      break;
+    case Step::Build:
+      if (!builder_.build(1 + reader_.byte())) requireProblem(builder_);
+      break;
+    case Step::Position:
+      values_.push_back(values_[0]);
+      break;
+    case Step::count:
+      break;
+  }
+}
+
+void GraphCalls::call(bool isSameShape) {
+  const int operation = reader_.below(operations.size());
+  const Operation& called = operations[static_cast<std::size_t>(operation)];
+  const int style = reader_.byte();
+  const std::size_t count = style < 224 ? arityOf(called) : static_cast<std::size_t>(style & 7);
+  const bool isMethod = (style & 1) != 0 && count > 0 && !called.isConstructor();
+  std::vector<int> operands;
+  for (std::size_t i = 0; i < count; ++i)
+    operands.push_back(isSameShape && i > 0 ? valueLike(operands[0]) : value());
+  callOperation(operation, operands, isMethod);
+}
+
+void GraphCalls::callOperation(int operation, const std::vector<int>& operands, bool isMethod) {
+  // As often as JavaScript might ask again before it gives up, but not as patiently.
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    for (const int operand : operands) builder_.push(operand);
+    const int result = builder_.call(operation, isMethod);
+    if (result != Builder::needsPartials) return keep(result);
+    givePartials();
+  }
+}
+
+void GraphCalls::givePartials() {
+  const std::vector<NodeId> pending = builder_.pendingCalls();
+  require(!pending.empty(), "there are calls without partials");
+  for (const NodeId call : pending) {
+    const auto function = static_cast<std::size_t>(builder_.functionOfCall(call));
+    require(function < arities_.size(), "it calls a function that there is");
+    std::vector<int> partials;
+    for (int i = 0; i < arities_[function]; ++i) {
+      const int argument = builder_.argumentOfCall(call, i);
+      partials.push_back(reader_.byte() & 1 ? argument : value());
+    }
+    for (const int partial : partials) builder_.push(partial);
+    if (!builder_.setPartials(call)) requireProblem(builder_);
+  }
+}
+
+void GraphCalls::derivative() {
+  static const std::array byPosition{
+      operationNamed("jacobian"),   operationNamed("gradient"),    operationNamed("adjustNormal"),
+      operationNamed("derivative"), operationNamed("deformation"), operationNamed("adjustTangent")};
+  const std::size_t which = static_cast<std::size_t>(reader_.below(byPosition.size()));
+  const int of = value(), position = values_[0];
+  if (which == 2)
+    callOperation(byPosition[which], {of, value(), position}, false);
+  else if (which == 5)
+    callOperation(byPosition[which], {of, value(), value(), position}, false);
+  else if (which == 3)
+    callOperation(byPosition[which], {of, values_[1]}, false);
+  else
+    callOperation(byPosition[which], {of, position}, false);
+}
+
+void GraphCalls::callFunction() {
+  if (arities_.empty()) return;
+  const int function = reader_.below(arities_.size());
+  const int count = reader_.byte() < 240 ? arities_[static_cast<std::size_t>(function)] : 2;
+  for (int i = 0; i < count; ++i) builder_.push(value());
+  keep(builder_.callFunction(function));
+}
+
+void GraphCalls::output() {
+  const std::string as =
+      reader_.byte() & 1 ? "out" + std::to_string(builder_.outputs().size()) : name();
+  if (!builder_.output("output", as, value())) requireProblem(builder_);
+}
+
+}  // namespace warpjet

@@ -1,0 +1,70 @@
+// Bytes as the calls that a sketch makes on a builder: whatever JavaScript lets through, sensible
+// or not.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "builder/builder.hpp"
+#include "fuzz/reader.hpp"
+
+namespace warpjet {
+
+// What each call starts with; the number of its byte is modulo `count`.
+enum class Step : std::uint8_t {
+  Constant,
+  OddConstant,
+  Input,
+  Call,
+  SameShape,  // a call on values of one shape, so that more of them succeed
+  Swizzle,
+  Derivative,
+  Function,
+  CallFunction,
+  Comment,
+  Output,
+  Build,
+  Position,  // the input whose derivatives warps need
+  count
+};
+
+class GraphCalls {
+ public:
+  GraphCalls(Builder& builder, Reader& reader) : builder_(builder), reader_(reader) {}
+
+  // Until the bytes end, or there is as much as a run has time for.
+  void run();
+
+  // By handle, what calls have given.
+  const std::vector<int>& values() const { return values_; }
+  // Whether a name or a text came out of the bytes, so that the shader's text may have anything.
+  bool hasForeignText() const { return hasForeignText_; }
+
+ private:
+  void step();
+  void keep(int handle);
+  int value();
+  int valueLike(int handle);
+  std::string name();
+  void constant(double value);
+  void call(bool isSameShape);
+  void callOperation(int operation, const std::vector<int>& operands, bool isMethod);
+  void givePartials();
+  void derivative();
+  void callFunction();
+  void output();
+
+  Builder& builder_;
+  Reader& reader_;
+  std::vector<int> values_;
+  std::vector<int> arities_;  // of functions, by number
+  bool hasForeignText_ = false;
+};
+
+int operationNamed(std::string_view name);
+
+// Whatever went wrong is said in one sentence.
+void requireProblem(const Builder& builder);
+
+}  // namespace warpjet

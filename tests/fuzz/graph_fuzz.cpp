@@ -1,0 +1,206 @@
+// Fuzz target of the graph, the emitter and the evaluators: bytes as calls on a builder, then all
+// that can be asked of it. The first byte chooses the language, the second the inputs' values; see
+// graph_calls.hpp for the others.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "emit/names.hpp"
+#include "emit/syntax.hpp"
+#include "eval/blocks.hpp"
+#include "eval/bounds.hpp"
+#include "eval/words.hpp"
+#include "fuzz/graph_calls.hpp"
+#include "fuzz/require.hpp"
+
+namespace warpjet {
+namespace {
+
+constexpr std::size_t vertices = 5, mostResults = 12;
+constexpr std::uint32_t mostInstructions = 1500;
+
+// Every number of a text must be one that a float holds.
+void checkNumbers(const std::string& text) {
+  for (std::size_t i = 0; i < text.size();) {
+    if (isWordPart(text[i]) && !isDigit(text[i])) {
+      while (i < text.size() && isWordPart(text[i])) ++i;
+    } else if (isDigit(text[i])) {
+      char* end = nullptr;
+      const float number = std::strtof(&text[i], &end);
+      require(std::isfinite(number), "a literal is finite", text);
+      i = static_cast<std::size_t>(end - text.data());
+      while (i < text.size() && isWordPart(text[i])) ++i;
+    } else {
+      ++i;
+    }
+  }
+}
+
+void checkText(const std::string& text) {
+  for (const std::string_view word : identifiers(text)) {
+    require(word != "nan" && word != "inf" && word != "NaN" && word != "Infinity",
+            "no literal is odd", text);
+  }
+  for (const auto& [open, close] : {std::pair{'(', ')'}, {'{', '}'}, {'[', ']'}}) {
+    require(
+        std::count(text.begin(), text.end(), open) == std::count(text.begin(), text.end(), close),
+        "brackets are in pairs", text);
+  }
+  checkNumbers(text);
+}
+
+void checkBuild(Builder& builder, bool hasForeignText) {
+  const auto built = builder.build();
+  if (!built) return requireProblem(builder);
+  require(builder.problem().empty(), "there is a text or a problem", builder.problem());
+  if (!hasForeignText) checkText(built->emitted.code);
+}
+
+// The numbers of all inputs, vertex by vertex, within a range each; uniform ones are all the same.
+struct Given {
+  std::vector<Range> ranges;
+  std::vector<bool> isUniform;             // by number
+  std::vector<std::vector<float>> values;  // by input
+  std::vector<Stream> streams;
+
+  std::vector<double> numbers(std::size_t vertex) const {
+    std::vector<double> all;
+    for (const auto& [first, size, uniform] : streams) {
+      const float* from = first + (uniform ? 0 : vertex * size);
+      all.insert(all.end(), from, from + size);
+    }
+    return all;
+  }
+};
+
+float oddNumber(std::minstd_rand& random) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float odd[] = {0, -0.0f, 1, -1, infinity, -infinity, NAN, 3e38f, -3e38f, 1e-40f, 1e10f};
+  return odd[random() % std::size(odd)];
+}
+
+Given givenInputs(const Graph& graph, unsigned style) {
+  std::minstd_rand random(style + 1);
+  const bool isOdd = style & 1;
+  Given given;
+  for (std::uint32_t i = 0; i < graph.inputCount(); ++i) {
+    const auto size = static_cast<std::size_t>(graph.input(i).shape.size());
+    const bool isUniform = (style >> (1 + i % 7) & 1) != 0;
+    std::vector<float> values;
+    for (std::size_t n = 0; n < (isUniform ? size : size * vertices); ++n) {
+      const float number = static_cast<float>(static_cast<int>(random() % 4097) - 2048) / 1024;
+      values.push_back(isOdd ? oddNumber(random) : number);
+    }
+    for (std::size_t k = 0; k < size; ++k) {
+      given.isUniform.push_back(isUniform);
+      const double value = values[k];
+      given.ranges.push_back(isUniform || isOdd ? Range{value, value} : Range{-2, 2});
+    }
+    given.values.push_back(std::move(values));
+    given.streams.push_back(
+        {given.values.back().data(), static_cast<std::uint32_t>(size), isUniform});
+  }
+  return given;
+}
+
+// Values that are numbers in all their components, the latest ones, pushed. How many numbers.
+std::size_t pushResults(Builder& builder, const std::vector<int>& values) {
+  std::size_t pushed = 0;
+  for (std::size_t i = values.size(); i-- > 0;) {
+    const auto size = static_cast<std::size_t>(builder.shape(values[i]).size());
+    if (pushed + size > mostResults) break;
+    builder.push(values[i]);
+    pushed += size;
+  }
+  return pushed;
+}
+
+bool isNumber(const Words& words, std::uint32_t instruction) {
+  const Op op = words.op(instruction);
+  return index(op) >= ops::count || ops::info(op).signature.result == ops::Type::Float;
+}
+
+std::string nameOf(const Words& words, std::uint32_t instruction) {
+  const Op op = words.op(instruction);
+  return index(op) < ops::count ? std::string(ops::info(op).name) : "a leaf";
+}
+
+// The same program, with a result for each instruction.
+std::vector<std::uint32_t> withAllResults(const Program& program) {
+  std::vector<std::uint32_t> words(
+      program.words.begin(), program.words.begin() + program.instructions * Words::perInstruction);
+  for (std::uint32_t i = 0; i < program.instructions; ++i) words.push_back(i);
+  return words;
+}
+
+// Far from where float32 overflows and underflows, which bounds do not follow.
+bool isOrdinaryFloat(double value) {
+  return value == 0 || (std::abs(value) > 1e-30 && std::abs(value) < 1e30);
+}
+
+void requireWithin(const Range& range, double value, const std::string& of) {
+  require(!std::isfinite(value) || (range.low <= value && value <= range.high),
+          "bounds hold every value",
+          of + " is " + exactly(value) + ", not from " + exactly(range.low) + " to " +
+              exactly(range.high));
+}
+
+void checkEvaluation(Builder& builder, const std::vector<int>& handles, unsigned style) {
+  const std::size_t results = pushResults(builder, handles);
+  const auto program = builder.program();
+  if (!program || program->instructions > mostInstructions) return;
+  const Words words(program->words, program->instructions);
+  std::vector<std::uint32_t> wanted;
+  for (std::uint32_t i = 0; i < results; ++i) {
+    if (isNumber(words, words.result(i))) wanted.push_back(i);
+  }
+  if (wanted.empty()) return;
+
+  const Given given = givenInputs(builder.graph(), style);
+  BlockEvaluator evaluator(
+      allocateRegisters(program->words, program->instructions, wanted, given.isUniform),
+      given.streams);
+  std::vector<float> found(vertices * wanted.size());
+  const Sink sinks[] = {{found.data(), static_cast<std::uint32_t>(wanted.size())}};
+  evaluator.run(vertices, given.streams, sinks);
+
+  const std::vector<Range> outer = bounds(program->words, program->instructions, given.ranges,
+                                          wanted, {.tolerance = 0.02, .budget = 5'000});
+  require(outer.size() == wanted.size(), "each result has bounds");
+  if (style & 1) return;
+  std::vector<double> values(program->instructions);
+  const std::vector<std::uint32_t> everything = withAllResults(*program);
+  for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+    evaluate(everything, program->instructions, given.numbers(vertex), values);
+    const bool isOrdinary = std::all_of(values.begin(), values.end(), isOrdinaryFloat);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const std::uint32_t instruction = words.result(wanted[i]);
+      const std::string name = nameOf(words, instruction);
+      requireWithin(outer[i], values[instruction], name);
+      if (isOrdinary)
+        requireWithin(outer[i], double{found[vertex * wanted.size() + i]}, name + " in float32");
+    }
+  }
+}
+
+void check(std::span<const std::uint8_t> bytes) {
+  Reader reader(bytes);
+  const Dialect* const dialects[] = {&glsl300, &glsl100, &wgsl};
+  Builder builder(*dialects[reader.below(3)]);
+  const unsigned style = reader.byte();
+  GraphCalls calls(builder, reader);
+  calls.run();
+  builder.output("output", "last", calls.values().back());
+  checkBuild(builder, calls.hasForeignText());
+  checkEvaluation(builder, calls.values(), style);
+}
+
+}  // namespace
+}  // namespace warpjet
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  warpjet::check({data, size});
+  return 0;
+}

@@ -1,0 +1,160 @@
+// Files of meshes: each way of a glTF or OBJ to say a few triangles.
+#include "cpp/gltf_builder.hpp"
+#include "fuzz/seeds.hpp"
+
+namespace warpjet {
+
+namespace {
+
+void write(const std::string& name, const File& bytes) { writeSeed("mesh", name, bytes); }
+
+// Two triangles.
+const std::vector<float> square{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+const std::vector<float> upwards{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+const std::vector<std::uint16_t> corners{0, 1, 2, 0, 2, 3};
+
+GltfBuilder squareFile(const json& more = {}) {
+  GltfBuilder file;
+  const int positions = file.floats(square, "VEC3");
+  json primitive = {{"indices", file.accessor(corners, "SCALAR")}};
+  if (more.is_object()) primitive.update(more);
+  file.mesh({{"POSITION", positions}}, primitive);
+  file.node({{"mesh", 0}});
+  return file;
+}
+
+json& attributesOf(GltfBuilder& file) {
+  return file.tree["meshes"][0]["primitives"][0]["attributes"];
+}
+
+GltfBuilder allAttributes() {
+  GltfBuilder file = squareFile();
+  attributesOf(file)["NORMAL"] = file.floats(upwards, "VEC3");
+  attributesOf(file)["TANGENT"] =
+      file.floats({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, -1}, "VEC4");
+  attributesOf(file)["TEXCOORD_0"] = file.floats({0, 0, 1, 0, 1, 1, 0, 1}, "VEC2");
+  attributesOf(file)["COLOR_0"] = file.accessor<std::uint8_t>(
+      {255, 0, 0, 0, 255, 0, 0, 0, 255, 9, 9, 9}, "VEC3", {{"normalized", true}});
+  return file;
+}
+
+GltfBuilder textured() {
+  GltfBuilder file = allAttributes();
+  file.tree["images"] = {{{"bufferView", file.view<std::uint8_t>({0x89, 'P', 'N', 'G', 13, 10})},
+                          {"mimeType", "image/png"}}};
+  file.tree["textures"] = {{{"source", 0}}};
+  file.tree["materials"] = {{{"pbrMetallicRoughness",
+                              {{"baseColorTexture", {{"index", 0}, {"texCoord", 0}}},
+                               {"baseColorFactor", {1, 0.5, 0, 1}}}}}};
+  file.tree["meshes"][0]["primitives"][0]["material"] = 0;
+  return file;
+}
+
+GltfBuilder quantized() {
+  GltfBuilder file;
+  file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"KHR_mesh_quantization"};
+  const int positions = file.accessor<std::int16_t>({0, 0, 0, 32767, 0, 0, 0, 32767, 0}, "VEC3",
+                                                    {{"normalized", true}});
+  const int normals =
+      file.accessor<std::int8_t>({0, 0, 127, 0, 0, 127, 0, 0, 127}, "VEC3", {{"normalized", true}});
+  file.mesh({{"POSITION", positions}, {"NORMAL", normals}});
+  file.node({{"mesh", 0}, {"scale", {3, -1, 2}}});
+  return file;
+}
+
+GltfBuilder sparse() {
+  GltfBuilder file = squareFile();
+  file.tree["accessors"][0]["sparse"] = {
+      {"count", 2},
+      {"indices", {{"bufferView", file.view<std::uint8_t>({1, 3})}, {"componentType", 5121}}},
+      {"values", {{"bufferView", file.view<float>({7, 8, 9, 1, 2, 3})}}}};
+  return file;
+}
+
+GltfBuilder interleaved() {
+  GltfBuilder file;
+  file.accessor<float>({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1}, "VEC3",
+                       {{"count", 3}});
+  file.tree["bufferViews"][0]["byteStride"] = 24;
+  file.add("accessors", {{"bufferView", 0},
+                         {"byteOffset", 12},
+                         {"componentType", 5126},
+                         {"count", 3},
+                         {"type", "VEC3"}});
+  file.mesh({{"POSITION", 0}, {"NORMAL", 1}});
+  file.node({{"mesh", 0}});
+  return file;
+}
+
+GltfBuilder scene() {
+  GltfBuilder file = squareFile();
+  file.tree["nodes"] = {
+      {{"children", {1, 2}}, {"translation", {1, 2, 3}}},
+      {{"mesh", 0}, {"rotation", {0, 0, 0.7071068, 0.7071068}}},
+      {{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}}};
+  file.tree["scenes"] = {{{"nodes", {0}}}};
+  file.tree["scene"] = 0;
+  return file;
+}
+
+GltfBuilder twoMaterials() {
+  GltfBuilder file = squareFile({{"material", 0}});
+  file.mesh({{"POSITION", file.floats(triangle, "VEC3")}}, {{"material", 1}});
+  file.node({{"mesh", 1}});
+  file.tree["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}}}},
+                            {{"pbrMetallicRoughness", {{"baseColorFactor", {0, 1, 0, 1}}}}}};
+  return file;
+}
+
+GltfBuilder ignored() {
+  GltfBuilder file = squareFile();
+  file.tree["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
+  file.tree["skins"] = {{{"joints", {0}}}};
+  file.tree["nodes"][0]["skin"] = 0;
+  file.tree["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
+  file.tree["extensionsUsed"] = {"KHR_materials_unlit"};
+  return file;
+}
+
+// See split_files.hpp.
+File split(const std::vector<File>& externals, const File& file) {
+  File all{static_cast<std::uint8_t>(externals.size())};
+  for (const File& external : externals) {
+    all.push_back(static_cast<std::uint8_t>(external.size()));
+    all.push_back(static_cast<std::uint8_t>(external.size() >> 8));
+    all.insert(all.end(), external.begin(), external.end());
+  }
+  all.insert(all.end(), file.begin(), file.end());
+  return all;
+}
+
+}  // namespace
+
+void writeMeshSeeds() {
+  write("triangle.glb", triangleFile().glb());
+  write("square.glb", squareFile().glb());
+  write("strip.glb", squareFile({{"mode", 5}}).glb());
+  write("fan.glb", squareFile({{"mode", 6}}).glb());
+  write("lines.glb", squareFile({{"mode", 1}}).glb());
+  write("attributes.glb", allAttributes().glb());
+  write("textured.glb", textured().glb());
+  write("quantized.glb", quantized().glb());
+  write("sparse.glb", sparse().glb());
+  write("interleaved.glb", interleaved().glb());
+  write("scene.glb", scene().glb());
+  write("materials.glb", twoMaterials().glb());
+  write("ignored.glb", ignored().glb());
+  write("embedded.gltf", allAttributes().embedded());
+  GltfBuilder pictured = textured();
+  pictured.tree["images"] = {{{"uri", "a%20picture.png"}}};
+  write("external", split({pictured.binary, {0x89, 'P', 'N', 'G'}}, pictured.external("a.bin")));
+  write("missing.gltf", squareFile().external("a.bin"));
+
+  write("square.obj", bytesOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
+  write("full.obj", bytesOf("# a comment\nmtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0.5e-1\n"
+                            "vt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\ng part\nusemtl red\ns 1\n"
+                            "f 1/1/1 2/2/1 3/3/1\nf -3//-1 -2//-1 \\\n -1//-1\nf 1/1 2/2 3/3\n"));
+  write("colours.obj", bytesOf("v 0 0 0 1 0 0\r\nv 1 0 0 0 1 0\r\nv 0 1 0 0 0 1\r\nf 1 2 3\r\n"));
+}
+
+}  // namespace warpjet

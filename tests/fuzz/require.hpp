@@ -1,0 +1,25 @@
+// What must hold for any bytes. If it does not, the program ends, and libFuzzer keeps the bytes.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+namespace warpjet {
+
+inline void require(bool holds, std::string_view what, const std::string& found = {}) {
+  if (holds) return;
+  std::fprintf(stderr, "NOT TRUE: %.*s; %s\n", static_cast<int>(what.size()), what.data(),
+               found.c_str());
+  std::abort();
+}
+
+// With all its digits.
+inline std::string exactly(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+}  // namespace warpjet
