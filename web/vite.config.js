@@ -1,4 +1,4 @@
-// The gallery's build, and with it the pages of the benchmark: `npm start` serves them,
+// The gallery's build, and with it its other pages: `npm start` serves them,
 // `vite build --config web/vite.config.js` writes them to .build/gallery.
 import { fileURLToPath } from 'node:url'
 import { exampleFiles } from './plugins/example-files.js'
@@ -30,7 +30,7 @@ export default {
     emptyOutDir: true,
     // Making the models takes most of a build.
     rolldownOptions: {
-      input: ['index.html', 'bench/index.html', 'bench/results.html'].map(path),
+      input: ['index.html', 'bench/index.html', 'bench/results.html', 'drop/index.html'].map(path),
       checks: { pluginTimings: false },
     },
   },

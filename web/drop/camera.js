@@ -1,0 +1,115 @@
+/** The eye: dragging, two fingers, the wheel and keys turn it about the middle of the model and bring it nearer. */
+import { mat4, vec3 } from 'gl-matrix'
+
+const RADIANS_A_PIXEL = 0.008
+const RADIANS_A_KEY = 0.12
+/** From straight above, nothing says which way is up. */
+const STEEPEST = 1.5
+const FIELD = 0.6
+const usual = { longitude: 0.55, latitude: 0.22, distance: 4.6 }
+
+const clamp = (value, low, high) => Math.max(low, Math.min(high, value))
+
+/** @returns { view({ center, unit }, aspect), reset() } */
+export function makeCamera(canvas, changed) {
+  const at = { ...usual }
+  const pointers = new Map()
+
+  function turn(dx, dy) {
+    at.longitude -= dx
+    at.latitude = clamp(at.latitude + dy, -STEEPEST, STEEPEST)
+    changed()
+  }
+
+  function zoom(factor) {
+    at.distance = clamp(at.distance * factor, 1.5, 20)
+    changed()
+  }
+
+  function reset() {
+    Object.assign(at, usual)
+    changed()
+  }
+
+  const spread = () => {
+    const [a, b] = pointers.values()
+    return Math.hypot(a.x - b.x, a.y - b.y)
+  }
+
+  canvas.addEventListener('pointerdown', ({ pointerId, clientX: x, clientY: y }) => {
+    canvas.setPointerCapture(pointerId)
+    pointers.set(pointerId, { x, y })
+  })
+  canvas.addEventListener('pointermove', ({ pointerId, clientX: x, clientY: y }) => {
+    const before = pointers.get(pointerId)
+    if (!before) return
+    const apart = pointers.size === 2 && spread()
+    pointers.set(pointerId, { x, y })
+    if (apart) zoom(apart / Math.max(spread(), 1))
+    else if (pointers.size === 1)
+      turn(RADIANS_A_PIXEL * (x - before.x), RADIANS_A_PIXEL * (y - before.y))
+  })
+  for (const end of ['pointerup', 'pointercancel'])
+    canvas.addEventListener(end, ({ pointerId }) => pointers.delete(pointerId))
+  canvas.addEventListener('dblclick', reset)
+
+  // Who only scrolls past keeps scrolling.
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      if (!event.ctrlKey && document.activeElement !== canvas) return
+      event.preventDefault()
+      zoom(Math.exp(clamp(event.deltaY, -100, 100) * 0.002))
+    },
+    { passive: false },
+  )
+
+  const keys = {
+    ArrowLeft: () => turn(-RADIANS_A_KEY, 0),
+    ArrowRight: () => turn(RADIANS_A_KEY, 0),
+    ArrowUp: () => turn(0, RADIANS_A_KEY),
+    ArrowDown: () => turn(0, -RADIANS_A_KEY),
+    '+': () => zoom(0.9),
+    '=': () => zoom(0.9),
+    '-': () => zoom(1.1),
+    0: reset,
+  }
+  canvas.addEventListener('keydown', (event) => {
+    if (!keys[event.key] || event.ctrlKey || event.metaKey) return
+    event.preventDefault()
+    keys[event.key]()
+  })
+
+  return {
+    reset,
+    /** @returns the matrix from the model to the screen, and the eye and lights in the model's own space */
+    view({ center, unit }, aspect) {
+      const { longitude, latitude, distance } = at
+      const direction = [
+        Math.cos(latitude) * Math.sin(longitude),
+        Math.sin(latitude),
+        Math.cos(latitude) * Math.cos(longitude),
+      ]
+      // All around the middle is seen in a tall picture too.
+      const field = 2 * Math.atan(Math.tan(FIELD / 2) / Math.min(aspect, 1))
+      const eye = vec3.scale([], direction, distance)
+      const look = mat4.lookAt(mat4.create(), eye, [0, 0, 0], [0, 1, 0])
+      const matrix = mat4.perspective(mat4.create(), field, aspect, distance / 20, distance + 20)
+      mat4.multiply(matrix, matrix, look)
+      mat4.scale(matrix, matrix, [1 / unit, 1 / unit, 1 / unit])
+      mat4.translate(matrix, matrix, vec3.negate([], center))
+      // The lights go with the eye, so that every side is seen in them.
+      const back = mat4.invert(mat4.create(), look)
+      const light = (x, y, z) => {
+        const [a, b, c] = vec3.normalize([], [x, y, z])
+        return [0, 1, 2].map((i) => back[i] * a + back[4 + i] * b + back[8 + i] * c)
+      }
+      return {
+        matrix,
+        eye: vec3.scaleAndAdd([], center, eye, unit),
+        key: light(-0.5, 0.8, 0.9),
+        rim: light(0.9, -0.2, -0.1),
+      }
+    },
+  }
+}

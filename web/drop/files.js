@@ -1,0 +1,83 @@
+/** Models as the page gets them: from the visitor's files, or from the gallery. */
+import { loadMesh } from '../../dist/mesh.js'
+import { airplane } from '../models/airplane.js'
+import { bunny } from '../models/bunny.js'
+import { toScreen } from '../models/mesh.js'
+
+const readable = /\.(glb|gltf|obj)$/i
+
+/** The gallery's models are made for p5, whose y runs downwards; turned over, they are like a file. */
+function upright(mesh, baseColor) {
+  return { ...toScreen(mesh), uvs: undefined, material: { baseColor } }
+}
+
+/** Twelve triangles: it shows what subdivision is for. */
+function box() {
+  const positions = []
+  const normals = []
+  const indices = []
+  for (let side = 0; side < 6; side++) {
+    const axis = side >> 1
+    const sign = side & 1 ? -1 : 1
+    for (const [a, b] of [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ]) {
+      const [point, normal] = [
+        [0, 0, 0],
+        [0, 0, 0],
+      ]
+      point[axis] = normal[axis] = sign
+      point[(axis + 1) % 3] = a * sign
+      point[(axis + 2) % 3] = b
+      for (const [i, stretch] of [0.5, 1.2, 0.5].entries()) positions.push(point[i] * stretch)
+      normals.push(...normal)
+    }
+    indices.push(...[0, 1, 2, 0, 2, 3].map((corner) => 4 * side + corner))
+  }
+  return {
+    positions: new Float32Array(positions),
+    normals: new Float32Array(normals),
+    indices: new Uint32Array(indices),
+    material: { baseColor: [0.9, 0.55, 0.15, 1] },
+  }
+}
+
+/** By name, what makes the mesh. */
+export const samples = {
+  bunny: () => upright(bunny(), [0.85, 0.23, 0.1, 1]),
+  airplane: () => upright(airplane(), [0.09, 0.55, 0.44, 1]),
+  box,
+}
+
+/** The model among the files, and the others for what it names → { name, mesh, picture } */
+export async function loadFiles(files) {
+  const model = files.find(({ name }) => readable.test(name))
+  if (!model) {
+    const names = files.map(({ name }) => `“${name}”`).join(', ')
+    throw new Error(
+      files.length === 1
+        ? `${names} is no model: drop a .glb, a .gltf with its files, or an .obj.`
+        : `None of these is a model: drop a .glb, a .gltf with its files, or an .obj.`,
+    )
+  }
+  const byName = new Map(files.map((file) => [file.name, file]))
+  const resolve = (uri) => byName.get(decodeURIComponent(uri).split('/').at(-1))
+  const mesh = await loadMesh(model, { resolve })
+  return { name: model.name.replace(readable, ''), mesh, picture: await decode(mesh) }
+}
+
+/** What the GPU takes as its texture. A broken picture costs only itself. */
+async function decode(mesh) {
+  const texture = mesh.material?.baseColorTexture
+  if (!texture) return
+  try {
+    const blob = new Blob([texture.bytes], { type: texture.mimeType })
+    return await createImageBitmap(blob, { colorSpaceConversion: 'none' })
+  } catch {
+    const warning = 'The picture of the material cannot be decoded, and is left out.'
+    mesh.warnings = [...(mesh.warnings ?? []), warning]
+  }
+}

@@ -1,0 +1,299 @@
+/** The page for the visitor's own model: loads it, warps it, and gives it back. */
+import './style.css'
+import { compileWarp } from '../../dist/warpjet.js'
+import { bakeWarp, exportGLB, subdivide } from '../../dist/mesh.js'
+import { make } from '../bench/dom.js'
+import { makeCamera } from './camera.js'
+import { loadFiles, samples } from './files.js'
+import { View } from './view.js'
+import { fitted, sides, warps } from './warps.js'
+
+/** Milliseconds for the time slider to go round once. */
+const ROUND = 6000
+/** Milliseconds between two counts of folded vertices while time passes. */
+const COUNT_EVERY = 400
+const MOST_TRIANGLES = 400_000
+
+const find = (selector) => document.querySelector(selector)
+const status = find('.picture output')
+const [amount, time, tolerance] = ['#amount', '#time', '#tolerance'].map(find)
+const toggle = (name) => find(`[name=${name}]`)
+
+/** What is shown: { name, mesh, picture, center, unit, low, high }; `fine` is the mesh as it is drawn. */
+let model
+let fine
+/** { name, compiled } */
+let warp
+let view, camera
+let isPlaying = false
+let needsFrame = true
+
+const nextFrame = () => new Promise(requestAnimationFrame)
+const complain = (error) => (find('[role=alert]').textContent = error?.message ?? '')
+const redraw = () => (needsFrame = true)
+const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 })
+const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
+const rough = new Intl.NumberFormat('en', { maximumSignificantDigits: 2 })
+const trianglesOf = ({ indices, positions }) => (indices?.length ?? positions.length / 3) / 3
+
+/** Works are done one after the other; each says what it does, and an error changes nothing but the message. */
+let works = Promise.resolve()
+let waiting = 0
+function during(text, work) {
+  countWorks(1)
+  works = works.then(async () => {
+    complain()
+    status.textContent = text
+    await nextFrame()
+    await nextFrame()
+    try {
+      await work()
+    } catch (error) {
+      complain(error)
+    }
+    status.textContent = ''
+    redraw()
+    countWorks(-1)
+  })
+  return works
+}
+
+function countWorks(change) {
+  waiting += change
+  find('main').ariaBusy = String(waiting > 0)
+}
+
+/** Only those that the warp reads, which would not take others. */
+function uniforms({ compiled } = warp, { center, unit } = model) {
+  const all = { center, unit, amount: Number(amount.value), time: Number(time.value) }
+  return Object.fromEntries(compiled.uniforms.map((name) => [name, all[name]]))
+}
+
+function boxOf({ positions }) {
+  const low = [Infinity, Infinity, Infinity]
+  const high = low.map((value) => -value)
+  for (let i = 0; i < positions.length; i++) {
+    low[i % 3] = Math.min(low[i % 3], positions[i])
+    high[i % 3] = Math.max(high[i % 3], positions[i])
+  }
+  return { low, high }
+}
+
+/** Shows a model, and keeps the old one if that fails. */
+function place({ name, mesh, picture }) {
+  const { low, high } = boxOf(mesh)
+  const center = low.map((value, i) => (value + high[i]) / 2)
+  const unit = Math.max(...high.map((value, i) => value - low[i])) / 2 || 1
+  const next = { name, mesh, picture, center, unit, low, high }
+  view.show(mesh, picture)
+  model = next
+  fine = mesh
+  find('.name').textContent = name
+  find('.warnings').replaceChildren(
+    ...(mesh.warnings ?? []).map((textContent) => make('li', { textContent })),
+  )
+  if (!warp) return
+  describe()
+  if (toggle('subdivide').checked) refine()
+}
+
+/** The mesh as it is drawn: finer where the warp needs it, or as it came. */
+function refine() {
+  let next = model.mesh
+  if (toggle('subdivide').checked)
+    next = subdivide(model.mesh, {
+      warp: warp.compiled,
+      uniforms: uniforms(),
+      tolerance: 2 * model.unit * 10 ** Number(tolerance.value),
+      maxTriangles: Math.max(MOST_TRIANGLES, trianglesOf(model.mesh)),
+    })
+  if (next === fine) return
+  view.show(next, model.picture)
+  fine = next
+  // Of the subdivision: that it had to stop.
+  if (next !== model.mesh && next.warnings) complain({ message: next.warnings.join(' ') })
+  describe()
+}
+
+const refineAgain = () =>
+  toggle('subdivide').checked || fine !== model?.mesh
+    ? during('Subdividing…', () => model && refine())
+    : undefined
+
+/** What stands beside the picture. */
+function describe() {
+  const [before, after] = [model.mesh, fine].map((mesh) => whole.format(trianglesOf(mesh)))
+  find('.triangles').textContent = fine === model.mesh ? before : `${before} → ${after}`
+  countFolded()
+}
+
+/** When the folded vertices were last counted, and how long that took. */
+let counted = { at: -Infinity, took: 0 }
+
+function countFolded() {
+  const start = performance.now()
+  const { positions, normals, uvs, colors } = fine
+  const { count } = warp.compiled.foldover({ positions, normals, uvs, colors }, uniforms())
+  const folded = find('.folded')
+  folded.textContent = `${whole.format(count)} of ${whole.format(positions.length / 3)}`
+  folded.classList.toggle('some', count > 0)
+  const { min, max } = bounds()
+  const lengths = max.map((value, i) => value - min[i])
+  find('.size').textContent = lengths.every(Number.isFinite)
+    ? `${lengths.map((side) => short.format(side)).join(' × ')}`
+    : 'without bounds'
+  counted = { at: performance.now(), took: performance.now() - start }
+}
+
+const bounds = () => warp.compiled.bounds({ min: model.low, max: model.high }, uniforms())
+
+const chosenOf = (name) => find(`[name=${name}]:checked`).value
+
+function chooseWarp() {
+  return during('Compiling…', () => {
+    const chosen = warps.find(({ name }) => name === chosenOf('warp'))
+    const compiled = compileWarp(fitted(chosen, chosenOf('side')), { target: 'glsl300' })
+    view.use(compiled)
+    warp = { name: chosen.name, compiled }
+    if (!model) return
+    if (toggle('subdivide').checked) refine()
+    else describe()
+  })
+}
+
+const chooseFiles = (files) =>
+  files.length &&
+  during('Reading the model…', async () => {
+    const loaded = await loadFiles([...files])
+    place(loaded)
+  })
+
+const chooseSample = (name) =>
+  during('Making the model…', () => place({ name, mesh: samples[name]() }))
+
+const download = () =>
+  during('Writing the file…', () => {
+    const bytes = exportGLB(bakeWarp(fine, warp.compiled, uniforms()))
+    const href = URL.createObjectURL(new Blob([bytes], { type: 'model/gltf-binary' }))
+    make('a', { href, download: `${model.name}-${warp.name.toLowerCase()}.glb` }).click()
+    setTimeout(() => URL.revokeObjectURL(href), 60_000)
+  })
+
+function draw() {
+  const box = toggle('box').checked && bounds()
+  const isFinite = box && [...box.min, ...box.max].every(Number.isFinite)
+  view.draw(uniforms(), camera.view(model, view.canvas.clientWidth / view.canvas.clientHeight), {
+    normals: toggle('normals').checked,
+    wires: toggle('wires').checked,
+    box: isFinite && box,
+  })
+}
+
+async function run() {
+  for (let before = performance.now(); ;) {
+    const now = await nextFrame()
+    if (isPlaying) {
+      time.value = (Number(time.value) + (2 * Math.PI * (now - before)) / ROUND) % (2 * Math.PI)
+      redraw()
+    }
+    before = now
+    if (!needsFrame || !model || !warp) continue
+    needsFrame = false
+    try {
+      draw()
+      // A large model is counted more seldom.
+      if (now - counted.at > Math.max(COUNT_EVERY, 10 * counted.took)) countFolded()
+    } catch (error) {
+      complain(error)
+    }
+  }
+}
+
+function setPlaying(value) {
+  isPlaying = value
+  const button = find('.play')
+  button.ariaPressed = String(value)
+  button.textContent = value ? 'Pause' : 'Play'
+  if (!value && warp && model) countFolded()
+}
+
+function showTolerance() {
+  find('.finer output').textContent = `${rough.format(100 * 10 ** Number(tolerance.value))}%`
+}
+
+function choices(place, name, values, first) {
+  for (const value of values) {
+    const input = make('input', { type: 'radio', name, value, checked: value === first })
+    input.addEventListener('change', chooseWarp)
+    find(place).append(make('label', {}, input, value))
+  }
+}
+
+function listen() {
+  const names = warps.map(({ name }) => name)
+  choices('.warps', 'warp', names, 'Twist')
+  choices('.axes', 'side', sides, 'y')
+  for (const name of Object.keys(samples)) {
+    const button = make('button', { type: 'button', className: 'button', textContent: name })
+    button.addEventListener('click', () => chooseSample(name))
+    find('.samples').append(button)
+  }
+  find('.choose input').addEventListener('change', ({ target }) => {
+    chooseFiles([...target.files])
+    // The same file again is a change again.
+    target.value = ''
+  })
+  find('form').addEventListener('submit', (event) => event.preventDefault())
+  find('.play').addEventListener('click', () => setPlaying(!isPlaying))
+  find('.download').addEventListener('click', download)
+
+  for (const input of [amount, time]) {
+    input.addEventListener('input', () => {
+      if (input === time) setPlaying(false)
+      redraw()
+    })
+    input.addEventListener('change', () => {
+      if (model && warp) countFolded()
+      refineAgain()
+    })
+  }
+  for (const name of ['normals', 'wires', 'box']) toggle(name).addEventListener('change', redraw)
+  toggle('subdivide').addEventListener('change', refineAgain)
+  tolerance.addEventListener('input', showTolerance)
+  tolerance.addEventListener('change', refineAgain)
+  showTolerance()
+
+  let depth = 0
+  const drag = (change) => (event) => {
+    if (!event.dataTransfer?.types.includes('Files')) return
+    event.preventDefault()
+    depth = change === 0 ? 0 : depth + change
+    document.body.classList.toggle('dragging', depth > 0)
+  }
+  addEventListener('dragenter', drag(1))
+  addEventListener('dragleave', drag(-1))
+  addEventListener('dragover', (event) => event.preventDefault())
+  addEventListener('drop', (event) => {
+    drag(0)(event)
+    event.preventDefault()
+    chooseFiles([...(event.dataTransfer?.files ?? [])])
+  })
+  addEventListener('resize', redraw)
+}
+
+try {
+  view = new View(find('canvas'))
+  camera = makeCamera(view.canvas, redraw)
+  listen()
+  find('canvas').addEventListener('webglcontextlost', () =>
+    complain(new Error('The GPU has given up on this picture: reload the page.')),
+  )
+  chooseWarp()
+  chooseSample('bunny').then(() =>
+    setPlaying(!matchMedia('(prefers-reduced-motion: reduce)').matches),
+  )
+  run()
+} catch (error) {
+  find('.hand').remove()
+  complain(error)
+}
