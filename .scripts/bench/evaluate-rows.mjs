@@ -3,7 +3,7 @@
 import { stackedSines, stress } from '../../tests/warps/stress.js'
 
 const NODES_OF_A_SINE = 5
-const { sin, cos, hypot } = Math
+const { sin, cos, sqrt } = Math
 
 /** n' = cof(M) n, of length 1; `m` by columns. */
 function turnNormal(m, normals, i, out) {
@@ -12,7 +12,7 @@ function turnNormal(m, normals, i, out) {
   const x = (e * k - f * h) * nx + (h * c - k * b) * ny + (b * f - c * e) * nz
   const y = (f * g - d * k) * nx + (k * a - g * c) * ny + (c * d - a * f) * nz
   const z = (d * h - e * g) * nx + (g * b - h * a) * ny + (a * e - b * d) * nz
-  const length = hypot(x, y, z)
+  const length = sqrt(x * x + y * y + z * z)
   out[i] = x / length
   out[i + 1] = y / length
   out[i + 2] = z / length
@@ -35,7 +35,7 @@ function twist({ positions, normals }, millis, out) {
     const ty = c * ny - s * nz
     const tz = s * ny + c * nz
     const tx = nx + 0.02 * (movedZ * ty - movedY * tz)
-    const length = Math.sqrt(tx * tx + ty * ty + tz * tz)
+    const length = sqrt(tx * tx + ty * ty + tz * tz)
     out.normals[i] = tx / length
     out.normals[i + 1] = ty / length
     out.normals[i + 2] = tz / length
