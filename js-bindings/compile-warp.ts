@@ -40,6 +40,7 @@ const hiddenTangent = '_warpjetTangent'
 function programOf(compilation: Compilation, warp: BuiltWarp): WarpProgram {
   const { inputs, offset, moved, turned, text } = warp
   const names = { tangent: hiddenTangent, ...warp.names }
+  // In the order of numbersOf in cpu-warp.ts.
   const results = [moved]
   // With a function of the host there is no program anyway.
   if (turned && !text.declarations) {

@@ -4,6 +4,7 @@ import { WarpError } from './errors.js'
 import type { Program } from './evaluate.js'
 import { type Stream, boundProgram, inputsRead, runProgram } from './evaluation.js'
 import { type VertexInput, vertexInputs } from './inputs.js'
+import { checkOptions } from './options.js'
 import {
   type Box,
   type Range,
@@ -55,7 +56,7 @@ export interface WarpedPoint {
 }
 
 export interface Foldover {
-  /** 1 for each vertex where det(I + J) is not above 0, so that space is inside out there; 0 elsewhere. */
+  /** 1 for each vertex where det(I + J) is not above 0, so that space is inside out there, or no number; 0 elsewhere. */
   mask: Uint8Array
   /** How many those are. */
   count: number
@@ -68,13 +69,14 @@ export interface Foldover {
  * value, such as the logarithm of a negative number, neither have the results.
  */
 export interface CpuWarp {
-  /** Moves vertices, any number of them, none too. */
+  /** Moves vertices, any number of them, none too: it needs the results' memory and a few megabytes. */
   evaluate(mesh: Vertices & { uniforms?: Uniforms }): WarpedVertices
   /** Moves one vertex. */
   evaluateAt(position: ArrayLike<number>, inputs?: PointInputs): WarpedPoint
   /**
-   * A box around all that the warp makes of `box`: never too small, and seldom much larger than that. Where the offset
-   * depends on them, normals count as any numbers from -1 to 1, colors from 0 to 1, and texture coordinates from 0 to 1
+   * A box around all that the warp makes of `box`: never too small for what `evaluate` gives, and seldom much larger than
+   * that. A GPU whose sine is less exact, as WebGPU allows to 2^-11, may go beyond by that part of a wave's height. It takes
+   * from a tenth of a millisecond to some tens, for warps that are hard to bound. Where the offset depends on them, normals count as any numbers from -1 to 1, colors from 0 to 1, and texture coordinates from 0 to 1
    * unless `box.uvs` says otherwise. A side is infinite if the offset may be.
    */
   bounds(box: Box, uniforms?: Uniforms): { min: number[]; max: number[] }
@@ -84,7 +86,7 @@ export interface CpuWarp {
   readonly [warpProgram]: WarpProgram
 }
 
-/** The results of the program, by number; a warp without normals has only the first three. */
+/** The results of the program, by number, as compile-warp.ts asks for them; a warp without normals has only the first three. */
 const numbersOf = {
   positions: [0, 1, 2],
   normals: [3, 4, 5],
@@ -107,11 +109,12 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     const streams = originsOf(method, warp, program, numbers, uniforms).map((origin): Stream => {
       const { input, isRead, values: shared } = origin
       if (!input) return { values: shared, size: shared.length, isUniform: true }
+      if (!isRead) return { values: shared, size: shared.length, isUniform: true }
       const values = mesh[arrayNames[input]]
       if (values) return { values, size: vertexInputs[input], isUniform: false }
-      if (!isRead) return { values: shared, size: shared.length, isUniform: true }
+      const name = method === 'evaluateAt' ? input : arrayNames[input]
       throw new WarpError(
-        `${method}: the warp reads the ${input} of each vertex, but no ${arrayNames[input]} came.`,
+        `${method}: the warp reads the ${input} of each vertex, but no "${name}" came.`,
       )
     })
     const sinks = wanted.map((name) => ({
@@ -133,6 +136,8 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     evaluate: (mesh) => run('evaluate', mesh, mesh?.uniforms, turned(mesh)),
 
     evaluateAt(position, inputs = {}) {
+      checkOptions('evaluateAt', inputs ?? null, ['normal', 'uv', 'color', 'tangent', 'uniforms'])
+      readNumbers('evaluateAt: the position', position, 3)
       const mesh: Record<string, number[]> = {}
       for (const [name, value] of Object.entries({ ...inputs, position }))
         if (name in vertexInputs && value !== undefined)
@@ -158,9 +163,9 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     bounds(box, uniforms) {
       const program = programOf('bounds', warp)
       const ranges: Record<VertexInput, Range[]> = {
-        position: readRanges('bounds: the box', box, 3),
+        position: readRanges('bounds', 'box', box, 3),
         normal: Array<Range>(3).fill([-1, 1]),
-        uv: box.uvs ? readRanges('bounds: box.uvs', box.uvs, 2) : Array<Range>(2).fill([0, 1]),
+        uv: box.uvs ? readRanges('bounds', 'box.uvs', box.uvs, 2) : Array<Range>(2).fill([0, 1]),
         color: Array<Range>(4).fill([0, 1]),
         tangent: Array<Range>(4).fill([-1, 1]),
       }
@@ -225,7 +230,7 @@ function originsOf(
       return { isRead, values: readNumbers(`${method}: the uniform "${name}"`, given, size) }
     if (!isRead) return { isRead, values }
     throw new WarpError(
-      `${method}: the warp reads "${name}"; give it a value as in { uniforms: { ${JSON.stringify(name)}: ${size === 1 ? 0 : `[${values}]`} } }.`,
+      `${method}: the warp reads "${name}"; give it a value in the uniforms, as in { ${JSON.stringify(name)}: ${size === 1 ? 0 : `[${values}]`} }.`,
     )
   })
 }

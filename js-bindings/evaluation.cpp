@@ -2,6 +2,7 @@
 // numbers and addresses only. The caller lays programs and arrays into memory that it allocates
 // here.
 #include <emscripten.h>
+#include <emscripten/emmalloc.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -94,5 +95,10 @@ EMSCRIPTEN_KEEPALIVE void* allocate(int bytes) {
 }
 
 EMSCRIPTEN_KEEPALIVE void release(void* memory) { std::free(memory); }
+
+// Bytes that are allocated now.
+EMSCRIPTEN_KEEPALIVE int memoryInUse() {
+  return static_cast<int>(emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory());
+}
 
 }  // extern "C"

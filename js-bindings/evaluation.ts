@@ -48,6 +48,7 @@ interface Evaluation {
   ): void
   _allocate(bytes: number): number
   _release(memory: number): void
+  _memoryInUse(): number
 
   readonly HEAPU32: Uint32Array
   readonly HEAPF32: Float32Array
@@ -78,38 +79,54 @@ function getEvaluation(): Evaluation {
   } catch (error) {
     if (error instanceof WebAssembly.CompileError)
       throw new WarpError(
-        'evaluate: this browser has no WebAssembly SIMD, which a warp needs on the CPU; update it (Chrome 91, Firefox 89, Safari 16.4 and Node 16.4 have it).',
+        'A warp on the CPU needs WebAssembly with SIMD, which this browser lacks; update it (Chrome 91, Firefox 89, Safari 16.4 and Node 16.4 have it).',
       )
     throw error
   }
 }
 
-/** Which of the program's inputs the wanted results depend on. */
-export function inputsRead(program: Program, wanted: readonly number[]): boolean[] {
+/** Does `work` with memory in the wasm, and releases it whatever happens. */
+function withMemory<Result>(work: (core: Evaluation, memory: Memory) => Result): Result {
   const core = getEvaluation()
   const memory = new Memory(core)
   try {
+    return work(core, memory)
+  } catch (error) {
+    if (!(error instanceof WebAssembly.RuntimeError)) throw error
+    // Its memory may be in any state: the next call gets a new one.
+    evaluation = undefined
+    throw new WarpError(tooLarge)
+  } finally {
+    if (evaluation === core) memory.release()
+  }
+}
+
+const tooLarge = 'There is not enough memory to run so large a warp on the CPU.'
+
+/** How many bytes are held inside the wasm: between two calls always the same. */
+export const evaluationMemoryInUse = (): number => getEvaluation()._memoryInUse()
+
+/** Found before, by program and wanted results. */
+const knownReads = new WeakMap<Program, Map<string, boolean[]>>()
+
+/** Which of the program's inputs the wanted results depend on. */
+export function inputsRead(program: Program, wanted: readonly number[]): boolean[] {
+  if (!knownReads.has(program)) knownReads.set(program, new Map())
+  const known = knownReads.get(program)!
+  const key = wanted.join()
+  if (!known.has(key)) known.set(key, findInputsRead(program, wanted))
+  return known.get(key)!
+}
+
+const findInputsRead = (program: Program, wanted: readonly number[]): boolean[] =>
+  withMemory((core, memory) => {
     const sizes = program.inputs.map(({ shape: [columns, rows] }) => columns * rows)
     const total = sizes.reduce((sum, size) => sum + size, 0)
     const marks = memory.words(new Uint32Array(total))
-    const words = memory.words(program.words)
-    const { instructions } = program
-    const wantedWords = memory.words(wanted)
-    core._markInputs(
-      words,
-      program.words.length,
-      instructions,
-      wantedWords,
-      wanted.length,
-      marks,
-      total,
-    )
+    core._markInputs(...memory.program(program), ...memory.list(wanted), marks, total)
     let at = marks / 4
     return sizes.map((size) => core.HEAPU32.subarray(at, (at += size)).includes(1))
-  } finally {
-    memory.release()
-  }
-}
+  })
 
 /** Runs `program` on so many vertices; `inputs` has all of its inputs in order. */
 export function runProgram(
@@ -118,13 +135,8 @@ export function runProgram(
   inputs: readonly Stream[],
   sinks: readonly Sink[],
 ) {
-  const core = getEvaluation()
-  const memory = new Memory(core)
-  try {
+  withMemory((core, memory) => {
     const atOnce = Math.min(vertices, verticesAtOnce)
-    const words = memory.words(program.words)
-    const wanted = sinks.flatMap(({ results }) => results)
-    const wantedWords = memory.words(wanted)
     const streams = inputs.map(({ size, isUniform }) =>
       memory.floats(size * (isUniform ? 1 : atOnce)),
     )
@@ -132,74 +144,51 @@ export function runProgram(
     const streamTable = memory.words(
       inputs.flatMap(({ size, isUniform }, i) => [streams[i]!, size, Number(isUniform)]),
     )
+    // Laid out as inputs are, of which none of these is uniform.
     const resultTable = memory.words(
       sinks.flatMap((sink, i) => [results[i]!, sink.results.length, 0]),
     )
-
+    const wanted = memory.list(sinks.flatMap((sink) => sink.results))
     inputs.forEach(({ values, isUniform }, i) => {
       if (isUniform) core.HEAPF32.set(values, streams[i]! / 4)
     })
+
     const evaluator = core._openEvaluator(
-      words,
-      program.words.length,
-      program.instructions,
-      wantedWords,
-      wanted.length,
+      ...memory.program(program),
+      ...wanted,
       streamTable,
       inputs.length,
     )
-    try {
-      for (let first = 0; first < vertices; first += atOnce) {
-        const now = Math.min(atOnce, vertices - first)
-        inputs.forEach(({ values, size, isUniform }, i) => {
-          if (!isUniform) copy(core.HEAPF32, streams[i]! / 4, values, first * size, now * size)
-        })
-        core._runEvaluator(evaluator, now, streamTable, inputs.length, resultTable, sinks.length)
-        sinks.forEach((sink, i) => {
-          const size = sink.results.length
-          const at = results[i]! / 4
-          sink.values.set(core.HEAPF32.subarray(at, at + now * size), first * size)
-        })
-      }
-    } finally {
-      core._closeEvaluator(evaluator)
+    memory.evaluator = evaluator
+    for (let first = 0; first < vertices; first += atOnce) {
+      const now = Math.min(atOnce, vertices - first)
+      inputs.forEach(({ values, size, isUniform }, i) => {
+        if (!isUniform) copy(core.HEAPF32, streams[i]! / 4, values, first * size, now * size)
+      })
+      core._runEvaluator(evaluator, now, streamTable, inputs.length, resultTable, sinks.length)
+      sinks.forEach((sink, i) => {
+        const size = sink.results.length
+        const at = results[i]! / 4
+        sink.values.set(core.HEAPF32.subarray(at, at + now * size), first * size)
+      })
     }
-  } finally {
-    memory.release()
-  }
+  })
 }
 
 /** Ranges of wanted results, from those of the program's inputs, number by number. */
-export function boundProgram(
+export const boundProgram = (
   program: Program,
   ranges: readonly Range[],
   wanted: readonly number[],
-): Range[] {
-  const core = getEvaluation()
-  const memory = new Memory(core)
-  try {
+): Range[] =>
+  withMemory((core, memory) => {
     const given = memory.doubles(ranges.flat())
     const results = memory.doubles(wanted.flatMap(() => [0, 0]))
-    const words = memory.words(program.words)
-    const wantedWords = memory.words(wanted)
-    core._bound(
-      words,
-      program.words.length,
-      program.instructions,
-      given,
-      ranges.length,
-      wantedWords,
-      wanted.length,
-      results,
-    )
-    return wanted.map((_, i) => [
-      core.HEAPF64[results / 8 + 2 * i]!,
-      core.HEAPF64[results / 8 + 2 * i + 1]!,
-    ])
-  } finally {
-    memory.release()
-  }
-}
+    const [words, size, instructions] = memory.program(program)
+    core._bound(words, size, instructions, given, ranges.length, ...memory.list(wanted), results)
+    const at = results / 8
+    return wanted.map((_, i) => [core.HEAPF64[at + 2 * i]!, core.HEAPF64[at + 2 * i + 1]!])
+  })
 
 function copy(to: Float32Array, at: number, from: ArrayLike<number>, first: number, count: number) {
   if (from instanceof Float32Array) to.set(from.subarray(first, first + count), at)
@@ -209,11 +198,13 @@ function copy(to: Float32Array, at: number, from: ArrayLike<number>, first: numb
 /** What one call allocates in the wasm, released together. */
 class Memory {
   private readonly blocks: number[] = []
+  evaluator = 0
 
   constructor(private readonly core: Evaluation) {}
 
   private allocate(bytes: number): number {
     const block = this.core._allocate(Math.max(bytes, 8))
+    if (!block) throw new WarpError(tooLarge)
     this.blocks.push(block)
     return block
   }
@@ -234,7 +225,16 @@ class Memory {
     return at
   }
 
+  list(words: readonly number[]): [at: number, count: number] {
+    return [this.words(words), words.length]
+  }
+
+  program({ words, instructions }: Program): [at: number, size: number, instructions: number] {
+    return [this.words(words), words.length, instructions]
+  }
+
   release() {
+    if (this.evaluator) this.core._closeEvaluator(this.evaluator)
     for (const block of this.blocks) this.core._release(block)
   }
 }

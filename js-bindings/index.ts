@@ -8,6 +8,7 @@ export type { CpuWarp, Foldover, PointInputs, WarpedPoint, WarpedVertices } from
 export { targets, type Target } from './compilation.js'
 export type { Numbers } from './evaluate.js'
 export { memoryInUse } from './core.js'
+export { evaluationMemoryInUse } from './evaluation.js'
 export { WarpError } from './errors.js'
 export { version } from './generated/version.js'
 export type { InputName } from './inputs.js'

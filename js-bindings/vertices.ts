@@ -40,12 +40,19 @@ export const arrayNames: Record<VertexInput, keyof Vertices> = {
 const isList = (value: unknown): value is ArrayLike<number> =>
   Array.isArray(value) || (ArrayBuffer.isView(value) && 'length' in value)
 
-function firstNotFinite(numbers: ArrayLike<number>): number {
-  // A finite number makes 0 here, any other NaN: several times as fast as asking each.
-  let zero = 0
-  for (let i = 0; i < numbers.length; i++) zero += numbers[i]! * 0
-  if (zero === 0) return -1
-  for (let i = 0; ; i++) if (!Number.isFinite(numbers[i])) return i
+/** The place of the first that is no number, or none that a float32 can hold; -1 if all are well. */
+function firstNotFinite(numbers: ArrayLike<unknown>): number {
+  if (numbers instanceof Float32Array) {
+    // A finite number makes 0 here, any other NaN: several times as fast as asking each.
+    let zero = 0
+    for (let i = 0; i < numbers.length; i++) zero += numbers[i]! * 0
+    if (zero === 0) return -1
+  }
+  for (let i = 0; i < numbers.length; i++) {
+    const number = numbers[i]
+    if (!(typeof number === 'number' && Number.isFinite(Math.fround(number)))) return i
+  }
+  return -1
 }
 
 /** How many vertices there are; throws for arrays that do not fit or hold something else than finite numbers. */
@@ -76,11 +83,13 @@ export function checkVertices(method: string, mesh: unknown): number {
     const wrong = firstNotFinite(numbers)
     if (wrong >= 0)
       throw new WarpError(
-        `${method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${numbers[wrong]}.`,
+        `${method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${inWords(numbers[wrong])}.`,
       )
   }
   return vertices
 }
+
+const inWords = (value: unknown) => (typeof value === 'number' ? value : describe(value))
 
 /** `count` finite numbers, as an array. */
 export function readNumbers(place: string, value: unknown, count: number): number[] {
@@ -89,7 +98,7 @@ export function readNumbers(place: string, value: unknown, count: number): numbe
   const expected = count === 1 ? 'a finite number' : `an array of ${count} finite numbers`
   const came =
     isList(list) && list.length === count
-      ? `has ${list[firstNotFinite(list)]} among them`
+      ? `has ${inWords(list[firstNotFinite(list)])} among them`
       : `is ${describe(value)}`
   throw new WarpError(`${place} must be ${expected}, but ${came}.`)
 }
@@ -100,6 +109,10 @@ export function checkUniforms(method: string, uniforms: unknown, parameters: rea
   if (typeof uniforms !== 'object' || uniforms === null || isList(uniforms))
     throw new WarpError(
       `${method}: uniforms must be an object, such as { millis: 1200 }, but is ${describe(uniforms)}.`,
+    )
+  if ('uniforms' in uniforms)
+    throw new WarpError(
+      `${method}: the uniforms are to be given by themselves, as in { millis: 1200 }, not as { uniforms: … }.`,
     )
   const known = [...Object.keys(drawInputs), ...parameters.map(({ name }) => name)]
   for (const name of Object.keys(uniforms))
@@ -112,18 +125,18 @@ export function checkUniforms(method: string, uniforms: unknown, parameters: rea
 export type Range = readonly [low: number, high: number]
 
 /** The range of each coordinate of a box. */
-export function readRanges(place: string, box: unknown, count: number): Range[] {
+export function readRanges(method: string, name: string, box: unknown, count: number): Range[] {
   if (typeof box !== 'object' || box === null)
     throw new WarpError(
-      `${place} must be a box { min, max }, each of ${count} numbers, but is ${describe(box)}.`,
+      `${method}: ${name} must be { min, max }, each of ${count} numbers, but is ${describe(box)}.`,
     )
   const { min, max } = box as Box
-  const low = readNumbers(`${place}.min`, min, count)
-  const high = readNumbers(`${place}.max`, max, count)
+  const low = readNumbers(`${method}: ${name}.min`, min, count)
+  const high = readNumbers(`${method}: ${name}.max`, max, count)
   return low.map((least, i) => {
     if (least <= high[i]!) return [least, high[i]!]
     throw new WarpError(
-      `${place}.min[${i}] is ${least}, above ${place}.max[${i}], which is ${high[i]}.`,
+      `${method}: ${name}.min[${i}] is ${least}, above ${name}.max[${i}], which is ${high[i]}.`,
     )
   })
 }

@@ -230,8 +230,9 @@ Interval atan(const Interval& x) { return rising(std::atan, x); }
 
 Interval atan2(const Interval& y, const Interval& x) {
   if (x.isEmpty() || y.isEmpty()) return nothing();
-  // Both sides of the negative half of the axis, where the angle jumps.
-  const bool isCut = isNegative(x.low) && isNegative(y.low) && !isNegative(y.high);
+  // Both sides of the negative half of the axis, where the angle jumps; or a zero of either sign.
+  const bool crosses = isNegative(y.low) && !isNegative(y.high);
+  const bool isCut = isNegative(x.low) && (crosses || (y.low == 0 && y.high == 0));
   if (isCut) return widened(-pi, pi, function, x.canBeNaN || y.canBeNaN);
   return corners(std::atan2, y, x, function);
 }

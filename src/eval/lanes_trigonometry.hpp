@@ -80,14 +80,6 @@ inline Lanes cos(Lanes x) {
   return laneByLane(beyond, near, x, [](double angle) { return std::cos(angle); });
 }
 
-// Both, bit for bit as sin and cos give them; what they share is computed once.
-inline void sincos(Lanes x, Lanes& sine, Lanes& cosine) {
-  sine = sin(x);
-  cosine = cos(x);
-}
-
-// In double, since the errors of sine, cosine and quotient would add up. x = kπ/2 + r; the first of
-// the two parts of π/2 has 33 bits, and k has 20.
 inline constexpr double tangentLimit = 0x1p20;
 
 inline Lanes tan(Lanes x) {

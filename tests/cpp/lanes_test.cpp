@@ -307,14 +307,5 @@ TEST(Lanes, NoLaneAffectsItsNeighbours) {
   }
 }
 
-TEST(Lanes, SineAndCosineTogetherAreThoseAlone) {
-  for (const float x : specialFloats()) {
-    Lanes sine, cosine;
-    sincos(x, sine, cosine);
-    EXPECT_EQ(bitsOf(sine[0]), bitsOf(sin(Lanes(x))[0])) << x;
-    EXPECT_EQ(bitsOf(cosine[0]), bitsOf(cos(Lanes(x))[0])) << x;
-  }
-}
-
 }  // namespace
 }  // namespace warpjet
