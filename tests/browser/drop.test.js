@@ -2,11 +2,12 @@
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
-import { createServer } from 'vite'
+import { build, createServer, preview } from 'vite'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
 import { config, desktop, difference, path, patience, pixels } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import { sphereMesh } from './support/mesh.js'
+import { png } from './support/png.js'
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }
 /** Time stands still at first, so that nothing moves but by the test. */
@@ -229,7 +230,7 @@ describe('the page for one’s own model', () => {
     for (const [name, bytes] of Object.entries(wrong)) {
       await drop(page, { [name]: bytes })
       const sentence = await problem(page)
-      assert.match(sentence, /^[^\n]{15,300}\.$/, name)
+      assert.match(sentence, /^[A-Z“][^\n]{15,300}\.$/, name)
       assert.equal(await text(page, '.name'), 'ball')
       assert.equal(difference(before, await picture(page)), 0, name)
     }
@@ -260,6 +261,28 @@ describe('the page for one’s own model', () => {
     assert.match(await text(page, '.warnings'), /animation/i)
     await drop(page, { 'ball.glb': glb })
     assert.equal(await text(page, '.warnings'), '')
+  })
+
+  test('shows the picture of a material', async () => {
+    const colors = [
+      [20, 200, 30],
+      [255, 255, 255],
+    ]
+    const tile = (color) => ({
+      positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0],
+      uvs: [0, 1, 1, 1, 1, 0, 0, 0],
+      indices: [0, 1, 2, 0, 2, 3],
+      material: {
+        baseColor: [1, 1, 1, 1],
+        baseColorTexture: { bytes: png(1, [color]), mimeType: 'image/png' },
+      },
+    })
+    for (const color of colors) {
+      await drop(page, { 'tile.glb': exportGLB(tile(color)) })
+      const share = green(await picture(page))
+      assert.ok(color === colors[0] ? share > 0.03 : share === 0, `${color}: ${share}`)
+    }
+    await drop(page, { 'ball.glb': glb })
   })
 
   test('turns and zooms by keys', async () => {
@@ -311,4 +334,22 @@ test('fits a phone, where a finger turns the model', async () => {
   await page.screenshot({ path: `${screenshots}/drop-phone.png`, fullPage: true })
   await page.context().close()
   assert.deepEqual(messages, [])
+})
+
+test('works as it is built, and the gallery leads to it', async () => {
+  const outDir = path('.build/gallery-drop')
+  await build({ ...config, build: { outDir, emptyOutDir: true } })
+  const built = await preview({ ...config, preview: { port: 5320 }, build: { outDir } })
+  try {
+    const context = await browser.newContext(still)
+    const { page, messages } = await openPage(context, built.resolvedUrls.local[0])
+    await page.getByRole('link', { name: 'a model of your own' }).click()
+    await settled(page)
+    await drop(page, { 'ball.glb': glb })
+    assert.ok(green(await picture(page)) > 0.03)
+    await context.close()
+    assert.deepEqual(messages, [])
+  } finally {
+    await built.close()
+  }
 })

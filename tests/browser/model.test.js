@@ -3,11 +3,11 @@ import assert from 'node:assert/strict'
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { deflateSync } from 'node:zlib'
 import { exportGLB } from '../../dist/mesh.js'
 import { bunny } from '../../web/models/bunny.js'
 import { launchBrowser } from './support/browser.js'
 import { colorAt, litPixels, readPixels } from './support/pixels.js'
+import { png } from './support/png.js'
 import { servePages } from './support/server.js'
 import { p5Versions, runSketch } from './support/sketch.js'
 
@@ -15,35 +15,6 @@ const addon = '/dist/p5.warpjet.min.js'
 const size = 300
 const folder = '/.build/model-test'
 const path = (name) => fileURLToPath(new URL(`../..${name}`, import.meta.url))
-
-/** Of a PNG file: length, type, data, and the checksum of the last two. */
-function chunk(type, data) {
-  const body = Buffer.concat([Buffer.from(type), data])
-  const ends = Buffer.alloc(8)
-  ends.writeUInt32BE(data.length, 0)
-  let crc = 0xffffffff
-  for (const byte of body) {
-    crc ^= byte
-    for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0)
-  }
-  ends.writeUInt32BE(~crc >>> 0, 4)
-  return Buffer.concat([ends.subarray(0, 4), body, ends.subarray(4)])
-}
-
-/** A square PNG of `pixels`, [red, green, blue] from the top left. */
-function png(width, pixels) {
-  const header = Buffer.alloc(13)
-  header.writeUInt32BE(width, 0)
-  header.writeUInt32BE(width, 4)
-  header.set([8, 2, 0, 0, 0], 8)
-  const lines = pixels.flatMap((color, i) => (i % width ? color : [0, ...color]))
-  return Buffer.concat([
-    Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]),
-    chunk('IHDR', header),
-    chunk('IDAT', deflateSync(Buffer.from(lines))),
-    chunk('IEND', Buffer.alloc(0)),
-  ])
-}
 
 /** As glTF has it: y upwards, the front counterclockwise, colours linear. Two wide, one high. */
 const tip = {
@@ -344,6 +315,49 @@ describe('loadWarpModel in preload, on p5 1.11', () => {
       assert.deepEqual(messages, [])
       assert.deepEqual(colorAt(image, size / 2, size / 2), red)
     })
+})
+
+describe('loadWarpModel from elsewhere', () => {
+  test('takes mesh.js from the server that the script is from', async () => {
+    const context = await browser.newContext()
+    const cdn = server.url.replace('localhost', '127.0.0.1')
+    const fetched = []
+    await context.route(`${cdn}/**`, async (route) => {
+      fetched.push(new URL(route.request().url()).pathname)
+      const response = await route.fetch()
+      await route.fulfill({
+        response,
+        headers: { ...response.headers(), 'access-control-allow-origin': '*' },
+      })
+    })
+    const { page, messages } = await runSketch(
+      context,
+      server,
+      [p5Versions['2.x'], `${cdn}${addon}`],
+      `async function setup() {
+        window.tip = await loadWarpModel('${folder}/plain.glb')
+        window.done = true
+      }`,
+    )
+    assert.deepEqual(messages, [])
+    assert.equal(await page.evaluate('tip.faces.length'), 1)
+    await context.close()
+    assert.ok(fetched.includes('/dist/mesh.js'), fetched.join())
+  })
+
+  test('tells the console of a model that preload waits for in vain', async () => {
+    const { page, messages } = await runSketch(
+      browser,
+      server,
+      [p5Versions['1.11'], addon],
+      `function preload() { loadWarpModel('${folder}/words.glb') }
+      function setup() { window.isSetUp = true }`,
+    )
+    assert.equal(await page.evaluate('window.isSetUp'), undefined)
+    await page.close()
+    assert.equal(messages.length, 1)
+    assert.match(messages[0], /^uncaught: loadWarpModel: /)
+  })
 })
 
 test("'warpjet/p5' as a module fetches mesh.js when it is first used", async () => {

@@ -16,6 +16,7 @@ import {
   type Vec4,
   type Vector,
 } from '../../js-bindings/index.js'
+import type { Loading, WarpModel } from '../../js-bindings/p5.js'
 
 compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {
   const t: Scalar = millis.div(1000).add(mouseX, 2)
@@ -319,3 +320,11 @@ export function wave<Value extends Scalar | Vec3>(value: Value, amount: number):
 }
 export const doubled = (vector: Vector): Vector => vector.mult(2).normalize()
 export const flipped = (matrix: AnyMatrix): AnyMatrix => matrix.transpose().neg()
+
+// A model in a sketch; p5's own types are not ours to add to.
+export async function load(sketch: Loading): Promise<number> {
+  const model: WarpModel = await sketch.loadWarpModel('bunny.glb', { normalize: false })
+  // @ts-expect-error no such option
+  await sketch.loadWarpModel('bunny.glb', { size: 2 })
+  return model.vertices.length + (model.texture ? 1 : 0) + model.warnings.length
+}

@@ -29,7 +29,12 @@ let isPlaying = false
 let needsFrame = true
 
 const nextFrame = () => new Promise(requestAnimationFrame)
-const complain = (error) => (find('[role=alert]').textContent = error?.message ?? '')
+const alert = find('[role=alert]')
+/** Who has written no code is not told which function says it. */
+const complain = (error) =>
+  (alert.textContent = (error?.message ?? '').replace(/^\w+: (.)/, (_, first) =>
+    first.toUpperCase(),
+  ))
 const redraw = () => (needsFrame = true)
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 })
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
@@ -131,6 +136,14 @@ function describe() {
 let counted = { at: -Infinity, took: 0 }
 
 function countFolded() {
+  try {
+    showCounts()
+  } catch (error) {
+    complain(error)
+  }
+}
+
+function showCounts() {
   const start = performance.now()
   const { positions, normals, uvs, colors } = fine
   const { count } = warp.compiled.foldover({ positions, normals, uvs, colors }, uniforms())
