@@ -21,7 +21,12 @@ const targets = {
 }
 
 // One input may take 10 s and 2 GB, and ask for 1.5 GB at once: the largest mesh that a file may claim has 1.
-const limits = ['-timeout=10', '-rss_limit_mb=2048', '-malloc_limit_mb=1536', '-print_final_stats=1']
+const limits = [
+  '-timeout=10',
+  '-rss_limit_mb=2048',
+  '-malloc_limit_mb=1536',
+  '-print_final_stats=1',
+]
 
 /** Runs the targets at once where there are cores for it; `isKept` says whether to go on from earlier runs. */
 export async function fuzz({ seconds, names = Object.keys(targets), isKept = true }) {
@@ -66,8 +71,14 @@ async function runTarget(name, seconds, isKept) {
     : `${name}: ${why}; see ${log}.`
 }
 
-// What the sanitizers, libFuzzer and tests/fuzz/require.hpp say of a finding.
-const reasons = [/^NOT TRUE: (.*)/, /runtime error: (.*)/, /^=*\d+=+ ?ERROR: (.*)/]
+// What the sanitizers, the standard library, libFuzzer and tests/fuzz/require.hpp say of a finding.
+const reasons = [
+  /^NOT TRUE: (.*)/,
+  /runtime error: (.*)/,
+  /: (Assertion .* failed)\.$/,
+  /^terminate called after (throwing .*)/,
+  /^=*\d+=+ ?ERROR: (.*)/,
+]
 
 /** Says every ten seconds how far it is. */
 async function follow(name, child, log) {

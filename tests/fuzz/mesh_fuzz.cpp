@@ -45,11 +45,13 @@ void checkNormals(const Mesh& mesh) {
 // Of a mesh without triangles there is no file.
 void checkExport(const Mesh& mesh) {
   if (mesh.triangleCount() == 0) return;
-  const Loaded again = loadMesh(exportGlb(mesh));
+  const std::vector<std::uint8_t> bytes = exportGlb(mesh);
+  const Loaded again = loadMesh(bytes);
   require(again.mesh.has_value(), "what was written is read", again.problem);
   require(again.mesh->triangleCount() == mesh.triangleCount(), "no triangle gets lost");
   require(again.mesh->positions == mesh.positions, "positions are written as they are");
   require(again.mesh->indices == mesh.indices, "triangles are written as they are");
+  require(exportGlb(*again.mesh) == bytes, "what was read is written the same");
 }
 
 // Four warps: smooth, none, one with holes, one that leaves the floats.

@@ -13,6 +13,8 @@ const std::vector<float> square{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
 const std::vector<float> upwards{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
 const std::vector<std::uint16_t> corners{0, 1, 2, 0, 2, 3};
 
+const File png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 13};
+
 GltfBuilder squareFile(const json& more = {}) {
   GltfBuilder file;
   const int positions = file.floats(square, "VEC3");
@@ -40,8 +42,7 @@ GltfBuilder allAttributes() {
 
 GltfBuilder textured() {
   GltfBuilder file = allAttributes();
-  file.tree["images"] = {{{"bufferView", file.view<std::uint8_t>({0x89, 'P', 'N', 'G', 13, 10})},
-                          {"mimeType", "image/png"}}};
+  file.tree["images"] = {{{"bufferView", file.view(png)}, {"mimeType", "image/png"}}};
   file.tree["textures"] = {{{"source", 0}}};
   file.tree["materials"] = {{{"pbrMetallicRoughness",
                               {{"baseColorTexture", {{"index", 0}, {"texCoord", 0}}},
@@ -68,6 +69,34 @@ GltfBuilder sparse() {
       {"count", 2},
       {"indices", {{"bufferView", file.view<std::uint8_t>({1, 3})}, {"componentType", 5121}}},
       {"values", {{"bufferView", file.view<float>({7, 8, 9, 1, 2, 3})}}}};
+  return file;
+}
+
+json replaced(int indices, int componentType, int values) {
+  return {{"count", 1},
+          {"indices", {{"bufferView", indices}, {"componentType", componentType}}},
+          {"values", {{"bufferView", values}}}};
+}
+
+// Numbers, and places of those that are replaced, of each type.
+template <typename T, typename Place>
+GltfBuilder sparseOf() {
+  GltfBuilder file;
+  file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"KHR_mesh_quantization"};
+  const int places = file.view<Place>({2}), values = file.view<T>({1, 2, 3, 0});
+  const int position = file.view<Place>({1});
+  const int positions = file.accessor<T>(
+      {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC3",
+      {{"count", 3}, {"sparse", replaced(places, componentTypeOf<Place>(), values)}});
+  file.tree["bufferViews"].back()["byteStride"] = 4 * sizeof(T);
+  const int corner = file.view<Place>({1});
+  const int indices = file.accessor<Place>(
+      {0, 0, 2}, "SCALAR", {{"sparse", replaced(position, componentTypeOf<Place>(), corner)}});
+  const int uvs =
+      file.accessor<std::uint16_t>({0, 0, 65535, 0, 0, 65535}, "VEC2", {{"normalized", true}});
+  file.mesh({{"POSITION", positions}, {"TEXCOORD_0", uvs}}, {{"indices", indices}});
+  file.node({{"mesh", 0}});
+  file.tree["accessors"][0]["normalized"] = sizeof(T) == 1;
   return file;
 }
 
@@ -140,6 +169,10 @@ void writeMeshSeeds() {
   write("textured.glb", textured().glb());
   write("quantized.glb", quantized().glb());
   write("sparse.glb", sparse().glb());
+  write("sparse-byte.glb", sparseOf<std::int8_t, std::uint8_t>().glb());
+  write("sparse-unsigned-byte.glb", sparseOf<std::uint8_t, std::uint16_t>().glb());
+  write("sparse-short.glb", sparseOf<std::int16_t, std::uint32_t>().glb());
+  write("sparse-unsigned-short.glb", sparseOf<std::uint16_t, std::uint8_t>().glb());
   write("interleaved.glb", interleaved().glb());
   write("scene.glb", scene().glb());
   write("materials.glb", twoMaterials().glb());
@@ -147,7 +180,7 @@ void writeMeshSeeds() {
   write("embedded.gltf", allAttributes().embedded());
   GltfBuilder pictured = textured();
   pictured.tree["images"] = {{{"uri", "a%20picture.png"}}};
-  write("external", split({pictured.binary, {0x89, 'P', 'N', 'G'}}, pictured.external("a.bin")));
+  write("external", split({pictured.binary, png}, pictured.external("a.bin")));
   write("missing.gltf", squareFile().external("a.bin"));
 
   write("square.obj", bytesOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
