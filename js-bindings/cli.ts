@@ -14,6 +14,12 @@ const commands: Record<string, (args: string[]) => Promise<void>> = { emit, bake
 const [name = '', ...args] = process.argv.slice(2)
 const asksForHelp = (text: string) => text === '--help' || text === '-h'
 
+// Whoever reads may have enough, as `head` does.
+for (const stream of [process.stdout, process.stderr])
+  stream.on('error', (error: { code?: string }) => {
+    if (error.code !== 'EPIPE') throw error
+  })
+
 try {
   const command = Object.hasOwn(commands, name) ? commands[name] : undefined
   if (command && args.some(asksForHelp)) console.log(helpOf(name))
@@ -24,6 +30,11 @@ try {
 } catch (error) {
   process.exitCode = report(error)
 }
+
+// What warp.js left running, such as a timer, is not waited for; what was written is.
+for (const stream of [process.stdout, process.stderr])
+  await new Promise<void>((done) => stream.write('', () => done()))
+process.exit()
 
 /** Says what went wrong: 2 for a wrong command line, 1 for what it names. */
 function report(error: unknown): number {

@@ -232,9 +232,16 @@ EMSCRIPTEN_KEEPALIVE int refine(Job* job, float tolerance, float angle,
   });
 }
 
+// The same.
 EMSCRIPTEN_KEEPALIVE int refineUniformly(Job* job, int levels, std::uint32_t maxTriangles) {
   return attempt(*job, [&] {
-    job->mesh = subdivideUniformly(job->mesh, levels, maxTriangles);
+    Divided divided = subdivideUniformly(job->mesh, levels, maxTriangles);
+    if (divided.levels < levels)
+      job->texts = {"Of " + std::to_string(levels) + " levels only " +
+                    std::to_string(divided.levels) + " were made, with " +
+                    grouped(divided.mesh.triangleCount()) + " triangles, for maxTriangles is " +
+                    grouped(maxTriangles) + '.'};
+    job->mesh = std::move(divided.mesh);
     return true;
   });
 }

@@ -4,9 +4,10 @@ import { resolve } from 'node:path'
 import { type CompiledWarp, compileWarp } from '../compile-warp.js'
 import { WarpError } from '../errors.js'
 import { type Mesh, type Uniforms, bakeWarp, exportGLB, loadMesh, subdivide } from '../mesh.js'
+import { mostTriangles } from '../mesh/subdivide.js'
 import { writing } from './files.js'
 import { Progress, count } from './progress.js'
-import { type UsageError, readArguments, readPositive } from './usage.js'
+import { type UsageError, readArguments, readCount, readPositive } from './usage.js'
 import { blame, readWarp } from './warp-file.js'
 
 type Wrong = (message: string) => UsageError
@@ -25,23 +26,27 @@ export async function bake(args: string[]): Promise<void> {
   if (!/\.glb$/i.test(output)) throw wrong(`bake writes .glb files, but -o is "${output}".`)
   if (resolve(output) === resolve(model)) throw wrong('bake does not write over the model itself.')
   const uniforms = readUniforms(values.set, wrong)
-  const positive = (name: 'subdivide' | 'max-triangles') => {
-    const text = values[name]
-    return text === undefined ? undefined : readPositive(name, text, wrong)
-  }
-  const tolerance = positive('subdivide')
-  const maxTriangles = positive('max-triangles')
+  const { subdivide: distance, 'max-triangles': most } = values
+  if (most !== undefined && distance === undefined)
+    throw wrong('--max-triangles is about what --subdivide makes, which is missing.')
+  const tolerance = distance === undefined ? undefined : readPositive('subdivide', distance, wrong)
+  const maxTriangles =
+    most === undefined ? undefined : readCount('max-triangles', most, mostTriangles, wrong)
 
   const progress = new Progress(values.quiet)
   const offset = await readWarp(file)
   const warp = await blame(file, () => compileWarp(offset))
   checkUniforms(file, warp, uniforms)
 
-  let mesh = await loadMesh(model)
+  let mesh = writable(await loadMesh(model))
   for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
   progress.step(`${model}: ${sizeOf(mesh)}`)
   if (tolerance) {
-    mesh = subdivide(mesh, { warp: watched(warp, progress), uniforms, tolerance, maxTriangles })
+    try {
+      mesh = subdivide(mesh, { warp: watched(warp, progress), uniforms, tolerance, maxTriangles })
+    } finally {
+      progress.clear()
+    }
     for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
     progress.step(`Subdivided: ${sizeOf(mesh)}`)
   }
@@ -49,6 +54,26 @@ export async function bake(args: string[]): Promise<void> {
   await writing(output, () => writeFile(output, bytes))
   progress.step(`${output}: ${count(bytes.length, 'byte')}`)
 }
+
+/** Without a picture that no GLB file may have; then a warning says so. */
+function writable(mesh: Mesh): Mesh {
+  const { material, warnings = [] } = mesh
+  const picture = material?.baseColorTexture
+  if (!picture || isPngOrJpeg(picture.bytes)) return mesh
+  const warning = `The picture of the base colour (${picture.mimeType}) is neither PNG nor JPEG; it is left out.`
+  return {
+    ...mesh,
+    material: { baseColor: material.baseColor },
+    warnings: [...warnings, warning],
+  }
+}
+
+/** By how its bytes begin, as exportGLB sees it. */
+const isPngOrJpeg = (bytes: Uint8Array) =>
+  [
+    [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a],
+    [0xff, 0xd8, 0xff],
+  ].some((start) => bytes.length > start.length && start.every((byte, i) => bytes[i] === byte))
 
 const sizeOf = ({ positions, indices }: Mesh) =>
   `${count((indices ?? positions).length / (indices ? 3 : 9), 'triangle')}, ${count(positions.length / 3, 'vertex', 'vertices')}`

@@ -35,7 +35,7 @@ Moves every vertex of the model as the shader would, turns normals and tangents,
   --set <name>=<value>      a uniform that the warp reads: --set millis=1200, --set mouse=10,20; as often as needed
   --subdivide <tolerance>   first gives the model more triangles where the warp bends it: the result is nowhere farther
                             than this from the smooth shape, in units of the model
-  --max-triangles <n>       never makes more than so many (default 1048576)
+  --max-triangles <n>       with --subdivide: never makes more than so many (default 1048576)
   -q, --quiet               tells nothing on the way`,
 
   info: `npx warpjet info <model>

@@ -43,6 +43,20 @@ function parse<const Known extends Options>(command: string, args: string[], opt
   }
 }
 
+/** A whole number above 0, as an option has it. */
+export function readCount(
+  name: string,
+  text: string,
+  most: number,
+  wrong: (message: string) => UsageError,
+) {
+  const value = readPositive(name, text, wrong)
+  if (Number.isInteger(value) && value <= most) return value
+  throw wrong(
+    `--${name} must be a whole number, at most ${most.toLocaleString('en-US')}, but is "${text}".`,
+  )
+}
+
 /** A number above 0, as an option has it. */
 export function readPositive(name: string, text: string, wrong: (message: string) => UsageError) {
   const value = Number(text)

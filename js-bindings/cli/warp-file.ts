@@ -1,7 +1,7 @@
 // The offset function of a file.
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
-import { WarpError } from '../errors.js'
+import { WarpError, describe } from '../errors.js'
 import type { OffsetFunction } from '../types.js'
 
 /** Runs the file, and takes its default export or the only function that it exports. */
@@ -27,6 +27,7 @@ async function load(file: string): Promise<Record<string, unknown>> {
 }
 
 function sentence(file: string, url: string, error: unknown): string {
+  if (!(error instanceof Error)) return `${file} cannot be run: it throws ${describe(error)}.`
   const { code, name, message } = error as Error & { code?: string }
   const first = String(message).split('\n')[0]!
   if (
@@ -46,7 +47,8 @@ export async function blame<Result>(file: string, work: () => Result): Promise<R
   try {
     return work()
   } catch (error) {
-    if (error instanceof WarpError || !(error instanceof Error)) throw error
+    if (error instanceof WarpError) throw error
+    if (!(error instanceof Error)) throw new WarpError(`${file} throws ${describe(error)}.`)
     const { name, message } = error
     throw new WarpError(`${file}: ${name}: ${message.split('\n')[0]}${lineOf(file, error)}`)
   }

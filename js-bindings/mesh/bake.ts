@@ -10,9 +10,9 @@ export type Evaluates = Pick<CpuWarp, 'evaluate'>
 
 /**
  * The mesh with every vertex moved and every normal and tangent turned; all else is copied. Missing normals are computed
- * before. `warp` is what `compileWarp`
- * returns. Throws a `WarpError` if arrays do not fit together, a uniform is missing, or the warp has no finite value at
- * a vertex.
+ * before. `warp` is what `compileWarp` returns. An empty mesh stays empty; 10 million triangles take some seconds. Throws
+ * a `WarpError` if arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex, or the
+ * mesh is too large for the memory of the module (such as 40 million triangles).
  */
 export function bakeWarp(mesh: MeshInput, warp: Evaluates, uniforms?: Uniforms): Mesh {
   checkWarp('bakeWarp', warp)

@@ -1,5 +1,6 @@
 // `loadMesh`: from a file to a mesh.
 import { WarpError, describe } from '../errors.js'
+import { checkOptions } from '../options.js'
 import { type Mesh, takeMesh } from './mesh.js'
 import { type Job, withJob } from './module.js'
 import {
@@ -25,15 +26,16 @@ type FurtherFiles = Map<string, Uint8Array>
  * or too large.
  */
 export async function loadMesh(source: Source, options: LoadOptions = {}): Promise<Mesh> {
-  const given: unknown = options?.resolve
+  checkOptions('loadMesh', options, ['resolve'])
+  const given: unknown = options.resolve
   if (given !== undefined && typeof given !== 'function')
     throw new WarpError(
       `loadMesh: the option "resolve" must be a function from a URI to bytes, but is ${describe(given)}.`,
     )
-  const place = locate(source, 'loadMesh')
+  const place = await locate(source, 'loadMesh')
   const bytes = await readBytes(place, 'loadMesh')
   const beside = place instanceof URL ? resolveBeside(place, 'loadMesh') : undefined
-  const resolve = options?.resolve ?? beside
+  const resolve = options.resolve ?? beside
 
   const first = withJob('loadMesh', (job) => {
     job.setBytes('file', bytes)

@@ -29,6 +29,9 @@ interface MeshModule {
   /** .cmake/mesh.js. Never throws. */
   evaluateWarp?: (job: number) => number
 
+  /** Whether a trap left its memory in any state, so that nothing in it may run again. */
+  isBroken?: boolean
+
   readonly HEAPU8: Uint8Array
   readonly HEAPU32: Uint32Array
   readonly HEAPF32: Float32Array
@@ -53,7 +56,10 @@ let present: MeshModule | undefined
 
 const getModule = () => (present ??= instantiate<MeshModule>(factory, base64))
 
-/** How many bytes the mesh module holds inside its wasm. Between two calls it is always the same. */
+/**
+ * How many bytes the mesh module holds inside its wasm: between two calls always the same. For tests, not for users.
+ * @internal
+ */
 export function meshMemoryInUse(): number {
   return getModule()._memoryInUse() >>> 0
 }
@@ -142,16 +148,25 @@ export class Job {
     this.wasm.evaluateWarp = (address) => {
       try {
         warp(new Job(this.method, this.wasm, address))
+        // What the warp did with meshes may have ended this instance, even if it caught the error.
+        if (this.wasm.isBroken) throw new WarpError(trapSentence(this.method))
         return 1
       } catch (error) {
         problem = { error }
         return 0
       }
     }
-    const done = this.wasm._refine(this.job, tolerance, angle, maxTriangles)
-    this.wasm.evaluateWarp = outer
+    try {
+      const done = this.wasm._refine(this.job, tolerance, angle, maxTriangles)
+      if (!problem) this.expect(done)
+    } catch (error) {
+      // A trap on the way out of a warp that failed, whose own error says more.
+      if (problem) giveUp(this.wasm)
+      else throw error
+    } finally {
+      this.wasm.evaluateWarp = outer
+    }
     if (problem) throw new Foreign(problem.error)
-    this.expect(done)
   }
 
   private expect(done: number) {
@@ -195,14 +210,22 @@ export function withJob<Result>(method: string, work: (job: Job) => Result): Res
   } catch (error) {
     if (error instanceof Foreign) throw error.error
     if (!isTrap(error)) throw error
-    // Its memory may be in any state: the next call gets a new one.
-    job = present = undefined
-    throw new WarpError(`${method}: the mesh is too large or too deeply nested to be handled here.`)
+    giveUp(wasm)
+    throw new WarpError(trapSentence(method))
   } finally {
-    job?.close()
+    if (!wasm.isBroken) job?.close()
     if (present && present.HEAPU8.length > mostKeptBytes) present = undefined
   }
 }
+
+/** The next call gets a new instance. */
+function giveUp(wasm: MeshModule) {
+  wasm.isBroken = true
+  if (present === wasm) present = undefined
+}
+
+const trapSentence = (method: string) =>
+  `${method}: the mesh is too large or too deeply nested to be handled here.`
 
 function start(method: string): MeshModule {
   try {
@@ -220,6 +243,8 @@ class Foreign {
   constructor(readonly error: unknown) {}
 }
 
-/** What stops a wasm module: a trap, no more stack, or no more memory. */
+/** What stops a wasm module: a trap, no more stack, no more memory, or an exception of C++ that nothing caught. */
 const isTrap = (error: unknown) =>
-  error instanceof WebAssembly.RuntimeError || error instanceof RangeError
+  error instanceof WebAssembly.RuntimeError ||
+  error instanceof RangeError ||
+  error instanceof WebAssembly.Exception

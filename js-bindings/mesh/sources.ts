@@ -10,72 +10,87 @@ export type Source = Bytes | URL | string
 /** The bytes of a further file that a .gltf names, such as "scene.bin"; nothing if there is none. */
 export type Resolve = (uri: string) => Bytes | undefined | Promise<Bytes | undefined>
 
-declare const process: { versions?: { node?: string }; cwd(): string } | undefined
+declare const process: { versions?: { node?: string } } | undefined
 
-/** Where a path of Node is looked for; nothing in a browser. */
-const workingFolder = () =>
-  typeof process === 'object' && process.versions?.node ? process.cwd() : undefined
+const isNode = () => typeof process === 'object' && process.versions?.node !== undefined
 
-// In a variable, or bundlers for browsers would look for it.
+// In variables, or bundlers for browsers would look for them.
 const fileSystem = 'node:fs/promises'
+const nodeUrl = 'node:url'
+
+/** Nothing is there. */
+class Missing extends WarpError {}
 
 /** The bytes, in an array that may share its memory with the source. */
 export async function readBytes(source: unknown, method: string): Promise<Uint8Array> {
   if (source instanceof URL) return fetchBytes(source, method)
-  const bytes = await toBytes(source)
+  const bytes = await toBytes(source, method)
   if (bytes) return bytes
   throw new WarpError(
     `${method}: a URL, or bytes in an ArrayBuffer, a Uint8Array or a Blob, were expected, but ${describe(source)} came.`,
   )
 }
 
-async function toBytes(source: unknown): Promise<Uint8Array | undefined> {
+async function toBytes(source: unknown, method: string): Promise<Uint8Array | undefined> {
   if (source instanceof Uint8Array) return source
   if (ArrayBuffer.isView(source))
     return new Uint8Array(source.buffer, source.byteOffset, source.byteLength)
   if (source instanceof ArrayBuffer) return new Uint8Array(source)
   if (typeof Blob === 'function' && source instanceof Blob)
-    return new Uint8Array(await source.arrayBuffer())
+    return new Uint8Array(
+      await source.arrayBuffer().catch((error: unknown) => {
+        // A file of the user that was moved or changed since it was chosen.
+        const reason = error instanceof Error ? ` (${shorten(error.name)})` : ''
+        throw new WarpError(`${method}: the Blob or File cannot be read${reason}.`)
+      }),
+    )
   return undefined
 }
 
-/** A text as a URL: relative to the page, or in Node to the working directory; anything else as it is. */
-export function locate(source: unknown, method: string): unknown {
+/** A text as a URL: relative to the page, or in Node a path unless it says otherwise; anything else as it is. */
+export async function locate(source: unknown, method: string): Promise<unknown> {
   if (typeof source !== 'string') return source
+  if (isNode() && !/^([a-z][a-z\d+.-]*:\/\/|(file|data|blob):)/i.test(source)) {
+    const { pathToFileURL } = await import(/* @vite-ignore */ nodeUrl)
+    return pathToFileURL(source)
+  }
+  const url = parsed(source, pageUrl())
+  if (!url) throw new WarpError(`${method}: "${shorten(source)}" is no URL.`)
+  return url
+}
+
+function pageUrl(): string | undefined {
+  if (isNode()) return undefined
+  return typeof document === 'object' ? document.baseURI : globalThis.location?.href
+}
+
+function parsed(text: string, base?: string | URL): URL | undefined {
   try {
-    return new URL(source, baseUrl(source))
+    return new URL(text, base)
   } catch {
-    throw new WarpError(`${method}: "${shorten(source)}" is no URL.`)
+    return undefined
   }
 }
 
-function baseUrl(text: string): string | undefined {
-  const folder = workingFolder()
-  if (folder === undefined)
-    return typeof document === 'object' ? document.baseURI : globalThis.location?.href
-  return /^[a-z][a-z\d+.-]+:/i.test(text) ? undefined : `${pathUrl(folder)}/`
-}
-
-const pathUrl = (path: string) =>
-  `file://${path
-    .replaceAll('\\', '/')
-    .replace(/^(?!\/)/, '/')
-    .split('/')
-    .map(encodeURIComponent)
-    .join('/')}`
-
 async function fetchBytes(url: URL, method: string): Promise<Uint8Array> {
-  if (workingFolder() !== undefined && url.protocol === 'file:') return readFile(url, method)
-  const failed = (why: string) =>
-    new WarpError(`${method}: ${shorten(url.href)} cannot be loaded; ${why}.`)
+  if (isNode() && url.protocol === 'file:') return readFile(url, method)
+  const sentence = (why: string) => `${method}: ${shorten(url.href)} cannot be loaded; ${why}.`
   let response: Response
   try {
     response = await fetch(url)
   } catch {
-    throw failed('there is no such server, or it does not allow this page to read from it')
+    throw new WarpError(
+      sentence('there is no such server, or it does not allow this page to read from it'),
+    )
   }
-  if (!response.ok) throw failed(`the server answered ${response.status}`)
-  return new Uint8Array(await response.arrayBuffer())
+  const { ok, status } = response
+  if (!ok)
+    throw new (status === 404 ? Missing : WarpError)(sentence(`the server answered ${status}`))
+  try {
+    return new Uint8Array(await response.arrayBuffer())
+  } catch {
+    throw new WarpError(sentence('the connection broke off'))
+  }
 }
 
 async function readFile(url: URL, method: string): Promise<Uint8Array> {
@@ -83,21 +98,38 @@ async function readFile(url: URL, method: string): Promise<Uint8Array> {
   try {
     return await readFile(url)
   } catch (error) {
-    const missing = (error as { code?: string }).code === 'ENOENT'
-    throw new WarpError(
-      `${method}: the file ${decodeURIComponent(url.pathname)} ${missing ? 'does not exist' : 'cannot be read'}.`,
-    )
+    const { code } = error as { code?: string }
+    // Percent signs that stand for nothing name no file.
+    if (code === 'ENOENT' || error instanceof URIError)
+      throw new Missing(`${method}: the file ${pathOf(url)} does not exist.`)
+    throw new WarpError(`${method}: the file ${pathOf(url)} cannot be read.`)
+  }
+}
+
+/** As people write it, unless its percent signs stand for nothing. */
+function pathOf({ pathname }: URL): string {
+  try {
+    return decodeURIComponent(pathname)
+  } catch {
+    return pathname
   }
 }
 
 /**
  * The further files of a model where it lies itself: only those beside or below it, so that a file from a stranger reads
- * nothing else.
+ * nothing else. Nothing for those that are not there, since a model can do without its pictures.
  */
 export function resolveBeside(model: URL, method: string): Resolve {
-  const folder = new URL('.', model).href
+  // A data: or blob: URL has nothing beside it.
+  const folder = parsed('.', model)?.href
   return async (uri) => {
-    const url = new URL(uri, model)
-    return url.href.startsWith(folder) ? fetchBytes(url, method) : undefined
+    const url = parsed(uri, model)
+    if (folder === undefined || !url?.href.startsWith(folder)) return undefined
+    try {
+      return await fetchBytes(url, method)
+    } catch (error) {
+      if (error instanceof Missing) return undefined
+      throw error
+    }
   }
 }

@@ -1,5 +1,6 @@
 // `subdivide`: more triangles, where a warp needs them.
 import { WarpError, describe } from '../errors.js'
+import { checkOptions } from '../options.js'
 import type { Uniforms } from '../vertices.js'
 import { type Evaluates, checkWarp, evaluateFor } from './bake.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
@@ -27,22 +28,25 @@ export interface UniformOptions extends Limit {
   levels: number
 }
 
-/** Indices are whole numbers of 32 bits. */
-const mostTriangles = 2 ** 30
+/** Of src/mesh/refiner.hpp. */
+export const mostTriangles = 2 ** 28
 
 /**
  * The same surface with more vertices, not warped yet. Edges are split until the warped triangles are as near to the
  * warped surface as `tolerance` says, only where that is needed; or, with `levels`, everywhere. No cracks come up, and
- * new vertices lie between the old ones in every attribute. If `maxTriangles` ends it before, `warnings` says so. Throws
- * a `WarpError` for wrong options and arrays that do not fit together.
+ * new vertices lie between the old ones in every attribute. If `maxTriangles` ends it before, `warnings` says so. A mesh
+ * without triangles comes back as it is. Throws a `WarpError` for wrong options, arrays that do not fit together, and a
+ * result that does not fit into the 4 GB of the module.
  */
 export function subdivide(mesh: MeshInput, options: AdaptiveOptions | UniformOptions): Mesh {
   if (typeof options !== 'object' || options === null)
     throw new WarpError(
       `subdivide: options such as { warp, tolerance: 0.01 } or { levels: 2 } were expected, but ${describe(options)} came.`,
     )
+  const known = 'levels' in options ? ['levels'] : ['warp', 'uniforms', 'tolerance', 'angle']
+  checkOptions('subdivide', options, [...known, 'maxTriangles'])
   const { maxTriangles = 2 ** 20 } = options
-  checkNumber('maxTriangles', maxTriangles, 'a whole number from 1 to 2^30', isCount)
+  checkNumber('maxTriangles', maxTriangles, 'a whole number from 1 to 2^28', isCount)
   const refine =
     'levels' in options ? uniformly(options, maxTriangles) : adaptively(options, maxTriangles)
   return withJob('subdivide', (job) => {

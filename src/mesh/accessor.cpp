@@ -51,6 +51,24 @@ Elements elementsIn(const Gltf& gltf, int accessor, int bufferView, std::uint64_
   return {bytes.data() + offset, stride, static_cast<std::size_t>(count)};
 }
 
+// The elements in the accessor's own view, of so many bytes. Only vectors may lie apart.
+Elements ownElements(const Gltf& gltf, int accessor, std::size_t size) {
+  const tinygltf::Accessor& info = accessorAt(gltf, accessor);
+  const auto& views = gltf.model.bufferViews;
+  const auto& view = views[checkedIndex("bufferView", info.bufferView, views.size())];
+  const std::size_t stride = info.type == TINYGLTF_TYPE_SCALAR ? 0 : view.byteStride;
+  return elementsIn(gltf, accessor, info.bufferView, info.byteOffset, info.count, size, stride);
+}
+
+// Of an element, or less for types that nothing here reads: those are refused where they are read.
+std::size_t sizeOf(const tinygltf::Accessor& info) {
+  // The numbers of tinygltf's vector types are their lengths.
+  const int width = info.type <= TINYGLTF_TYPE_VEC4 ? info.type : 1;
+  const int bytes =
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(info.componentType));
+  return static_cast<std::size_t>(std::max(width * bytes, 1));
+}
+
 // Calls with a zero of the C++ type of a component.
 template <typename Function>
 void withType(int accessor, int componentType, Function function) {
@@ -126,10 +144,7 @@ void appendAs(const Gltf& gltf, int accessor, std::size_t components, std::size_
     for (std::size_t i = start; i < numbers.size(); ++i)
       numbers[i] = (i - start) % width < components ? 0.0f : 1.0f;
   } else {
-    const auto& view = gltf.model.bufferViews[checkedIndex("bufferView", info.bufferView,
-                                                           gltf.model.bufferViews.size())];
-    const Elements elements = elementsIn(gltf, accessor, info.bufferView, info.byteOffset,
-                                         info.count, components * sizeof(T), view.byteStride);
+    const Elements elements = ownElements(gltf, accessor, components * sizeof(T));
     numbers.resize(start + elements.count * width, 1.0f);
     for (std::size_t i = 0; i < elements.count; ++i) write(i, elements, i);
   }
@@ -143,6 +158,7 @@ std::size_t countOf(const Gltf& gltf, int accessor) {
   if (info.bufferView < 0 && info.count > mostZeros)
     fail(accessor, "says " + grouped(info.count) + " elements without any bytes; at most " +
                        grouped(mostZeros) + " are read");
+  if (info.bufferView >= 0) ownElements(gltf, accessor, sizeOf(info));
   return info.count;
 }
 
@@ -171,8 +187,7 @@ std::vector<std::uint32_t> indicesOf(const Gltf& gltf, int accessor) {
   if (info.type != TINYGLTF_TYPE_SCALAR) fail(accessor, "must hold single numbers, being indices");
   withType(accessor, info.componentType, [&]<typename T>(T) {
     if constexpr (std::is_unsigned_v<T>) {
-      const Elements elements =
-          elementsIn(gltf, accessor, info.bufferView, info.byteOffset, info.count, sizeof(T), 0);
+      const Elements elements = ownElements(gltf, accessor, sizeof(T));
       indices.resize(elements.count);
       for (std::size_t i = 0; i < elements.count; ++i) indices[i] = elements.at<T>(i);
       forSparse<T>(gltf, accessor, 1,

@@ -9,8 +9,8 @@
 
 namespace warpjet {
 
-// How many elements it has, without reading them. Refused beyond 2^22 if it has no bytes of its
-// own.
+// How many elements it has, without reading them. Refused where its bytes are not there, or beyond
+// 2^22 if it has no bytes of its own, so that nobody makes room for a count that only is said.
 std::size_t countOf(const Gltf& gltf, int accessor);
 
 // Whether its numbers are floats as they are, so that nothing was quantized.

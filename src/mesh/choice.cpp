@@ -23,7 +23,7 @@ std::vector<std::uint32_t> Refiner::chooseEdges() const {
   for (std::size_t i = 0; i < needs_.size(); ++i) {
     const Edge& edge = surface_.edges()[i];
     // Overlapping triangles can bring back an edge that is split already.
-    chosen[i] = edge.uses > 0 && (needs_[i].isWanted() || edge.middle != none);
+    chosen[i] = edge.uses > 0 && (needs_[i].isWanted() || edge.middle != noNumber);
   }
   keepShape(chosen);
   std::vector<std::uint32_t> edges;
@@ -58,14 +58,14 @@ std::vector<std::uint32_t> Refiner::worst(std::vector<std::uint32_t> edges,
   for (const std::uint32_t i : edges) {
     const Edge& edge = surface_.edges()[i];
     added += edge.uses;
-    if (edge.middle != none) addedAgain += edge.uses;
+    if (edge.middle != noNumber) addedAgain += edge.uses;
   }
   if (added <= room) return edges;
   if (addedAgain > room) return {};
   // Equals in the order of their numbers, so that the same input has the same result.
   std::vector<std::pair<float, std::uint32_t>> ranks;
   for (const std::uint32_t i : edges) {
-    const bool isAgain = surface_.edges()[i].middle != none;
+    const bool isAgain = surface_.edges()[i].middle != noNumber;
     ranks.emplace_back(isAgain ? -std::numeric_limits<float>::infinity() : -needs_[i].score, i);
   }
   std::sort(ranks.begin(), ranks.end());

@@ -33,12 +33,12 @@ bool isDrawn(Gltf& gltf, const tinygltf::Primitive& primitive) {
 
 bool any(const std::vector<Draw>& draws, const char* attribute) {
   return std::any_of(draws.begin(), draws.end(),
-                     [&](const Draw& draw) { return draw.accessor(attribute) != none; });
+                     [&](const Draw& draw) { return draw.accessor(attribute) != noPlace; });
 }
 
 bool all(const std::vector<Draw>& draws, const char* attribute) {
   return std::all_of(draws.begin(), draws.end(),
-                     [&](const Draw& draw) { return draw.accessor(attribute) != none; });
+                     [&](const Draw& draw) { return draw.accessor(attribute) != noPlace; });
 }
 
 bool hasEqualColors(const Gltf& gltf, const std::vector<Draw>& draws) {
@@ -74,7 +74,7 @@ void checkSize(const std::vector<Draw>& draws, const Layout& layout) {
 
 int Draw::accessor(const char* attribute) const {
   const auto found = primitive->attributes.find(attribute);
-  return found == primitive->attributes.end() ? none : found->second;
+  return found == primitive->attributes.end() ? noPlace : found->second;
 }
 
 std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed) {

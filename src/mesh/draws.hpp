@@ -18,9 +18,9 @@ struct Draw {
   std::size_t vertices, corners;
 
   Primitives kind() const { return Primitives{primitive->mode}; }
-  bool isIndexed() const { return primitive->indices != none; }
+  bool isIndexed() const { return primitive->indices != noPlace; }
 
-  // The accessor of an attribute, or none.
+  // The accessor of an attribute, or noPlace.
   int accessor(const char* attribute) const;
 };
 

@@ -74,6 +74,26 @@ void warnOfMotion(Gltf& gltf, json& tree) {
     gltf.warn("The model has animations; they are ignored, and it stands still.");
 }
 
+// Right glTF, where they are sparse, but tinygltf refuses them in words that help nobody.
+void refuseIndicesWithoutBytes(const json& tree) {
+  const json none = json::array();
+  const auto listOf = [&](const json& object, const char* name) -> const json& {
+    const auto found = object.find(name);
+    return found == object.end() ? none : *found;
+  };
+  const json& accessors = listOf(tree, "accessors");
+  for (const json& mesh : listOf(tree, "meshes")) {
+    for (const json& primitive : listOf(mesh, "primitives")) {
+      const auto indices = primitive.value("indices", std::uint64_t{accessors.size()});
+      if (indices < accessors.size() &&
+          !accessors[static_cast<std::size_t>(indices)].contains("bufferView"))
+        throw FileProblem("accessor " + std::to_string(indices) +
+                          " has indices without a bufferView, which are not read here; export the "
+                          "model without sparse indices.");
+    }
+  }
+}
+
 // tinygltf writes several lines; the first says most.
 [[noreturn]] void failAs(const std::string& error) {
   throw FileProblem("the file is not right glTF (" + quotedText(error.substr(0, error.find('\n'))) +
@@ -123,6 +143,7 @@ Gltf describedGltf(std::string_view text) {
   keepBuffersAndImages(gltf, tree);
   std::vector<tinygltf::Image> images = std::move(gltf.model.images);
 
+  refuseIndicesWithoutBytes(tree);
   const std::string checked = tree.dump();
   tree = nullptr;
   std::string error, warning;

@@ -25,7 +25,8 @@ struct Gltf {
   std::vector<std::vector<std::uint8_t>> decoded;
   std::vector<std::string> warnings;
 
-  // Adds a sentence once.
+  // Adds a sentence once. No number of the file may be in it, or there were as many as a stranger
+  // likes, each compared with all.
   void warn(const std::string& sentence);
 };
 

@@ -1,8 +1,8 @@
 #include "mesh/load.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <new>
+#include <set>
 #include <stdexcept>
 
 #include "mesh/check.hpp"
@@ -65,9 +65,9 @@ std::vector<std::string> externalFiles(Bytes bytes) {
     if (format == Format::Obj) return {};
     const Gltf gltf = describedGltf(chunksOf(bytes, format).json);
     std::vector<std::string> uris;
+    std::set<std::string> known;
     const auto add = [&](const std::string& uri) {
-      const bool isKnown = std::find(uris.begin(), uris.end(), uri) != uris.end();
-      if (!uri.empty() && !isDataUri(uri) && !isKnown) uris.push_back(uri);
+      if (!uri.empty() && !isDataUri(uri) && known.insert(uri).second) uris.push_back(uri);
     };
     for (const Buffer& buffer : gltf.buffers) add(buffer.uri);
     for (const std::string& uri : picturesOf(gltf)) add(uri);

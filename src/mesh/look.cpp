@@ -16,9 +16,9 @@ const tinygltf::Material& materialAt(const Gltf& gltf, int material) {
   return materials[checkedIndex("material", material, materials.size())];
 }
 
-// The picture of a texture, or none where only an extension knows it.
+// The picture of a texture, or noPlace where only an extension knows it.
 int pictureOfTexture(const Gltf& gltf, int texture) {
-  if (texture == none) return none;
+  if (texture == noPlace) return noPlace;
   const auto& textures = gltf.model.textures;
   return textures[checkedIndex("texture", texture, textures.size())].source;
 }
@@ -34,7 +34,7 @@ std::string sniffedType(const std::vector<std::uint8_t>& bytes) {
 }
 
 std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, const Files& files) {
-  if (image.bufferView != none) {
+  if (image.bufferView != noPlace) {
     const Bytes bytes = bytesOfView(gltf, image.bufferView);
     return Image{{bytes.begin(), bytes.end()}, image.mimeType};
   }
@@ -51,7 +51,7 @@ std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, con
 
 Look lookOf(const Gltf& gltf, int material) {
   Look look;
-  if (material == none) return look;
+  if (material == noPlace) return look;
   const auto& info = materialAt(gltf, material).pbrMetallicRoughness;
   std::copy_n(info.baseColorFactor.begin(), 4, look.baseColor.begin());
   look.picture = pictureOfTexture(gltf, info.baseColorTexture.index);
@@ -59,20 +59,19 @@ Look lookOf(const Gltf& gltf, int material) {
 }
 
 void warnOfTexture(Gltf& gltf, int material) {
-  if (material == none) return;
+  if (material == noPlace) return;
   const auto& info = materialAt(gltf, material).pbrMetallicRoughness.baseColorTexture;
-  if (info.index == none) return;
-  if (pictureOfTexture(gltf, info.index) == none)
+  if (info.index == noPlace) return;
+  if (pictureOfTexture(gltf, info.index) == noPlace)
     gltf.warn("A base-colour texture has no PNG or JPEG picture; it is left out.");
   if (info.extensions.count("KHR_texture_transform") != 0)
     gltf.warn("A texture is moved or scaled by KHR_texture_transform, which is ignored.");
   if (info.texCoord != 0)
-    gltf.warn("A texture uses the uvs TEXCOORD_" + std::to_string(info.texCoord) +
-              ", but only TEXCOORD_0 is read.");
+    gltf.warn("A texture uses other uvs than TEXCOORD_0, the only ones that are read.");
 }
 
 std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files) {
-  if (picture == none) return std::nullopt;
+  if (picture == noPlace) return std::nullopt;
   const auto& images = gltf.model.images;
   const tinygltf::Image& image = images[checkedIndex("image", picture, images.size())];
   std::optional<Image> found = bytesOf(gltf, image, files);
@@ -90,7 +89,8 @@ std::vector<std::string> picturesOf(const Gltf& gltf) {
   const auto& images = gltf.model.images;
   for (std::size_t i = 0; i < gltf.model.materials.size(); ++i) {
     const int picture = lookOf(gltf, static_cast<int>(i)).picture;
-    if (picture != none) uris.push_back(images[checkedIndex("image", picture, images.size())].uri);
+    if (picture != noPlace)
+      uris.push_back(images[checkedIndex("image", picture, images.size())].uri);
   }
   return uris;
 }

@@ -8,17 +8,17 @@
 
 namespace warpjet {
 
-constexpr int none = -1;
+constexpr int noPlace = -1;
 
-// `picture` is a place among the model's images, or none.
+// `picture` is a place among the model's images, or noPlace.
 struct Look {
   std::array<double, 4> baseColor{1, 1, 1, 1};
-  int picture = none;
+  int picture = noPlace;
 
   bool operator==(const Look&) const = default;
 };
 
-// Of a material's place, or of none: white. Throws a FileProblem.
+// Of a material's place, or of noPlace: white. Throws a FileProblem.
 Look lookOf(const Gltf& gltf, int material);
 
 // Warns where a material's texture is not one that a Mesh can carry.

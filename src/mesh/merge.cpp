@@ -20,7 +20,7 @@ void append(const Gltf& gltf, const Draw& draw, const char* attribute, int least
             float filler, std::vector<float>& numbers) {
   const std::size_t end = numbers.size() + draw.vertices * static_cast<std::size_t>(width);
   const int accessor = draw.accessor(attribute);
-  if (accessor == none) return numbers.resize(end, filler);
+  if (accessor == noPlace) return numbers.resize(end, filler);
   if (countOf(gltf, accessor) != draw.vertices)
     throw FileProblem("a part has " + grouped(draw.vertices) + " positions, but " +
                       grouped(countOf(gltf, accessor)) + " of " + attribute +
@@ -62,7 +62,7 @@ void appendDraw(const Gltf& gltf, const Draw& draw, const Layout& layout, Mesh& 
     tint(mesh.colors, firstVertex, lookOf(gltf, draw.primitive->material));
 
   const bool isExact =
-      (draw.accessor("NORMAL") == none || isFloat(gltf, draw.accessor("NORMAL"))) &&
+      (draw.accessor("NORMAL") == noPlace || isFloat(gltf, draw.accessor("NORMAL"))) &&
       (!layout.hasTangents || isFloat(gltf, draw.accessor("TANGENT")));
   place(mesh, firstVertex, firstIndex, draw.placed->toWorld, isExact);
 }
@@ -83,7 +83,7 @@ void reserve(const std::vector<Draw>& draws, const Layout& layout, Mesh& mesh) {
 
 // Of all triangles together, so that parts that touch are smooth; only where the file has none.
 void addMissingNormals(const std::vector<Draw>& draws, Mesh& mesh) {
-  const auto hasNormals = [](const Draw& draw) { return draw.accessor("NORMAL") != none; };
+  const auto hasNormals = [](const Draw& draw) { return draw.accessor("NORMAL") != noPlace; };
   if (std::all_of(draws.begin(), draws.end(), hasNormals)) return;
   const std::vector<float> computed = computeNormals(mesh);
   std::size_t first = 0;
@@ -97,13 +97,13 @@ void addMissingNormals(const std::vector<Draw>& draws, Mesh& mesh) {
 
 std::optional<Material> materialOf(Gltf& gltf, const std::vector<Draw>& draws, const Layout& layout,
                                    const Files& files) {
-  const auto hasMaterial = [](const Draw& draw) { return draw.primitive->material != none; };
+  const auto hasMaterial = [](const Draw& draw) { return draw.primitive->material != noPlace; };
   if (std::none_of(draws.begin(), draws.end(), hasMaterial)) return std::nullopt;
 
-  int picture = none;
+  int picture = noPlace;
   for (const Draw& draw : draws) {
     warnOfTexture(gltf, draw.primitive->material);
-    if (picture == none) picture = lookOf(gltf, draw.primitive->material).picture;
+    if (picture == noPlace) picture = lookOf(gltf, draw.primitive->material).picture;
   }
   for (const Draw& draw : draws) {
     if (lookOf(gltf, draw.primitive->material).picture != picture)

@@ -22,11 +22,12 @@ Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunc
   return refined;
 }
 
-Mesh subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangles) {
-  if (mesh.triangleCount() == 0) return mesh;
+Divided subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangles) {
+  if (mesh.triangleCount() == 0) return {mesh, levels};
   maxTriangles = std::min(maxTriangles, mostTriangles);
   Surface surface(mesh);
-  for (; levels > 0 && surface.triangles().size() <= maxTriangles / 4; --levels) {
+  int made = 0;
+  for (; made < levels && surface.triangles().size() <= maxTriangles / 4; ++made) {
     std::vector<std::uint32_t> edges;
     for (std::uint32_t i = 0; i < surface.edges().size(); ++i) {
       if (surface.edges()[i].uses > 0) edges.push_back(i);
@@ -34,7 +35,7 @@ Mesh subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangles) 
     surface.addMiddles(edges);
     surface.divide(surface.mesh().positions);
   }
-  return orElse(std::move(surface).takeMesh(), mesh);
+  return {orElse(std::move(surface).takeMesh(), mesh), made};
 }
 
 }  // namespace warpjet

@@ -42,9 +42,14 @@ struct Refined {
 // theirs is split. Without any triangle the mesh comes back as it was.
 Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp);
 
+struct Divided {
+  Mesh mesh;
+  int levels;  // how often each triangle became four
+};
+
 // Each triangle into four, `levels` times, or as often as `maxTriangles` allows; those with two
-// corners in one place go.
-Mesh subdivideUniformly(const Mesh& mesh, int levels,
-                        std::size_t maxTriangles = std::size_t{1} << 20);
+// corners in one place go. Without any triangle the mesh comes back as it was.
+Divided subdivideUniformly(const Mesh& mesh, int levels,
+                           std::size_t maxTriangles = std::size_t{1} << 20);
 
 }  // namespace warpjet

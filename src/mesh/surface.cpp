@@ -38,7 +38,7 @@ std::uint32_t Surface::findSide(std::uint32_t a, std::uint32_t b) {
   if (edge == nextEdge) edges_.push_back({{welded_[a], welded_[b]}});
   // Few: one, or two where there is a seam.
   std::uint32_t& lastSide = edges_[edge].lastSide;
-  for (std::uint32_t i = lastSide; i != none; i = sides_[i].previous) {
+  for (std::uint32_t i = lastSide; i != noNumber; i = sides_[i].previous) {
     if (sides_[i].ends == std::array{a, b}) return i;
   }
   sides_.push_back({{a, b}, edge, lastSide});
@@ -63,7 +63,8 @@ void Surface::addMiddles(std::span<const std::uint32_t> edges) {
   for (const Triangle& triangle : triangles_) {
     if (isSlit(triangle)) continue;
     for (const std::uint32_t side : triangle.sides) {
-      if (edges_[sides_[side].edge].middle != none && sides_[side].middle == none) split(side);
+      if (edges_[sides_[side].edge].middle != noNumber && sides_[side].middle == noNumber)
+        split(side);
     }
   }
 }
@@ -97,7 +98,7 @@ void Surface::divide(const std::vector<float>& positions) {
 
 void Surface::divide(const Triangle& triangle, const std::vector<float>& positions) {
   const auto isSplit = [this](std::uint32_t side) {
-    return edges_[sides_[side].edge].middle != none;
+    return edges_[sides_[side].edge].middle != noNumber;
   };
   const auto splits = std::count_if(triangle.sides.begin(), triangle.sides.end(), isSplit);
   if (splits == 0) {

@@ -16,9 +16,9 @@ namespace warpjet {
 // Two positions, by their numbers. Whether it is split is decided here, once for all its sides.
 struct Edge {
   std::array<std::uint32_t, 2> ends;
-  std::uint32_t middle = none;  // once it is split
-  std::uint32_t uses = 0;       // by triangles, now
-  std::uint32_t lastSide = none;
+  std::uint32_t middle = noNumber;  // once it is split
+  std::uint32_t uses = 0;           // by triangles, now
+  std::uint32_t lastSide = noNumber;
 };
 
 // Two vertices, in the order of their edge's ends. Triangles on both sides of a seam (split
@@ -26,9 +26,9 @@ struct Edge {
 struct Side {
   std::array<std::uint32_t, 2> ends;
   std::uint32_t edge;
-  std::uint32_t previous;                           // on the same edge
-  std::uint32_t middle = none;                      // once it is split
-  std::array<std::uint32_t, 2> halves{none, none};  // then, at each end
+  std::uint32_t previous;                                   // on the same edge
+  std::uint32_t middle = noNumber;                          // once it is split
+  std::array<std::uint32_t, 2> halves{noNumber, noNumber};  // then, at each end
 };
 
 struct Triangle {
@@ -47,9 +47,6 @@ class Surface {
   const std::vector<Side>& sides() const { return sides_; }
   const std::vector<Edge>& edges() const { return edges_; }
 
-  const Edge& edgeOf(const Triangle& triangle, int side) const {
-    return edges_[edgeNumber(triangle, side)];
-  }
   std::uint32_t edgeNumber(const Triangle& triangle, int side) const {
     return sides_[triangle.sides[side]].edge;
   }

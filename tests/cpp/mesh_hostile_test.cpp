@@ -136,6 +136,16 @@ TEST(HostileMesh, EachLieHasItsSentence) {
       {"count past the buffer", [](json& t) { t["accessors"][0]["count"] = 4; },
        "reads up to byte 48"},
       {"4 GB of vertices", [](json& t) { t["accessors"][0]["count"] = 4294967295u; },
+       "reads up to byte 51,539,607,540 of bufferView 0"},
+      {"a gigabyte of indices", [](json& t) { t["accessors"][3]["count"] = 268435456; },
+       "reads up to byte 536,870,912 of bufferView"},
+      {"one set of zeros, shown often",
+       [](json& t) {
+         t["accessors"][0] = {{"componentType", 5126}, {"count", 4194303}, {"type", "VEC3"}};
+         t["nodes"] = std::vector<json>(16, {{"mesh", 0}});
+         t.erase("scenes");
+         t.erase("scene");
+       },
        "at most 1,073,741,824"},
       {"more than 32 bits", [](json& t) { t["accessors"][0]["count"] = 4294967299u; },
        "whole number"},

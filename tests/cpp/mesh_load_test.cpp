@@ -229,6 +229,23 @@ TEST(LoadMesh, ReadsSparseIndices) {
   EXPECT_EQ(loaded(file.glb()).indices, (Indices{0, 3, 2}));
 }
 
+TEST(LoadMesh, RefusesSparseIndicesWithoutOthersByName) {
+  GltfBuilder file;
+  const json sparse = {
+      {"count", 2},
+      {"indices", {{"bufferView", file.view<std::uint8_t>({1, 2})}, {"componentType", 5121}}},
+      {"values", {{"bufferView", file.view<std::uint8_t>({3, 2})}}}};
+  const Floats square{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const int corners = file.add(
+      "accessors", {{"componentType", 5121}, {"count", 3}, {"type", "SCALAR"}, {"sparse", sparse}});
+  file.mesh({{"POSITION", file.floats(square, "VEC3")}}, {{"indices", corners}});
+  file.node({{"mesh", 0}});
+  EXPECT_EQ(
+      loadMesh(file.glb()).problem,
+      "loadMesh: accessor 0 has indices without a bufferView, which are not read here; export "
+      "the model without sparse indices.");
+}
+
 // A file whose only node has this transform, with a normal and a tangent at each corner.
 GltfBuilder transformed(const json& transform) {
   GltfBuilder file;
@@ -401,7 +418,23 @@ TEST(LoadMesh, SaysWhatItIgnores) {
                 "The model has animations; they are ignored, and it stands still.",
                 "The model has morph targets; they are ignored, and it keeps its base shape.",
                 "A texture is moved or scaled by KHR_texture_transform, which is ignored.",
-                "A texture uses the uvs TEXCOORD_1, but only TEXCOORD_0 is read."}));
+                "A texture uses other uvs than TEXCOORD_0, the only ones that are read."}));
+}
+
+TEST(LoadMesh, NamesEachFileOnceAndWarnsOnce) {
+  GltfBuilder file = triangleFile();
+  std::vector<std::string> names;
+  for (int i = 0; i < 1000; ++i) {
+    names.push_back("part " + std::to_string(i));
+    for (int twice = 0; twice < 2; ++twice)
+      file.add("buffers", {{"byteLength", 1}, {"uri", names.back()}});
+  }
+  EXPECT_EQ(externalFiles(file.glb()), names);
+
+  json first = texture(0), second = texture(0);
+  first["baseColorTexture"]["texCoord"] = 1;
+  second["baseColorTexture"]["texCoord"] = 2;
+  EXPECT_EQ(warningsOf(painted(first, second).glb()).size(), 1u);
 }
 
 TEST(LoadMesh, RefusesRequiredExtensionsByName) {

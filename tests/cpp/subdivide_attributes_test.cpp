@@ -83,7 +83,7 @@ TEST(SubdivideAttributes, DirectionsThatCancelOutAreThoseOfTheFirstEnd) {
   triangle.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   triangle.normals = {0, 0, 1, 0, 0, -1, 0, 0, 0};
   triangle.tangents = {1, 0, 0, -1, -1, 0, 0, 1, 0, 1, 0, 1};
-  const Mesh result = subdivideUniformly(triangle, 1);
+  const Mesh result = subdivideUniformly(triangle, 1).mesh;
   ASSERT_EQ(result.vertexCount(), 6u);
   for (std::size_t i = 3; i < 6; ++i) {
     if (pointOf(result.positions, i) != Point{0.5, 0, 0}) continue;
@@ -119,7 +119,7 @@ TEST(SubdivideOddMeshes, WithoutTrianglesNothingChanges) {
     EXPECT_EQ(result.mesh.positions, mesh.positions);
     EXPECT_TRUE(result.mesh.indices.empty());
     EXPECT_TRUE(result.reachedTolerance);
-    EXPECT_EQ(subdivideUniformly(mesh, 3).positions, mesh.positions);
+    EXPECT_EQ(subdivideUniformly(mesh, 3).mesh.positions, mesh.positions);
   }
 }
 
@@ -166,7 +166,7 @@ TEST(SubdivideOddMeshes, OfTrianglesWithoutAnyAreaSomethingStays) {
   slit.indices = {0, 1, 2};
   const PointWarp bent = [](const Point& p) { return p + Point{0, 0, 10 * std::cos(0.05 * p[1])}; };
   EXPECT_EQ(refined(slit, bent).mesh.indices, slit.indices);
-  EXPECT_EQ(subdivideUniformly(slit, 2).indices, slit.indices);
+  EXPECT_EQ(subdivideUniformly(slit, 2).mesh.indices, slit.indices);
 }
 
 TEST(SubdivideOddMeshes, ATJunctionOfTheFileDoesNotHurt) {

@@ -185,7 +185,7 @@ TEST(Subdivide, LocalWarpsNeedAtMostAThirdOfTheTriangles) {
        {NamedWarp{"bump", bump}, {"twist near one end", twistNearOneEnd}, {"genie", genie}}) {
     const Refined adaptive = refined(mesh, warp, 0.2f);
     // The finest that has less than three times as many.
-    const Mesh uniform = subdivideUniformly(mesh, 20, 3 * adaptive.mesh.triangleCount() - 1);
+    const Mesh uniform = subdivideUniformly(mesh, 20, 3 * adaptive.mesh.triangleCount() - 1).mesh;
     EXPECT_GT(geometricError(uniform, warp), geometricError(adaptive.mesh, warp)) << name;
   }
 }
@@ -212,15 +212,18 @@ TEST(Subdivide, NothingIsAskedTwice) {
 
 TEST(Subdivide, UniformlyEachTriangleBecomesFour) {
   for (const auto& [name, mesh] : closedMeshes()) {
-    const Mesh finer = subdivideUniformly(mesh, 3);
+    const Mesh finer = subdivideUniformly(mesh, 3).mesh;
     EXPECT_EQ(finer.triangleCount(), 64 * mesh.triangleCount()) << name;
     EXPECT_TRUE(isClosed(finer)) << name;
     EXPECT_EQ(eulerCharacteristic(finer), 2) << name;
     EXPECT_NEAR(signedVolume(finer) / signedVolume(mesh), 1, 1e-6) << name;
   }
-  EXPECT_EQ(subdivideUniformly(cube(1), 0).indices, cube(1).indices);
-  EXPECT_EQ(subdivideUniformly(cube(1), 9, 12 * 16).triangleCount(), 12u * 16);
-  EXPECT_EQ(subdivideUniformly(cube(1), 9, 12 * 16 - 1).triangleCount(), 12u * 4);
+  EXPECT_EQ(subdivideUniformly(cube(1), 0).mesh.indices, cube(1).indices);
+  EXPECT_EQ(subdivideUniformly(cube(1), 9, 12 * 16).mesh.triangleCount(), 12u * 16);
+  EXPECT_EQ(subdivideUniformly(cube(1), 9, 12 * 16).levels, 2);
+  EXPECT_EQ(subdivideUniformly(cube(1), 2, 12 * 16).levels, 2);
+  EXPECT_EQ(subdivideUniformly(Mesh{}, 9).levels, 9);
+  EXPECT_EQ(subdivideUniformly(cube(1), 9, 12 * 16 - 1).mesh.triangleCount(), 12u * 4);
 }
 
 }  // namespace

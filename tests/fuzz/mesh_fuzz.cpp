@@ -72,7 +72,7 @@ void checkSubdivision(const Mesh& mesh, unsigned which) {
   requireRight(refined.mesh, "a refined mesh is right");
   require(refined.mesh.triangleCount() <= most, "there are not more triangles than asked for");
   require(!std::isnan(refined.worst), "the distance that is left is a number");
-  const Mesh uniform = subdivideUniformly(mesh, 3, mostRefined);
+  const Mesh uniform = subdivideUniformly(mesh, 3, mostRefined).mesh;
   requireRight(uniform, "a subdivided mesh is right");
   require(uniform.triangleCount() <= most, "there are not more triangles than asked for");
 }

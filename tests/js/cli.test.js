@@ -9,6 +9,7 @@ import { fileURLToPath } from 'node:url'
 import validator from 'gltf-validator'
 import { compileWarp, targets, version } from 'warpjet'
 import { exportGLB, loadMesh } from 'warpjet/mesh'
+import { readGlb, writeGlb } from './support/glb.js'
 import { sphere } from './support/meshes.js'
 import { png } from './support/png.js'
 
@@ -100,6 +101,49 @@ describe('the program', () => {
         ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--subdivide', tolerance],
         /--subdivide must be a number above 0/,
       )
+    const limited = (most) => [...baking, '--subdivide', '1', '--max-triangles', most]
+    const baking = ['bake', 'model.glb', 'named.js', '-o', 'o.glb']
+    for (const most of ['1.5', String(2 ** 28 + 1), '1e20'])
+      await usage(limited(most), /--max-triangles must be a whole number, at most 268,435,456, but/)
+    for (const most of ['0', '-1', 'x'])
+      await usage(limited(most), /--max-triangles must be a number above 0|ambiguous/)
+    await usage([...baking, '--max-triangles', '9'], /--max-triangles is about what --subdivide/)
+  })
+})
+
+describe('how it ends', () => {
+  /** Whether it ends by itself, soon. */
+  async function ended(args, prepare = () => {}) {
+    const child = spawn(process.execPath, args, { cwd: folder, timeout: 20_000 })
+    let stderr = ''
+    child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text))
+    prepare(child)
+    const [code, signal] = await new Promise((resolve) =>
+      child.on('close', (...ends) => resolve(ends)),
+    )
+    assert.equal(signal, null)
+    return { code, stderr }
+  }
+
+  test('whoever reads its output may leave', async () => {
+    const leave = ({ stdout }) => stdout.destroy()
+    assert.deepEqual(await ended([program, 'emit', 'named.js'], leave), { code: 0, stderr: '' })
+  })
+
+  test('a timer of warp.js is not waited for', async () => {
+    write('timer.js', 'setInterval(() => {}, 1000)\nexport { bend } from "./named.js"')
+    const { code } = await ended([program, 'emit', 'timer.js'], ({ stdout }) => stdout.resume())
+    assert.equal(code, 0)
+  })
+
+  test('an error takes the unfinished line away', async () => {
+    const terminal = 'data:text/javascript,process.stderr.isTTY = true'
+    const { code, stderr } = await ended([
+      ...['--import', terminal, program, 'bake', 'model.glb', 'named.js'],
+      ...['-o', 'o.glb', '--subdivide', '0.1', '--set', 'speed=1'],
+    ])
+    assert.equal(code, 1)
+    assert.match(stderr, /Subdividing: [^\n]*tried\r\x1b\[Kwarpjet: .*no uniform "speed"[^\n]*\n$/)
   })
 })
 
@@ -145,6 +189,10 @@ describe('emit', () => {
     await refuses(['emit', 'throws.js'], /throws\.js cannot be run: Error: no/)
     await refuses(['emit', 'undefined.js'], /must return a vec3/)
     await refuses(['emit', 'typo.js'], /typo\.js: TypeError: .*sine is not a function \(line 2\)/)
+    write('null.js', 'throw null')
+    write('text.js', 'export default () => { throw "no" }')
+    await refuses(['emit', 'null.js'], /null\.js cannot be run: it throws null\./)
+    await refuses(['emit', 'text.js'], /text\.js throws the text "no"\./)
     await refuses(['emit', 'imports.js'], /imports\.js cannot be run: .*gone\.js/)
     await refuses(
       ['emit', 'wave.js', '-o', 'no/such/folder.glsl'],
@@ -207,6 +255,20 @@ describe('bake', () => {
     assert.ok((await load('fine.glb')).indices.length <= 3 * 300)
   })
 
+  test('a picture that no GLB may have is left out, with a note', async () => {
+    const { json, chunks } = readGlb(exportGLB(model))
+    json.images[0].mimeType = 'image/webp'
+    const { byteOffset } = json.bufferViews[json.images[0].bufferView]
+    chunks[1].bytes.set(new TextEncoder().encode('RIFF1234WEBP'), byteOffset)
+    write('webp.glb', writeGlb(json, chunks[1].bytes))
+    const { stderr } = await works('bake', 'webp.glb', 'named.js', '-o', 'plain.glb')
+    assert.match(
+      stderr,
+      /^Note: The picture .*\(image\/webp\) is neither PNG nor JPEG; it is left out/,
+    )
+    assert.deepEqual((await load('plain.glb')).material, { baseColor: material.baseColor })
+  })
+
   test('what is wrong with files and warps', async () => {
     write('text.glb', 'no model')
     write(
@@ -251,6 +313,11 @@ describe('info', () => {
     assert.match(stdout, /^attributes +positions, normals, uvs, colors, tangents$/m)
     assert.match(stdout, /^base color +1, 0\.5, 0, 1$/m)
     assert.match(stdout, /^texture +image\/png, \d+ bytes$/m)
+  })
+
+  test('a path with signs of URLs', async () => {
+    write('a#1?.glb', exportGLB(model))
+    assert.match((await works('info', 'a#1?.glb')).stdout, /^triangles +168$/m)
   })
 
   test('a file that is none', async () => {

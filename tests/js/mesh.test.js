@@ -2,7 +2,7 @@
 // what of a mesh is tested in C++.
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, afterEach, before, describe, test } from 'node:test'
@@ -87,6 +87,10 @@ describe('where the bytes come from', () => {
   before(async () => {
     writeFileSync(join(folder, 'model.glb'), exportGLB(mesh))
     server = createServer(({ url }, response) => {
+      if (url === '/broken.glb') {
+        response.writeHead(200, { 'Content-Length': 100 }).write('glTF')
+        return void setTimeout(() => response.destroy(), 50)
+      }
       response.statusCode = files[url] ? 200 : 404
       response.end(files[url])
     })
@@ -130,6 +134,29 @@ describe('where the bytes come from', () => {
     }
   })
 
+  test('in Node a text is a path, whatever signs are in it', async () => {
+    const odd = join(folder, 'odd')
+    mkdirSync(odd)
+    const names = ['a#1.glb', 'q?.glb', 'a%20b.glb', '100%.glb', 'C:m.glb', 'c:\\m\\a.glb']
+    // Where the text would lead as a URL, there is another file.
+    for (const name of ['a', 'q', 'a b.glb', 'm.glb']) writeFileSync(join(odd, name), 'wrong')
+    for (const name of names) writeFileSync(join(odd, name), exportGLB(mesh))
+    const here = process.cwd()
+    process.chdir(odd)
+    try {
+      for (const name of names) {
+        await loads(name)
+        await loads(join(odd, name))
+      }
+      await rejects(() => loadMesh('50%.glb'), /^loadMesh: the file .*50%\.glb does not exist/)
+    } finally {
+      process.chdir(here)
+    }
+    await loads(
+      `data:application/octet-stream;base64,${Buffer.from(exportGLB(mesh)).toString('base64')}`,
+    )
+  })
+
   test('the buffer of a .gltf beside it, or from the caller', async () => {
     await loads(`${origin}/m/model.gltf`)
     const asked = []
@@ -160,6 +187,47 @@ describe('where the bytes come from', () => {
     )
   })
 
+  test('a picture that is not there is a warning, a buffer a sentence, from wherever', async () => {
+    const without = readGlb(exportGLB({ ...sphere(), material }))
+    const { images, buffers } = without.json
+    delete images[0].bufferView
+    buffers[0].uri = 'c.bin'
+    const binary = without.chunks[1].bytes
+    files['/m/c.bin'] = binary
+    writeFileSync(join(folder, 'c.bin'), binary)
+    const odd = ['no.png', 'http://[', '100%.png']
+    for (const uri of odd) {
+      images[0].uri = uri
+      const text = new TextEncoder().encode(JSON.stringify(without.json))
+      files['/m/pictured.gltf'] = text
+      writeFileSync(join(folder, 'pictured.gltf'), text)
+      for (const place of [join(folder, 'pictured.gltf'), `${origin}/m/pictured.gltf`]) {
+        const { warnings, material, positions } = await loadMesh(place)
+        assert.deepEqual(positions, sphere().positions)
+        assert.equal(material.baseColorTexture, undefined)
+        assert.match(warnings.join(), /^The picture of the base colour .* is missing/)
+      }
+    }
+    for (const uri of ['no.bin', 'http://[', '100%.bin']) {
+      files['/m/pictured.gltf'] = withBuffer(mesh, uri).text
+      writeFileSync(join(folder, 'pictured.gltf'), files['/m/pictured.gltf'])
+      for (const place of [join(folder, 'pictured.gltf'), `${origin}/m/pictured.gltf`])
+        await rejects(() => loadMesh(place), /^loadMesh: the model needs the file "/)
+    }
+    // Nothing lies beside these.
+    await rejects(
+      () => loadMesh(`data:model/gltf+json;base64,${Buffer.from(text).toString('base64')}`),
+      /^loadMesh: the model needs the file "/,
+    )
+  })
+
+  test('bytes that break off on their way', async () => {
+    const broken = new Blob(['x'])
+    broken.arrayBuffer = () => Promise.reject(new DOMException('gone', 'NotReadableError'))
+    await rejects(() => loadMesh(broken), /^loadMesh: the Blob .* \(NotReadableError\)/)
+    await rejects(() => loadMesh(`${origin}/broken.glb`), /^loadMesh: .* the connection broke off/)
+  })
+
   test('a file from a stranger reads nothing outside its folder', async () => {
     writeFileSync(join(folder, 'secret.bin'), buffer)
     for (const uri of ['../secret.bin', pathToFileURL(join(folder, 'secret.bin')).href]) {
@@ -181,6 +249,10 @@ describe('where the bytes come from', () => {
     for (const source of [undefined, null, 7, {}, [1, 2]])
       await rejects(() => loadMesh(source), /^loadMesh: a URL, or bytes .* were expected/)
     await rejects(() => loadMesh(exportGLB(mesh), { resolve: 7 }), /"resolve".*the number 7/)
+    await rejects(
+      () => loadMesh(exportGLB(mesh), { resolver: () => buffer }),
+      /^loadMesh: there is no option "resolver"; there are resolve\./,
+    )
   })
 })
 
@@ -348,6 +420,13 @@ describe('subdivide', () => {
     const mesh = subdivide(sphere(), options)
     assert.ok(mesh.indices.length <= 3 * 500)
     assert.equal(mesh.warnings.length, 1)
+    const uniform = subdivide(triangle(), { levels: 15, maxTriangles: 100 })
+    assert.equal(uniform.indices.length, 3 * 64)
+    assert.deepEqual(uniform.warnings, [
+      'Of 15 levels only 3 were made, with 64 triangles, for maxTriangles is 100.',
+    ])
+    assert.equal(subdivide(triangle(), { levels: 3, maxTriangles: 64 }).warnings, undefined)
+    assert.equal(subdivide({ positions: [] }, { levels: 15 }).warnings, undefined)
   })
 
   test('wrong options', () => {
@@ -359,6 +438,12 @@ describe('subdivide', () => {
     refused({ warp: twist, tolerance: 1, angle: -1 }, /"angle" must be a number above 0/)
     refused({ levels: 1.5 }, /"levels" must be a whole number from 0 to 15/)
     refused({ levels: 1, maxTriangles: 0 }, /"maxTriangles" must be a whole number/)
+    refused({ levels: 1, maxTriangles: 2 ** 28 + 1 }, /"maxTriangles" must be .* from 1 to 2\^28,/)
+    refused({ levels: 1, maxTriangle: 1 }, /^subdivide: there is no option "maxTriangle"; there/)
+    refused(
+      { warp: twist, tolerance: 1, angel: 1 },
+      /^subdivide: there is no option "angel"; there/,
+    )
     refused({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
   })
 
@@ -399,12 +484,46 @@ describe('what stops the wasm', () => {
     assert.ok(exportGLB(mesh).length > 24 * 250000)
   })
 
-  test('a write past the memory: a sentence, and a new instance for the next call', () => {
-    class Liar extends Float32Array {
+  class Liar extends Float32Array {
+    get length() {
+      return 9
+    }
+  }
+
+  test('an exception of C++ that nothing caught', () => {
+    class Thrower extends Float32Array {
       get length() {
-        return 9
+        throw new WebAssembly.Exception(new WebAssembly.Tag({ parameters: [] }), [])
       }
     }
+    refuses(() => exportGLB({ positions: new Thrower(9) }), /^exportGLB: the mesh is too large/)
+  })
+
+  test('a trap within a warp ends the outer call too, and hides no error of the warp', () => {
+    const liar = { positions: new Liar(2 ** 24) }
+    const outer = (evaluate) => () => subdivide(triangle(), { warp: { evaluate }, tolerance: 1 })
+    const stop = () => refuses(() => exportGLB(liar), /^exportGLB: the mesh is too large/)
+    refuses(
+      outer(() => exportGLB(liar)),
+      /^exportGLB: the mesh is too large/,
+    )
+    refuses(
+      outer((vertices) => {
+        stop()
+        return twist.evaluate(vertices)
+      }),
+      /^subdivide: the mesh is too large/,
+    )
+    assert.throws(
+      outer(() => {
+        stop()
+        throw new TypeError('mine')
+      }),
+      /^TypeError: mine$/,
+    )
+  })
+
+  test('a write past the memory: a sentence, and a new instance for the next call', () => {
     refuses(() => exportGLB({ positions: new Liar(2 ** 24) }), /^exportGLB: the mesh is too large/)
   })
 
