@@ -32,8 +32,12 @@ std::string adviceFor(std::string_view extension) {
   return "without it";
 }
 
-void refuseExtensions(const tinygltf::Model& model) {
-  for (const std::string& name : model.extensionsRequired) {
+// Before anything else is looked at: a compressed model has accessors without bytes, for one.
+void refuseExtensions(const json& tree) {
+  const auto required = tree.find("extensionsRequired");
+  if (required == tree.end()) return;
+  for (const json& entry : *required) {
+    const std::string name = entry;
     if (!isHarmless(name))
       throw FileProblem("the model requires the extension " + quotedText(name) +
                         ", which is not read here; export the model " + adviceFor(name) + '.');
@@ -139,6 +143,7 @@ Gltf describedGltf(std::string_view text) {
   if (!version.starts_with("2."))
     throw FileProblem("this is glTF " + quotedText(version) +
                       ", but only version 2 is read; export the model as glTF 2.0.");
+  refuseExtensions(tree);
   warnOfMotion(gltf, tree);
   keepBuffersAndImages(gltf, tree);
   std::vector<tinygltf::Image> images = std::move(gltf.model.images);
@@ -151,7 +156,6 @@ Gltf describedGltf(std::string_view text) {
                                                 static_cast<unsigned>(checked.size()), ""))
     failAs(error);
   gltf.model.images = std::move(images);
-  refuseExtensions(gltf.model);
   return gltf;
 }
 

@@ -441,6 +441,10 @@ TEST(LoadMesh, RefusesRequiredExtensionsByName) {
   const auto problemWith = [](const char* extension) {
     GltfBuilder file = triangleFile();
     file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {extension};
+    // As glTF-Transform writes compressed models: bytes are the extension's, accessors have none.
+    if (std::string_view(extension) == "KHR_draco_mesh_compression") {
+      for (auto& accessor : file.tree["accessors"]) accessor.erase("bufferView");
+    }
     return loadMesh(file.glb()).problem;
   };
   EXPECT_EQ(
