@@ -16,3 +16,7 @@ export function checkCallback(method: string, callback: unknown) {
   if (typeof callback !== 'function')
     throw new WarpError(`${method}: a function was expected, but ${describe(callback)} came.`)
 }
+
+/** An array, typed or not; what is in it is not looked at. */
+export const isList = (value: unknown): value is ArrayLike<number> =>
+  Array.isArray(value) || (ArrayBuffer.isView(value) && 'length' in value)

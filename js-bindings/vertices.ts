@@ -2,6 +2,7 @@
 import type { Variable } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import { type VertexInput, drawInputs, vertexInputs } from './inputs.js'
+import { isList } from './options.js'
 
 /** Flat arrays, so many numbers a vertex. */
 export interface Vertices {
@@ -36,9 +37,6 @@ export const arrayNames: Record<VertexInput, keyof Vertices> = {
   color: 'colors',
   tangent: 'tangents',
 }
-
-const isList = (value: unknown): value is ArrayLike<number> =>
-  Array.isArray(value) || (ArrayBuffer.isView(value) && 'length' in value)
 
 /** The place of the first that is no number, or none that a float32 can hold; -1 if all are well. */
 function firstNotFinite(numbers: ArrayLike<unknown>): number {

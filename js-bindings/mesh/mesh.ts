@@ -1,5 +1,6 @@
 // What a mesh is here: flat arrays, going in and coming out.
 import { WarpError, describe } from '../errors.js'
+import { isList } from '../options.js'
 import type { FloatArray, Job } from './module.js'
 
 /** A picture as its file has it. */
@@ -117,10 +118,6 @@ export function takeMesh(job: Job): Mesh {
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null
-
-export function isList(value: unknown): value is ArrayLike<number> {
-  return Array.isArray(value) || (ArrayBuffer.isView(value) && 'length' in value)
-}
 
 /** That they are finite is seen in C++; what is no number becomes NaN on the way there. */
 function checkNumbers(place: string, value: unknown): ArrayLike<number> {

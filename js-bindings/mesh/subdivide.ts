@@ -77,7 +77,9 @@ function adaptively(options: AdaptiveOptions, maxTriangles: number) {
   checkNumber('angle', angle, 'a number above 0', (value) => value > 0)
   return (job: Job) =>
     job.refine(tolerance, angle, maxTriangles, (vertices) => {
-      const warped = evaluateFor('subdivide', warp, takeMesh(vertices), uniforms)
+      // Tangents are not looked at, so none need be turned.
+      const mesh = { ...takeMesh(vertices), tangents: undefined }
+      const warped = evaluateFor('subdivide', warp, mesh, uniforms)
       vertices.setFloats('positions', warped.positions)
       vertices.setFloats('normals', warped.normals ?? [])
     })

@@ -38,6 +38,12 @@ struct Mesh {
   std::size_t triangleCount() const {
     return (indices.empty() ? vertexCount() : indices.size()) / 3;
   }
+  // The vertices of the i-th triangle.
+  std::array<std::uint32_t, 3> corners(std::size_t i) const {
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    if (indices.empty()) return {first, first + 1, first + 2};
+    return {indices[first], indices[first + 1], indices[first + 2]};
+  }
 };
 
 }  // namespace warpjet

@@ -23,9 +23,7 @@ Surface::Surface(Mesh mesh) : mesh_(std::move(mesh)) {
     welded_.push_back(welder_.weld(positionOf(mesh_, i)));
   triangles_.reserve(mesh_.triangleCount());
   for (std::uint32_t i = 0; i < mesh_.triangleCount(); ++i) {
-    Three corners{3 * i, 3 * i + 1, 3 * i + 2};
-    if (!mesh_.indices.empty())
-      corners = {mesh_.indices[corners[0]], mesh_.indices[corners[1]], mesh_.indices[corners[2]]};
+    const Three corners = mesh_.corners(i);
     const auto& [a, b, c] = corners;
     add(corners, {findSide(a, b), findSide(b, c), findSide(c, a)});
   }

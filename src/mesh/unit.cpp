@@ -32,14 +32,13 @@ bool hasDirection(glm::dvec3 v) {
 // The normals of the triangles around each vertex, weighted by area.
 std::vector<glm::dvec3> triangleNormals(const Mesh& mesh) {
   std::vector<glm::dvec3> sums(mesh.vertexCount());
-  for (std::size_t i = 0; i < 3 * mesh.triangleCount(); i += 3) {
-    std::size_t corners[3];
-    for (int k = 0; k < 3; ++k) corners[k] = mesh.indices.empty() ? i + k : mesh.indices[i + k];
-    const glm::dvec3 a = at(mesh.positions, 3 * corners[0]);
-    const glm::dvec3 b = at(mesh.positions, 3 * corners[1]);
-    const glm::dvec3 c = at(mesh.positions, 3 * corners[2]);
+  for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
+    const auto corners = mesh.corners(i);
+    const glm::dvec3 a = at(mesh.positions, std::size_t{3} * corners[0]);
+    const glm::dvec3 b = at(mesh.positions, std::size_t{3} * corners[1]);
+    const glm::dvec3 c = at(mesh.positions, std::size_t{3} * corners[2]);
     const glm::dvec3 normal = glm::cross(b - a, c - a);
-    for (const std::size_t corner : corners) sums[corner] += normal;
+    for (const std::uint32_t corner : corners) sums[corner] += normal;
   }
   return sums;
 }

@@ -10,7 +10,7 @@ import { after, before, describe, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
 import { models } from '../../web/models/index.js'
 import { warps } from '../warps/index.js'
-import { withAccurateSine } from './support/accurate.js'
+import { asAccurateAsCanBe, withAccurateSine } from './support/accurate.js'
 import { launchBrowser } from './support/browser.js'
 import { degrees, moments, mostSensitive } from './support/compare.js'
 import { arraysOf, denseMesh, interleaved, stride, vertices } from './support/dense-mesh.js'
@@ -18,9 +18,6 @@ import { angleBetween, distanceBetween, warpVertex } from './support/oracle.js'
 import { openPipeline, vertexShader } from './support/transform-feedback.js'
 
 const positionBound = { exact: 1e-5, late: 2e-5, builtIn: 1e-3 }
-
-/** More than this many sines, each a polynomial, take SwiftShader too long to compile. */
-const mostSines = 100
 
 /** A model as large as the warp expects, with uvs and colors made up where it has none. */
 function modelMesh(make, size) {
@@ -63,8 +60,7 @@ for (const { name, compiled, offset, size, reach, params, kept } of cases) {
         const points = vertices(mesh)
         const draws = moments.map((moment) => ({ ...moment, ...params }))
         await gpu.load(mesh)
-        const sines = compiled.code.match(/\b(sin|cos|tan)\(/g)?.length ?? 0
-        const exact = sines <= mostSines ? withAccurateSine(compiled) : compiled
+        const exact = asAccurateAsCanBe(compiled)
         const shown = await gpu.run(vertexShader(exact, 'glsl300', params), draws)
         const builtIn = await gpu.run(vertexShader(compiled, 'glsl300', params), draws)
         const worst = { position: 0, angle: 0, builtIn: 0, leftOut: 0 }

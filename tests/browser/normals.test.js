@@ -17,14 +17,10 @@ import { launchBrowser } from './support/browser.js'
 import { compare, degrees, moments } from './support/compare.js'
 import { denseMesh, stride, vertices } from './support/dense-mesh.js'
 import { warpVertex } from './support/oracle.js'
-import { withAccurateSine } from './support/accurate.js'
+import { asAccurateAsCanBe, withAccurateSine } from './support/accurate.js'
 import { openPipeline, vertexShader } from './support/transform-feedback.js'
 
 const positionBound = { exact: 2e-5, builtIn: 1e-3 }
-
-/** More than this many sines, each a polynomial, take SwiftShader too long to compile. */
-const mostSines = 100
-const sines = ({ code }) => code.match(/\b(sin|cos|tan)\(/g)?.length ?? 0
 
 let browser, gpu
 const table = []
@@ -76,8 +72,8 @@ describe('positions and normals are right:', () => {
         compare(await gpu.run(vertexShader(text, 'glsl300', params), draws), expected, reach)
 
       const builtIn = await measure(compiled)
-      const exact =
-        sines(compiled) <= mostSines ? await measure(withAccurateSine(compiled)) : builtIn
+      const best = asAccurateAsCanBe(compiled)
+      const exact = best === compiled ? builtIn : await measure(best)
       table.push(row(warp.name, builtIn, exact))
 
       assert.equal(builtIn.notFinite + exact.notFinite, 0, 'NaN or infinite')

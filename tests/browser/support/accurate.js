@@ -35,3 +35,12 @@ export const withAccurateSine = (compiled) => ({
   ),
   declarations: declarations + compiled.declarations,
 })
+
+/** More than this many sines, each a polynomial, take SwiftShader too long to compile. */
+const mostSines = 100
+
+/** The same where that can be compiled, otherwise the statements as they are. */
+export const asAccurateAsCanBe = (compiled) =>
+  (compiled.code.match(/\b(sin|cos|tan)\(/g)?.length ?? 0) <= mostSines
+    ? withAccurateSine(compiled)
+    : compiled
