@@ -1,0 +1,16 @@
+import type { OffsetFunction } from '../types.js'
+import { type NumberOption, number } from './kinds.js'
+import { reader } from './options.js'
+import { checkWarps, offsetOf } from './warps.js'
+
+/**
+ * A part of a warp: its offset times `weight`, from 0 for nothing to 1 for all. A weight that varies over the shape, such
+ * as `({ position }) => position.length().div(100).smoothstep(1, 0)`, makes a warp local, and its slope counts for the
+ * normals. Throws a `WarpError` for what is no function, for wrong weights and none, and, when the warp is made, if it
+ * returns no vec3.
+ */
+export function mask(warp: OffsetFunction, weight: NumberOption): OffsetFunction {
+  checkWarps('mask', [warp])
+  const readWeight = reader('mask: the weight', { ...number(1), standard: undefined }, weight)
+  return (inputs) => offsetOf('mask', 1, warp, inputs).mult(readWeight(inputs))
+}
