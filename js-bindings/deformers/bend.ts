@@ -1,5 +1,4 @@
 import { WarpError } from '../errors.js'
-import { checkOptions } from '../options.js'
 import type { OffsetFunction, Scalar } from '../types.js'
 import {
   type AxisOption,
@@ -10,7 +9,7 @@ import {
   number,
   vector,
 } from './kinds.js'
-import { deformer } from './options.js'
+import { checkDeformerOptions, deformer } from './options.js'
 
 export interface BendOptions {
   /** What it is bent about; `'z'` unless given. */
@@ -37,7 +36,7 @@ export interface BendOptions {
  * out. Throws a `WarpError` for unknown options and wrong values.
  */
 export function bend(options?: BendOptions): OffsetFunction {
-  checkOptions('bend', options, Object.keys(kinds))
+  checkDeformerOptions('bend', options, kinds)
   const given: BendOptions = { ...options }
   const about = constantDirection(given.axis ?? 'z')
   given.along ??= about?.[1] && Math.abs(about[1]) === 1 ? 'x' : 'y'
@@ -78,7 +77,8 @@ function sinc(x: Scalar, sin: Scalar): Scalar {
   const squared = x.mult(x)
   let series = squared.div(72).neg().add(1)
   for (const divisor of [42, 20, 6]) series = squared.mult(series).div(divisor).neg().add(1)
-  return squared.lt(0.25).ifElse(series, sin.div(x))
+  const isSmall = squared.lt(0.25)
+  return isSmall.ifElse(series, sin.div(isSmall.ifElse(1, x)))
 }
 
 function checkDirections(axis?: number[], along?: number[]) {

@@ -43,8 +43,7 @@ export const bulge = (options?: BulgeOptions): OffsetFunction =>
     ({ position }, { axis, center, amount, radius }) => {
       if (!axis) {
         const away = position.sub(center)
-        const reach = away.div(radius)
-        return away.mult(amount.mult(falloff(reach.dot(reach))))
+        return away.mult(amount.mult(falloff(away.dot(away).div(radius.pow(2)))))
       }
       const { along, across } = fromAxis(position, center, axis)
       return across.mult(amount.mult(falloff(along.div(radius).pow(2))))

@@ -53,7 +53,8 @@ function readSpace({ glsl, position }: WarpInputs, matrix: unknown): Space {
   }
   const { compilation } = position as unknown as Expression
   const [columns, rows] = compilation.shapeOf(matrix as unknown as Expression)
-  if (columns !== rows || columns < 3) refuse(columns > 1 ? `a mat${columns}` : `a vec${rows}`)
+  if (columns !== rows || columns < 3)
+    refuse(columns > 1 ? 'a matrix of another size' : rows > 1 ? `a vec${rows}` : 'a single number')
   return columns === 3
     ? { linear: matrix as unknown as Mat3, shift: glsl.vec3(0) }
     : spaceOf(glsl, matrix as unknown as Mat4)

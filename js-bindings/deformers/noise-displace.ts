@@ -44,7 +44,7 @@ export const noiseDisplace = (options?: NoiseDisplaceOptions): OffsetFunction =>
     ({ glsl, position, millis }, { amount, scale, direction, center, speed, seed }) => {
       const place = position.sub(center).div(scale)
       const stands = options?.speed === undefined || options.speed === 0
-      const when = speed.mult(millis).div(1000)
+      const when = speed.div(1000).mult(millis)
       const noise = (glsl as any).noise(stands ? place : glsl.vec4(place, when), { seed })
       return direction.mult(noise.mult(amount))
     },

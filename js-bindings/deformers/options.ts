@@ -20,7 +20,7 @@ export function deformer<All extends Kinds>(
   kinds: All,
   formula: (inputs: WarpInputs, values: Values<All>) => Vec3,
 ): OffsetFunction {
-  checkOptions(name, options, Object.keys(kinds))
+  checkDeformerOptions(name, options, kinds)
   const given = (options ?? {}) as Record<string, unknown>
   const all = Object.entries(kinds).map(([option, kind]) =>
     reader(`${name}: the option "${option}"`, kind, given[option]),
@@ -29,6 +29,14 @@ export function deformer<All extends Kinds>(
     const values = all.map((read, i) => [Object.keys(kinds)[i], read(inputs)])
     return formula(inputs, Object.fromEntries(values) as Values<All>)
   }
+}
+
+export function checkDeformerOptions(name: string, options: object | undefined, kinds: Kinds) {
+  if (options && 'glsl' in options)
+    throw new WarpError(
+      `${name}: it makes an offset function; call it with its options, as in createWarp(${name}({})).`,
+    )
+  checkOptions(name, options, Object.keys(kinds))
 }
 
 /** Checks a constant; gives what makes the value inside of a warp. `place` names the option in messages. */

@@ -1,5 +1,5 @@
 // Pieces that several formulas share.
-import type { Scalar, Vec3 } from '../types.js'
+import type { Glsl, Scalar, Vec3 } from '../types.js'
 
 /** A point as seen from `center`: how far it is along `axis`, of length 1, and the vector to it from that line. */
 export function fromAxis(position: Vec3, center: Vec3, axis: Vec3) {
@@ -12,13 +12,13 @@ export function fromAxis(position: Vec3, center: Vec3, axis: Vec3) {
 export const falloff = (squared: Scalar): Scalar => squared.min(1).neg().add(1).pow(3)
 
 /** The phase, in radians, of a wave that travels `speed` units a second. */
-export const travelling = (
+export function travelling(
+  glsl: Glsl,
   distance: Scalar,
   wavelength: Scalar,
   speed: Scalar,
   millis: Scalar,
-): Scalar =>
-  distance
-    .sub(speed.mult(millis).div(1000))
-    .mult(2 * Math.PI)
-    .div(wavelength)
+): Scalar {
+  const travelled = speed.div(1000).mult(millis)
+  return distance.sub(travelled).mult(glsl.div(2 * Math.PI, wavelength))
+}

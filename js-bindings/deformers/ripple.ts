@@ -43,11 +43,11 @@ export const ripple = (options?: RippleOptions): OffsetFunction =>
       speed: number(50),
       radius: positive(200),
     },
-    ({ position, millis }, { axis, center, amount, wavelength, speed, radius }) => {
+    ({ glsl, position, millis }, { axis, center, amount, wavelength, speed, radius }) => {
       const { across } = fromAxis(position, center, axis)
       const squared = across.dot(across)
       const distance = squared.add(wavelength.div(8).pow(2)).sqrt()
-      const rings = travelling(distance, wavelength, speed, millis).sin()
+      const rings = travelling(glsl, distance, wavelength, speed, millis).sin()
       return axis.mult(rings.mult(amount, falloff(squared.div(radius.pow(2)))))
     },
   )

@@ -35,6 +35,6 @@ export const taper = (options?: TaperOptions): OffsetFunction =>
     { axis: axis('y'), center: vector(), amount: number(0.5), length: positive(200) },
     ({ position }, { axis, center, amount, length }) => {
       const { along, across } = fromAxis(position, center, axis)
-      return across.mult(amount.mult(along).div(length).neg().max(-1))
+      return across.mult(amount.div(length).mult(along).neg().max(-1))
     },
   )

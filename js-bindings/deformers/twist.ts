@@ -35,7 +35,7 @@ export const twist = (options?: TwistOptions): OffsetFunction =>
     { axis: axis('y'), center: vector(), angle: number(Math.PI / 2), length: positive(200) },
     ({ position }, { axis, center, angle, length }) => {
       const { along, across } = fromAxis(position, center, axis)
-      const turn = angle.mult(along).div(length)
+      const turn = angle.div(length).mult(along)
       // Rodrigues' formula, for what is at right angles to the axis.
       return across.mult(turn.cos().sub(1)).add(axis.cross(across).mult(turn.sin()))
     },

@@ -42,8 +42,8 @@ export const wave = (options?: WaveOptions): OffsetFunction =>
       wavelength: positive(100),
       speed: number(100),
     },
-    ({ position, millis }, { axis, direction, center, amount, wavelength, speed }) => {
+    ({ glsl, position, millis }, { axis, direction, center, amount, wavelength, speed }) => {
       const along = position.sub(center).dot(axis)
-      return direction.mult(travelling(along, wavelength, speed, millis).sin().mult(amount))
+      return direction.mult(travelling(glsl, along, wavelength, speed, millis).sin().mult(amount))
     },
   )
