@@ -32,7 +32,7 @@ export function deformer<All extends Kinds>(
 }
 
 export function checkDeformerOptions(name: string, options: object | undefined, kinds: Kinds) {
-  if (options && 'glsl' in options)
+  if (Object.keys(options ?? {}).includes('glsl'))
     throw new WarpError(
       `${name}: it makes an offset function; call it with its options, as in createWarp(${name}({})).`,
     )

@@ -117,8 +117,8 @@ describe('chain', () => {
   test('depends on the order', () => {
     const at = (warp) =>
       inDouble(warp)({ position: [50, 60, 20], normal: [0, 0, 1], millis: 0 }).offset
-    const [one, other] = [chain(twisted[0], bent[0]), chain(bent[0], twisted[0])].map(at)
-    assert.ok(Math.hypot(...subtract(one, other)) > 10)
+    const [one, other] = [chain(twisted[0], waved[0]), chain(waved[0], twisted[0])].map(at)
+    assert.ok(Math.hypot(...subtract(one, other)) > 1)
   })
 
   test('gives the normal of what came before, turned to length 1', () => {
@@ -407,9 +407,8 @@ describe('says what is wrong:', () => {
 
   test('what they return', () => {
     const made = (warp) => () => compileWarp(warp)
-    // The deformer instead of what it makes.
     refuses(
-      made(chain(twist(), twist)),
+      made(chain(twist(), () => twist())),
       /^chain: the offset function that is argument 2 must return a vec3, such as .*, but returned a function\.$/,
     )
     refuses(
@@ -426,6 +425,12 @@ describe('says what is wrong:', () => {
       ),
       /^inSpace: .* argument 2 .* returned undefined\.$/,
     )
+  })
+
+  test('a deformer in the place of what it makes', () => {
+    const sentence =
+      /^twist: it makes an offset function; call it with its options, as in createWarp/
+    for (const warp of [twist, chain(bend(), twist)]) refuses(() => compileWarp(warp), sentence)
   })
 
   test('amounts and weights', () => {
@@ -476,7 +481,7 @@ describe('says what is wrong:', () => {
     )
     refuses(
       made(({ glsl }) => glsl.mat2(1)),
-      /but is a mat2\.$/,
+      /but is a matrix of another size\.$/,
     )
     refuses(
       made(({ glsl }) => glsl.mat3(0)),
