@@ -5,8 +5,8 @@ import { checkWarps, offsetOf } from './warps.js'
 
 /**
  * A part of a warp: its offset times `weight`, from 0 for nothing to 1 for all. A weight that varies over the shape, such
- * as `({ position }) => position.length().div(100).smoothstep(1, 0)`, makes a warp local, and its slope counts for the
- * normals. Throws a `WarpError` for what is no function, for wrong weights and none, and, when the warp is made, if it
+ * as `({ glsl, position }) => glsl.smoothstep(100, 50, position.length())`, makes a warp local, and its slope counts for
+ * the normals. Throws a `WarpError` for what is no function, for wrong weights and none, and, when the warp is made, if it
  * returns no vec3.
  */
 export function mask(warp: OffsetFunction, weight: NumberOption): OffsetFunction {
