@@ -5,7 +5,7 @@ import { deformer } from './options.js'
 export interface InflateOptions {
   /** How far, in units; 20 unless given. 0 moves nothing, below 0 the shape gets thinner. */
   amount?: NumberOption
-  /** Where to; the normal unless given. Its length counts. */
+  /** Where to: any vector, whose length counts; the normal, made of length 1, unless given. */
   direction?: VectorOption
 }
 
@@ -19,6 +19,6 @@ export const inflate = (options?: InflateOptions): OffsetFunction =>
   deformer(
     'inflate',
     options,
-    { amount: number(20), direction: vector(({ normal }) => normal) },
+    { amount: number(20), direction: vector(({ normal }) => normal.normalize()) },
     (_, { amount, direction }) => direction.mult(amount),
   )

@@ -14,7 +14,7 @@ export interface NoiseDisplaceOptions {
   amount?: NumberOption
   /** About how large the bumps are, in units above 0; 50 unless given. */
   scale?: NumberOption
-  /** Where to; the normal unless given. Its length counts. */
+  /** Where to: any vector, whose length counts; the normal, made of length 1, unless given. */
   direction?: VectorOption
   /** The point of the shape where the noise has its origin, in units; `[0, 0, 0]` unless given. */
   center?: VectorOption
@@ -36,7 +36,7 @@ export const noiseDisplace = (options?: NoiseDisplaceOptions): OffsetFunction =>
     {
       amount: number(20),
       scale: positive(50),
-      direction: vector(({ normal }) => normal),
+      direction: vector(({ normal }) => normal.normalize()),
       center: vector(),
       speed: number(0),
       seed: constant(0),
