@@ -11,9 +11,9 @@ async function setup() {
   bar = makeBar(42, 150)
 
   const { add, bend, blend, chain, inSpace, mask, twist } = warpjet
-  const swing = (most) => (inputs) => inputs.millis.div(1500).sin().mult(most)
-  const a = twist({ axis: 'y', length: 150, angle: swing(2) })
-  const b = bend({ axis: 'z', from: -75, to: 75, angle: swing(1.9) })
+  const swing = (most) => (inputs) => inputs.millis.div(1500).cos().mult(most)
+  const a = twist({ axis: 'y', length: 150, angle: swing(2.6) })
+  const b = bend({ axis: 'z', from: -75, to: 75, angle: swing(2.1) })
   const above = ({ glsl, position }) => glsl.smoothstep(20, -20, position.y())
   // A matrix column by column; this one adds 25 to x.
   const aside = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 25, 0, 0, 1]

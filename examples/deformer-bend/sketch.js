@@ -1,5 +1,5 @@
-// A straight bar follows an arc, and goes on straight beyond it. In world space a
-// unit is a pixel.
+// A straight bar follows an arc, and goes on straight beyond it.
+// In world space a unit is a pixel.
 let bend
 
 function setup() {

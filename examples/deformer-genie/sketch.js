@@ -1,4 +1,5 @@
-// A window goes into the Dock: it narrows into a funnel and slides down it.
+// A window goes into the Dock: it narrows into a funnel and slides
+// down it.
 let pane, genie
 
 function setup() {
@@ -12,7 +13,7 @@ function setup() {
       center: [90, 215, 0],
       length: 400,
       neck: 0.06,
-      amount: ({ millis }) => millis.div(1100).sin().mult(0.55).add(0.45).clamp(0, 1),
+      amount: ({ millis }) => millis.div(1100).sin().mult(0.45).add(0.35).max(0),
     }),
     { space: 'world' },
   )

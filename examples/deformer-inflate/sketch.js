@@ -1,16 +1,16 @@
-// Points move along their normals. What the amount depends on counts: here it runs
-// along the plane in waves.
-let airplane, inflate
+// Points move along their normals. What the amount depends on
+// counts: here it runs over the hand in waves.
+let hand, inflate
 
 async function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  airplane = await loadModel('airplane.obj')
+  hand = await loadModel('hand.obj')
 
   inflate = createWarp(
     warpjet.inflate({
       amount: ({ position, millis }) =>
-        position.x().div(16).sub(millis.div(300)).sin().mult(3.5).add(3),
+        position.y().div(16).sub(millis.div(300)).sin().mult(4).add(2),
     }),
   )
 }
@@ -22,12 +22,12 @@ function draw() {
   directionalLight('#fff0dd', -0.5, 0.8, -0.9)
   directionalLight('#4463d6', 0.8, -0.3, 0.2)
 
-  rotateX(-0.5)
-  rotateY(0.6)
-  scale(2.5)
-  fill('#a99cff')
+  rotateX(-0.2)
+  rotateY(0.3)
+  scale(1.8)
+  fill('#e0a58a')
   specularMaterial(90)
   shininess(40)
   inflate()
-  model(airplane)
+  model(hand)
 }

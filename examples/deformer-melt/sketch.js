@@ -11,7 +11,7 @@ async function setup() {
       axis: 'y',
       ground: 100,
       height: 60,
-      amount: ({ millis }) => millis.div(1400).sin().mult(0.46).add(0.47),
+      amount: ({ millis }) => millis.div(1400).sin().mult(0.42).add(0.42),
     }),
   )
 }

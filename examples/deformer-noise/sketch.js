@@ -1,4 +1,5 @@
-// A sphere grows bumps along its normals, which become others as time goes by.
+// A sphere grows bumps along its normals, which become others as
+// time goes by.
 let noise
 
 function setup() {

@@ -1,5 +1,5 @@
-// Points move to the side, the further the higher they are: upright letters become
-// italic ones.
+// Points move to the side, the further the higher they are:
+// upright letters become italic ones.
 let word, shear
 
 async function setup() {

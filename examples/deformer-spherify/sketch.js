@@ -9,7 +9,7 @@ async function setup() {
   spherify = createWarp(
     warpjet.spherify({
       radius: 75,
-      amount: ({ millis }) => millis.div(1200).sin().mult(0.6).add(0.5).clamp(0, 1),
+      amount: ({ millis }) => millis.div(1200).sin().mult(0.45).add(0.4).max(0),
     }),
   )
 }

@@ -1,4 +1,5 @@
-// Longer along an axis, and as much thinner across it that the volume stays.
+// Longer along an axis, and as much thinner across it that the
+// volume stays.
 let bunny, stretch
 
 async function setup() {

@@ -1,4 +1,5 @@
-// Slices get narrower along an axis. The one at the center keeps its size.
+// Slices get narrower along an axis. The one at the center keeps
+// its size.
 let teapot, taper
 
 async function setup() {

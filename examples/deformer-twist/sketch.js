@@ -1,4 +1,5 @@
-// Slices turn about an axis, the further the further they are along it.
+// Slices turn about an axis, the further the further they are
+// along it.
 let hand, twist
 
 async function setup() {
@@ -10,7 +11,7 @@ async function setup() {
     warpjet.twist({
       axis: 'y',
       length: 200,
-      angle: ({ millis }) => millis.div(1200).sin().mult(2),
+      angle: ({ millis }) => millis.div(1200).cos().mult(2.8),
     }),
   )
 }

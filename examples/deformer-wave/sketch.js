@@ -1,4 +1,5 @@
-// A plane wave travels along an axis and moves points to and fro: a flying carpet.
+// A plane wave travels along an axis and moves points to and fro:
+// a flying carpet.
 let wave
 
 function setup() {

@@ -49,12 +49,12 @@ export const number = (standard: number): Kind<Scalar> => ({
   make: (glsl, value: number) => glsl.val(value),
 })
 
-/** A number that must be there when the deformer is made. */
-export const constant = (standard: number): Kind<number> => ({
+/** A whole number, one that float32 can hold, which must be there when the deformer is made. */
+export const whole = (standard: number): Kind<number> => ({
   standard,
-  expected: 'a number',
+  expected: 'a whole number of at most 8388608',
   rows: 0,
-  allows: isNumber,
+  allows: (value) => Number.isInteger(value) && Math.abs(value as number) <= 2 ** 23,
   make: (_, value: number) => value,
 })
 

@@ -1,12 +1,5 @@
 import type { OffsetFunction } from '../types.js'
-import {
-  type NumberOption,
-  type VectorOption,
-  constant,
-  number,
-  positive,
-  vector,
-} from './kinds.js'
+import { type NumberOption, type VectorOption, number, positive, vector, whole } from './kinds.js'
 import { deformer } from './options.js'
 
 export interface NoiseDisplaceOptions {
@@ -20,7 +13,7 @@ export interface NoiseDisplaceOptions {
   center?: VectorOption
   /** How many times a second the bumps become others; 0 unless given. A constant 0 stands still, and reads no time. */
   speed?: NumberOption
-  /** Another number gives other bumps; a constant, 0 unless given. */
+  /** Another whole number gives other bumps; a constant, 0 unless given. */
   seed?: number
 }
 
@@ -39,7 +32,7 @@ export const noiseDisplace = (options?: NoiseDisplaceOptions): OffsetFunction =>
       direction: vector(({ normal }) => normal.normalize()),
       center: vector(),
       speed: number(0),
-      seed: constant(0),
+      seed: whole(0),
     },
     ({ glsl, position, millis }, { amount, scale, direction, center, speed, seed }) => {
       const place = position.sub(center).div(scale)

@@ -365,7 +365,7 @@ describe('says what is wrong:', () => {
     refuses(() => inflate({ direction: 'normal' }), /"direction" must be an array of 3 numbers/)
     refuses(
       () => deformers.noiseDisplace({ seed: () => 1 }),
-      /"seed" must be a number, but is a function/,
+      /"seed" must be a whole number of at most 8388608, but is a function/,
     )
   })
 

@@ -13,6 +13,9 @@ const smoothstep = (low, high, x) => {
 }
 const fading = (r) => (r < 1 ? (1 - r * r) ** 3 : 0)
 
+/** Of length 1, or zero for zero. */
+const unit = (v) => (v.some(Boolean) ? normalize(v) : [0, 0, 0])
+
 const named = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }
 const direction = (axis) => normalize(named[axis] ?? [...axis])
 
@@ -135,7 +138,7 @@ export const deformers = {
   inflate:
     ({ amount = 20, direction: to }) =>
     (p, { normal }) =>
-      times(to ?? normal, amount),
+      times(to ?? unit(normal), amount),
 
   genie: ({ center = [0, 200, 0], axis = 'y', amount = 0.5, length = 300, neck = 0, edge }) => {
     const [k, m] = [smoothstep(0, 0.6, amount), smoothstep(0.3, 1, amount)]
@@ -160,7 +163,7 @@ export const deformers = {
     ({ center = [0, 0, 0], radius = 100, amount = 1 }) =>
     (p) => {
       const d = subtract(p, center)
-      const on = times(normalize(d), radius)
+      const on = times(unit(d), radius)
       return times(subtract(on, d), amount)
     },
 
