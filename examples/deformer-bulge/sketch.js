@@ -9,7 +9,7 @@ function setup() {
   bulge = createWarp(
     warpjet.bulge({
       axis: 'x',
-      center: ({ millis }) => [millis.div(1100).sin().mult(170), 0, 0],
+      center: ({ millis }) => [millis.div(3000).fract().sub(0.5).mult(800), 0, 0],
       radius: 110,
       amount: 1.4,
     }),

@@ -51,15 +51,17 @@ export function bend(options?: BendOptions): OffsetFunction {
     const [s, height] = [fromCenter.dot(line), fromCenter.dot(side)]
     const onArc = s.clamp(from, to)
     const beyond = s.sub(onArc)
-    const half = angle.div(to.sub(from).max(1e-6)).mult(onArc).div(2)
-    const [sin, cos] = [half.sin(), half.cos()]
-    const [sinTurn, cosTurn] = [sin.mult(cos).mult(2), sin.mult(sin).mult(-2).add(1)]
+    const turn = angle.div(to.sub(from).max(1e-6)).mult(onArc)
+    const [sin, cos] = [turn.sin(), turn.cos()]
 
-    // The arc's chord has the direction of half the angle; by its length, no radius becomes infinite.
-    const chord = onArc.mult(sinc(half, sin))
-    const moved = chord.mult(cos).add(beyond.mult(cosTurn)).sub(height.mult(sinTurn))
-    const aside = chord.mult(sin).add(beyond.mult(sinTurn)).add(height.mult(cosTurn))
-    return line.mult(moved.sub(s)).add(side.mult(aside.sub(height)))
+    // The end of the arc: s' sin θ / θ and s' (1 - cos θ) / θ, in which no radius becomes infinite.
+    const isSmall = turn.mult(turn).lt(0.1)
+    const divisor = isSmall.ifElse(1, turn)
+    const ahead = onArc.mult(isSmall.ifElse(sineSeries(turn), sin.div(divisor)))
+    const aside = onArc.mult(isSmall.ifElse(versineSeries(turn), cos.neg().add(1).div(divisor)))
+    const moved = ahead.add(beyond.mult(cos)).sub(height.mult(sin))
+    const lifted = aside.add(beyond.mult(sin)).add(height.mult(cos))
+    return line.mult(moved.sub(s)).add(side.mult(lifted.sub(height)))
   })
 }
 
@@ -72,14 +74,16 @@ const kinds = {
   to: number(100),
 }
 
-/** sin(x) / x; by its series up to x⁸ / 9! where |x| < 1/2, where the next term is below 3e-11. */
-function sinc(x: Scalar, sin: Scalar): Scalar {
-  const squared = x.mult(x)
-  let series = squared.div(72).neg().add(1)
-  for (const divisor of [42, 20, 6]) series = squared.mult(series).div(divisor).neg().add(1)
-  const isSmall = squared.lt(0.25)
-  return isSmall.ifElse(series, sin.div(isSmall.ifElse(1, x)))
-}
+/** 1 - x² / a (1 - x² / b (1 - …)) */
+const nested = (x: Scalar, [divisor, ...others]: number[]): Scalar =>
+  divisor === undefined ? x.pow(0) : nested(x, others).mult(x.pow(2)).div(divisor).neg().add(1)
+
+/** sin x / x and (1 - cos x) / x up to x⁸ and x⁹; for x² < 0.1 what is left out is below 3e-13. */
+const sineSeries = (x: Scalar) => nested(x, [2 * 3, 4 * 5, 6 * 7, 8 * 9])
+const versineSeries = (x: Scalar) =>
+  nested(x, [3 * 4, 5 * 6, 7 * 8, 9 * 10])
+    .mult(x)
+    .div(2)
 
 function checkDirections(axis?: number[], along?: number[]) {
   if (!axis || !along) return

@@ -24,7 +24,8 @@ const after = (a, b) => (p, inputs) => {
   return add(first, b(add(p, first), inputs))
 }
 
-const bar = { size: 80 }
+// As wide as the bar: with the distance from its middle the errors of a GPU's sine grow.
+const bar = { size: 21 }
 
 export const deformerSketches = {
   'deformer-twist': {
@@ -47,7 +48,7 @@ export const deformerSketches = {
     size: 250,
     offset: moving(bulge, (millis) => ({
       axis: 'x',
-      center: [170 * sin(millis / 1100), 0, 0],
+      center: [800 * ((millis / 3000) % 1) - 400, 0, 0],
       radius: 110,
       amount: 1.4,
     })),
