@@ -61,7 +61,8 @@ for (const target of targets) {
             const error = Math.abs(got[k][i] - value)
             // Slopes and bends are as exact, by their own size.
             const bound = i < size ? 1e-4 : 1e-4 * Math.max(1, ...expected.map(Math.abs))
-            if (!(error <= bound)) problems.push(`${point}: number ${i} is ${got[k][i]}, not ${value}`)
+            if (!(error <= bound))
+              problems.push(`${point}: number ${i} is ${got[k][i]}, not ${value}`)
           })
         })
         assert.deepEqual(problems.slice(0, 5), [])
