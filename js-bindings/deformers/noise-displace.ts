@@ -38,7 +38,7 @@ export const noiseDisplace = (options?: NoiseDisplaceOptions): OffsetFunction =>
       const place = position.sub(center).div(scale)
       const stands = options?.speed === undefined || options.speed === 0
       const when = speed.div(1000).mult(millis)
-      const noise = (glsl as any).noise(stands ? place : glsl.vec4(place, when), { seed })
+      const noise = glsl.noise(stands ? place : glsl.vec4(place, when), { seed })
       return direction.mult(noise.mult(amount))
     },
   )

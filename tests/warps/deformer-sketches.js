@@ -4,8 +4,21 @@ import { deformers } from './deformers.js'
 
 const { cos, max, sin } = Math
 
-const { bend, bulge, genie, inflate, melt, ripple, shear, spherify, stretch, taper, twist, wave } =
-  deformers
+const {
+  bend,
+  bulge,
+  genie,
+  inflate,
+  melt,
+  noiseDisplace,
+  ripple,
+  shear,
+  spherify,
+  stretch,
+  taper,
+  twist,
+  wave,
+} = deformers
 
 const times = (v, factor) => v.map((x) => x * factor)
 const smoothstep = (low, high, x) => {
@@ -76,6 +89,11 @@ export const deformerSketches = {
   'deformer-inflate': {
     size: 100,
     offset: moving(inflate, (millis, [, y]) => ({ amount: 2 + 4 * sin(y / 16 - millis / 300) })),
+  },
+  'deformer-noise': {
+    // Not on the borders of cells, where noise has no third derivative, and the differences stumble.
+    size: 130,
+    offset: noiseDisplace({ amount: 55, scale: 75, speed: 0.4 }),
   },
   'deformer-genie': {
     size: 150,

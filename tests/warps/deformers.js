@@ -1,5 +1,6 @@
 // The formulas of 'warpjet/deformers' in plain numbers, as their documentation has them: by options of constants, from a
 // point to its offset. What they do about an axis is written in the frame of that axis.
+import { noise } from '../js/support/noise.js'
 import { add, cross, dot, normalize, subtract } from '../browser/support/matrix.js'
 
 const { abs, cos, exp, hypot, max, min, PI, sin, sqrt } = Math
@@ -158,6 +159,14 @@ export const deformers = {
       return subtract(sum(center, times(along, -u), kept, times(across, width)), p)
     }
   },
+
+  noiseDisplace:
+    ({ amount = 20, scale = 50, direction: to, center = [0, 0, 0], speed = 0, seed = 0 }) =>
+    (p, { normal, millis }) => {
+      const place = times(subtract(p, center), 1 / scale)
+      const time = speed === 0 ? [] : [(speed * millis) / 1000]
+      return times(to ?? unit(normal), amount * noise([...place, ...time], { seed }))
+    },
 
   spherify:
     ({ center = [0, 0, 0], radius = 100, amount = 1 }) =>
