@@ -70,7 +70,9 @@ async function buildAll() {
 
   await step('Types', {
     inputs: [...inputs, '.scripts/tsconfig.types.json'],
-    outputs: ['index', 'p5', 'autodiff', 'mesh', 'deformers'].map((name) => `dist/types/${name}.d.ts`),
+    outputs: ['index', 'p5', 'autodiff', 'mesh', 'deformers'].map(
+      (name) => `dist/types/${name}.d.ts`,
+    ),
     work: declareTypes,
   })
 

@@ -56,9 +56,10 @@ export function bend(options?: BendOptions): OffsetFunction {
 
     // The end of the arc: s' sin θ / θ and s' (1 - cos θ) / θ, in which no radius becomes infinite.
     const isSmall = turn.mult(turn).lt(0.1)
-    const divisor = isSmall.ifElse(1, turn)
-    const ahead = onArc.mult(isSmall.ifElse(sineSeries(turn), sin.div(divisor)))
-    const aside = onArc.mult(isSmall.ifElse(versineSeries(turn), cos.neg().add(1).div(divisor)))
+    // 1 / θ where it is used, and finite everywhere, which `bounds` needs.
+    const inverse = turn.div(turn.mult(turn).max(0.1))
+    const ahead = onArc.mult(isSmall.ifElse(sineSeries(turn), sin.mult(inverse)))
+    const aside = onArc.mult(isSmall.ifElse(versineSeries(turn), cos.neg().add(1).mult(inverse)))
     const moved = ahead.add(beyond.mult(cos)).sub(height.mult(sin))
     const lifted = aside.add(beyond.mult(sin)).add(height.mult(cos))
     return line.mult(moved.sub(s)).add(side.mult(lifted.sub(height)))
