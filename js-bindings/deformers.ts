@@ -5,6 +5,7 @@ export type {
   AxisName,
   AxisOption,
   NumberOption,
+  OptionInputs,
   OrFunction,
   Triple,
   VectorOption,

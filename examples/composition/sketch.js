@@ -1,5 +1,6 @@
-// Warps made of warps: a twist and a bend, alone, one after the other in both orders,
-// added, blended, masked, and in a space whose origin is beside the bar.
+// Warps made of warps: a twist and a bend, alone, one after the
+// other in both orders, added, blended, masked, and in a space
+// whose origin is beside the bar.
 let bar
 const warps = {}
 

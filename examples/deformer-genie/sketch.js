@@ -13,7 +13,7 @@ function setup() {
       center: [90, 215, 0],
       length: 400,
       neck: 0.06,
-      amount: ({ millis }) => millis.div(1100).sin().mult(0.45).add(0.35).max(0),
+      amount: ({ millis }) => millis.div(1100).sin().mult(0.42).add(0.26).max(0),
     }),
     { space: 'world' },
   )

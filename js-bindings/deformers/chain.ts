@@ -6,7 +6,8 @@ import { checkWarps, offsetOf } from './warps.js'
  * One warp after the other: the second acts on what the first moved, and so on. It is given the moved position, and as
  * `normal` the unit normal that the surface has by then, zero where the warps before have collapsed it; all other inputs
  * are those of the vertex. The normal is turned by the exact derivative of all that came before, so that
- * `chain(twist(), inflate())` inflates the twisted shape.
+ * `chain(twist(), inflate())` inflates the twisted shape; where those before read `normal`, `uv` or `color`, these count as
+ * constant in it.
  *
  * A moved position is no input, so that nothing can be derived by it: `glsl.derivative(x, position.x())` throws a
  * `WarpError` in all warps but the first.

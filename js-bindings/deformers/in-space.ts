@@ -2,7 +2,7 @@ import { WarpError, describe } from '../errors.js'
 import type { Expression } from '../expression.js'
 import { isList } from '../options.js'
 import type { Glsl, Mat3, Mat4, OffsetFunction, Vec3, WarpInputs } from '../types.js'
-import { type OrFunction, isExpression } from './kinds.js'
+import { type OptionInputs, type OrFunction, isExpression } from './kinds.js'
 import { inputsAt, surfaceOf } from './places.js'
 import { checkWarps, offsetOf } from './warps.js'
 
@@ -31,7 +31,7 @@ export function inSpace(matrix: MatrixOption, warp: OffsetFunction): OffsetFunct
     const { glsl } = inputs
     const { linear, shift } = readSpace(
       inputs,
-      typeof matrix === 'function' ? matrix(inputs) : matrix,
+      typeof matrix === 'function' ? matrix(inputs as OptionInputs) : matrix,
     )
     const determinant = linear.determinant()
     const { position, normal } = surfaceOf(inputs)

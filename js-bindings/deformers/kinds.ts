@@ -3,8 +3,11 @@
 import { isList } from '../options.js'
 import type { Glsl, Operand, Scalar, Vec3, WarpInputs } from '../types.js'
 
+/** What an offset function is given. Which uniforms there are is said where the warp is made, which is elsewhere. */
+export type OptionInputs = WarpInputs & { uniforms: { readonly [name: string]: any } }
+
 /** A value, or what computes it where the warp is made: `({ uniforms }) => uniforms.amount`. */
-export type OrFunction<Value> = Value | ((inputs: WarpInputs) => Value)
+export type OrFunction<Value> = Value | ((inputs: OptionInputs) => Value)
 
 /** A number; an expression made inside of the same warp; or a function that gives one of them. */
 export type NumberOption = OrFunction<Operand>

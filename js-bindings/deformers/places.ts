@@ -10,8 +10,8 @@ interface Surface {
 /** By the position that a warp is given, unless that is the vertex itself. */
 const surfaces = new WeakMap<Vec3, Surface>()
 
-export const surfaceOf = ({ position, normal }: WarpInputs): Surface =>
-  surfaces.get(position) ?? { position, normal }
+export const surfaceOf = (inputs: WarpInputs): Surface =>
+  surfaces.get(inputs.position) ?? { position: inputs.position, normal: inputs.normal }
 
 /**
  * The inputs with another position, and with the unit normal that the surface has there. That is turned by all that lies

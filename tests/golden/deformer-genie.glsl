@@ -1,6 +1,6 @@
 vec3 offset, warpedPosition, warpedNormal;
 {
-  float t0 = max(sin(millis / 1100.0) * 0.45 + 0.35, 0.0);
+  float t0 = max(sin(millis / 1100.0) * 0.42 + 0.26, 0.0);
   float t1 = 215.0 - position.y;
   float t2 = clamp((t0 - 0.3) / 0.7, 0.0, 1.0);
   float t3 = t2 * t2 * (t2 * -2.0 + 3.0) * 400.0;

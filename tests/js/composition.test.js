@@ -163,7 +163,28 @@ describe('chain', () => {
     }
   })
 
-  test('makes no normal that nobody reads, and shares its sines', () => {
+  test('makes no normal that nobody reads', () => {
+    const matrix = columns(spaces['a turn'])
+    const warp = chain(
+      waved[0],
+      inSpace(matrix, chain(twisted[0], bent[0])),
+      blend(twisted[0], bent[0]),
+    )
+    const noNormals = (glsl) => ({
+      ...glsl,
+      adjustNormal: () => assert.fail('a normal was made'),
+    })
+    compileWarp((inputs) => warp({ ...inputs, glsl: noNormals(inputs.glsl) }))
+    assert.throws(
+      () =>
+        compileWarp((inputs) =>
+          chain(warp, inflate())({ ...inputs, glsl: noNormals(inputs.glsl) }),
+        ),
+      /a normal was made/,
+    )
+  })
+
+  test('shares its sines', () => {
     const text = compileWarp(chain(twisted[0], bent[0], waved[0])).code
     const count = (name) => text.match(new RegExp(`\\b${name}\\(`, 'g')).length
     assert.deepEqual([count('sin'), count('cos')], [3, 3])

@@ -291,6 +291,24 @@ test('volume stays in a twist, and in a stretch that is told so', () => {
   }
 })
 
+test('options and compositions pass on all inputs, such as uniforms', () => {
+  const { chain, inSpace, mask, shear } = deformers
+  const turned = [0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+  const warp = chain(
+    mask(shear({ amount: ({ uniforms }) => uniforms.amount }), ({ uniforms }) => uniforms.weight),
+    inSpace(turned, ({ glsl, uniforms, uv }) => glsl.vec3(uniforms.weight, uv)),
+  )
+  const { evaluate } = compile((glsl) => {
+    const normal = glsl.vec3Param('normal')
+    const uniforms = { amount: glsl.param('amount'), weight: glsl.param('weight') }
+    const position = glsl.vec3Param('position')
+    return { offset: warp({ glsl, position, normal, uniforms, uv: glsl.vec2(7, 8) }) }
+  })
+  // To the right by 10 · 3 · 0.5; then x and y of the turned space are -y and x of this one.
+  const { offset } = evaluate({ position: [1, 10, 2], amount: 3, weight: 0.5 })
+  assertClose(offset, [15 - 7, 0.5, 8], 1e-12)
+})
+
 test('value and derivative share their sines', () => {
   const count = (warp) => {
     const { code } = compileWarp(warp)

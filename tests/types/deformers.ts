@@ -27,6 +27,7 @@ const all: OffsetFunction[] = [
   twist({ axis: [1, 1, 0], center: [0, 0, 0], angle: Math.PI, length: 100 }),
   bend({ axis: 'z', along: 'y', angle: ({ millis }) => millis.div(1000).sin(), from: 0, to: 50 }),
   taper({ amount: ({ glsl }) => glsl.param('amount') }),
+  taper({ amount: ({ uniforms }) => uniforms.amount, center: ({ uniforms }) => uniforms.middle }),
   bulge({ center: ({ glsl, mouse, size }) => glsl.vec3(mouse.sub(size.div(2)), 0), radius: 80 }),
   stretch({ amount: 1, keepVolume: true }),
   wave({ axis: 'x', direction: ({ normal }) => normal, speed: 0 }),
@@ -47,6 +48,7 @@ export const composed: OffsetFunction = chain(
   inSpace([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1], twist()),
   inSpace(({ glsl }) => glsl.rotateY(1), twist()),
   inSpace(({ glsl }) => glsl.mat4Param('toLocal'), twist()),
+  inSpace(({ uniforms }) => uniforms.toLocal, twist()),
   ({ glsl }) => glsl.vec3(1, 2, 3),
 )
 

@@ -101,7 +101,7 @@ export const deformerSketches = {
       center: [90, 215, 0],
       length: 400,
       neck: 0.06,
-      amount: max(0, 0.35 + 0.45 * sin(millis / 1100)),
+      amount: max(0, 0.26 + 0.42 * sin(millis / 1100)),
     })),
   },
   'deformer-spherify': {
