@@ -92,11 +92,11 @@ async function generateModule(name) {
     'export default function instantiate<Module>(options: { wasmBinary: Uint8Array }): Module\n',
   )
 
-  // Base64 hides the repetitions from the server's gzip, so they are taken out before: 11 KB less of the core on the
-  // wire, and another 3 by Zopfli instead of zlib.
-  const { deflateAsync } = (await import('@gfx/zopfli')).default
-  const wasm = await deflateAsync(readFileSync(path(`.build/wasm/${name}.wasm`)), {})
-  writeGenerated(`${name}-wasm.js`, `export default '${Buffer.from(wasm).toString('base64')}'\n`)
+  // Base64 hides the repetitions from the server's gzip, so they are taken out before; js-bindings/lzma.ts unpacks.
+  const { LZMA } = (await import('lzma')).default
+  const packed = LZMA().compress(readFileSync(path(`.build/wasm/${name}.wasm`)), 9)
+  const base64 = Buffer.from(packed).toString('base64')
+  writeGenerated(`${name}-wasm.js`, `export default '${base64}'\n`)
   writeGenerated(`${name}-wasm.d.ts`, 'declare const base64: string\nexport default base64\n')
 }
 

@@ -1,12 +1,12 @@
-// How each wasm module starts: it is inlined, deflated and in base64, and compiled synchronously, so that `createWarp`
+// How each wasm module starts: it is inlined, packed and in base64, and compiled synchronously, so that `createWarp`
 // works in a plain `setup()`.
-import { inflateSync } from 'fflate'
+import { unpack } from './lzma.js'
 
 type Factory<Module> = (options: { wasmBinary: Uint8Array }) => Module
 
 /** A new instance, with a memory of its own. */
 export function instantiate<Module>(factory: Factory<Module>, base64: string): Module {
-  return factory({ wasmBinary: inflateSync(decode(base64)) })
+  return factory({ wasmBinary: unpack(decode(base64)) })
 }
 
 function decode(text: string): Uint8Array {
