@@ -24,7 +24,13 @@ mergeInto(LibraryManager.library, {
   },
 
   // The type of the result comes first. Types may be registered after the functions, so they are looked at in a call.
-  _embind_register_function__deps: ['free', '$givenText', '$takenText', '$textTypes', '$getWasmTableEntry'],
+  _embind_register_function__deps: [
+    'free',
+    '$givenText',
+    '$takenText',
+    '$textTypes',
+    '$getWasmTableEntry',
+  ],
   _embind_register_function: function (name, count, types, signature, invoker, context) {
     types = HEAPU32.slice(types >> 2, (types >> 2) + count)
     Module[UTF8ToString(name)] = function (...given) {

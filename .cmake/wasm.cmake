@@ -2,6 +2,7 @@
 #   core        the compiler; no SIMD, so that it runs wherever WebAssembly does
 #   evaluation  programs over many vertices
 #   mesh        files of meshes, and what is done to meshes
+# And unpack.wasm, which unpacks the others.
 
 # What runs once per warp, or per name in it, is compiled for size; what runs per node stays at -O3
 # (-Os everywhere made a warp of 3,000 nodes six times slower), but for what of it was no slower when it was small:
@@ -96,3 +97,12 @@ target_link_libraries(warpjet_mesh_wasm PRIVATE warpjet_mesh)
 set_target_properties(warpjet_mesh_wasm PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/mesh.js)
 target_compile_options(warpjet_mesh_wasm PRIVATE -fwasm-exceptions)
 target_compile_options(warpjet_mesh PRIVATE -fwasm-exceptions)
+
+# Alone and without JavaScript. A stack this small and a few models fit one page of memory.
+add_executable(warpjet_unpack_wasm js-bindings/unpack.cpp)
+set_target_properties(warpjet_unpack_wasm PROPERTIES OUTPUT_NAME unpack SUFFIX .wasm)
+set_source_files_properties(js-bindings/unpack.cpp PROPERTIES COMPILE_OPTIONS -Oz)
+target_compile_options(warpjet_unpack_wasm PRIVATE -fno-exceptions -fno-rtti)
+target_link_options(warpjet_unpack_wasm PRIVATE
+  -Oz -flto --no-entry -sSUPPORT_ERRNO=0 -sFILESYSTEM=0 -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=64KB -s${stack_setting}=1024
+  -Wl,--export=__heap_base)

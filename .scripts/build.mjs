@@ -16,10 +16,11 @@ const sources = (pattern) =>
 
 // Of .cmake/wasm.cmake.
 const wasmModules = ['core', 'evaluation', 'mesh']
-const compiled = wasmModules.flatMap((name) => [
-  `.build/wasm/${name}.mjs`,
-  `.build/wasm/${name}.wasm`,
-])
+const unpacker = '.build/wasm/unpack.wasm'
+const compiled = [
+  ...wasmModules.flatMap((name) => [`.build/wasm/${name}.mjs`, `.build/wasm/${name}.wasm`]),
+  unpacker,
+]
 
 const bundles = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'cli', 'p5.warpjet.min'].map(
   (name) => `dist/${name}.js`,
@@ -52,6 +53,7 @@ async function buildAll() {
     inputs: [...scripts, 'package.json', ...compiled],
     outputs: [
       ...wasmModules.flatMap((name) => [`${name}.js`, `${name}-wasm.js`]),
+      'unpack-wasm.js',
       'version.ts',
     ].map((name) => `${generated}/${name}`),
     work: generateModules,
@@ -79,6 +81,7 @@ async function buildAll() {
 async function generateModules() {
   mkdirSync(path(generated), { recursive: true })
   for (const name of wasmModules) await generateModule(name)
+  writeBase64('unpack', readFileSync(path(unpacker)))
   const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
   writeGenerated('version.ts', `export const version: string = '${version}'\n`)
 }
@@ -92,10 +95,14 @@ async function generateModule(name) {
     'export default function instantiate<Module>(options: { wasmBinary: Uint8Array }): Module\n',
   )
 
-  // Base64 hides the repetitions from the server's gzip, so they are taken out before; js-bindings/lzma.ts unpacks.
+  // Base64 hides the repetitions from the server's gzip, so they are taken out before.
   const { LZMA } = (await import('lzma')).default
-  const packed = LZMA().compress(readFileSync(path(`.build/wasm/${name}.wasm`)), 9)
-  const base64 = Buffer.from(packed).toString('base64')
+  const wasm = readFileSync(path(`.build/wasm/${name}.wasm`))
+  writeBase64(name, LZMA().compress(wasm, 9))
+}
+
+function writeBase64(name, bytes) {
+  const base64 = Buffer.from(bytes).toString('base64')
   writeGenerated(`${name}-wasm.js`, `export default '${base64}'\n`)
   writeGenerated(`${name}-wasm.d.ts`, 'declare const base64: string\nexport default base64\n')
 }
