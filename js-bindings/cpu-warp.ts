@@ -68,6 +68,7 @@ export interface Foldover {
 /**
  * All throw a `WarpError` for arrays that do not fit, numbers that are not finite, a uniform or an attribute that the warp
  * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn`, which only the GPU can run.
+ * A uniform that is not given has its value of the option `uniforms`, a function being asked then.
  * They compute in float32, as the GPU does, and change nothing that comes in. Where the offset function has no finite
  * value, such as the logarithm of a negative number, neither have the results.
  */
