@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "builder/builder.hpp"
+#include "noise/noise.hpp"
 
 using namespace warpjet;
 
@@ -43,6 +44,12 @@ EMSCRIPTEN_KEEPALIVE int call(Session* session, int operation, int isMethod) {
 
 EMSCRIPTEN_KEEPALIVE int callFunction(Session* session, int function) {
   return session->builder.callFunction(function);
+}
+
+// Kinds by their number in noiseNames.
+EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int octaves,
+                                   int isMethod) {
+  return session->builder.callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);
 }
 
 EMSCRIPTEN_KEEPALIVE int swizzle(Session* session, int handle, int count, int indices) {

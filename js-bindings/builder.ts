@@ -5,6 +5,7 @@ import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './functions.js'
+import { callNoise, noiseKinds } from './noise.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>
 
@@ -69,6 +70,8 @@ export function createBuilder(compilation: Compilation): Builder {
         name,
         operands.map((operand, i) => toExpression(compilation, name, operand, i + 1)),
       )
+  for (const kind of noiseKinds)
+    builder[kind] = (...operands) => callNoise(compilation, kind, operands)
   return builder
 }
 
@@ -118,6 +121,10 @@ function installMethods() {
         const operands = given.map((operand, i) => toExpression(compilation, name, operand, i + 1))
         return compilation.call(number, name, [this, ...operands], true)
       })
+  for (const kind of noiseKinds)
+    define(kind, function (...operands) {
+      return callNoise(this.compilation, kind, [this, ...operands], true)
+    })
   for (const [name, method] of Object.entries(results)) define(name, method)
 }
 

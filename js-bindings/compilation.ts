@@ -126,6 +126,20 @@ export class Compilation {
     return this.expression(this.core._callFunction(session, number))
   }
 
+  /** A kind of noise by its number, of a point, a seed and, for fractals, lacunarity and gain. */
+  callNoise(
+    kind: number,
+    base: number,
+    octaves: number,
+    name: string,
+    operands: readonly Expression[],
+    isMethod: boolean,
+  ): Expression {
+    const session = this.open(name)
+    for (const { handle } of operands) this.core._push(session, handle)
+    return this.expression(this.core._callNoise(session, kind, base, octaves, isMethod))
+  }
+
   /** A derivative meets calls of the host's functions: the sketch says what their partial derivatives are there. */
   private givePartials(session: Session) {
     const calls = Array.from({ length: this.core._pendingCount(session) }, (_, place) =>

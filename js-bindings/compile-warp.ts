@@ -43,12 +43,11 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
 const hiddenTangent = '_warpjetTangent'
 
 function programOf(compilation: Compilation, warp: BuiltWarp): Omit<WarpProgram, 'declared'> {
-  const { inputs, offset, moved, turned, text } = warp
+  const { inputs, offset, moved, turned } = warp
   const names = { tangent: hiddenTangent, ...warp.names }
   // In the order of numbersOf in cpu-warp.ts.
   const results = [moved]
-  // With a function of the host there is no program anyway.
-  if (turned && !text.declarations) {
+  if (turned) {
     const operate = operations(compilation)
     const tangent = inputs.tangent ?? compilation.input(names.tangent, [1, 4], 'compileWarp')
     results.push(turned, turnTangent(compilation, warp, tangent, turned))

@@ -15,6 +15,13 @@ export interface Core {
   _push(session: Session, handle: number): void
   _call(session: Session, operation: number, isMethod: boolean): number
   _callFunction(session: Session, hostFunction: number): number
+  _callNoise(
+    session: Session,
+    kind: number,
+    base: number,
+    octaves: number,
+    isMethod: boolean,
+  ): number
   _swizzle(session: Session, handle: number, count: number, indices: number): number
   _pendingCount(session: Session): number
   _pendingCall(session: Session, place: number): number
