@@ -67,13 +67,14 @@ warpjet_module(core
   LINK_OPTIONS
     -fno-exceptions                       # no exception crosses the border: a throw that is left in the code does not link
     "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"  # not simd128: it does not link if it got in
-    --bind                                # embind for the few rich calls
-    --js-library ${PROJECT_SOURCE_DIR}/.cmake/embind.js  # without the types that no call has
+    --js-library ${PROJECT_SOURCE_DIR}/.cmake/embind.js  # embind for the few rich calls; see there why not --bind
     -sMEMORY_GROWTH_GEOMETRIC_STEP=1.0    # doubles, since each growth detaches every view of the heap
     -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
     -s${stack_setting}=262144
     -sJS_MATH)                            # sin, pow and others from JavaScript, for folding constants: 16 KB less
-target_compile_options(warpjet_core_wasm PRIVATE -fno-exceptions)
+target_compile_options(warpjet_core_wasm PRIVATE -fno-exceptions -fno-rtti)
+target_compile_definitions(warpjet_core_wasm PRIVATE EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)  # embind's way without type_info
+target_compile_options(warpjet_core PRIVATE -fno-rtti)
 set_target_properties(warpjet_core_wasm PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/embind.js)
 
 warpjet_module(evaluation

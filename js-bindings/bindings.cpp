@@ -228,6 +228,8 @@ std::string outputLines(Address session) {
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(warpjet) {
+  emscripten::internal::_embind_register_std_string(
+      emscripten::internal::TypeID<std::string>::get(), "std::string");
   emscripten::function("operationNames", &operationNames);
   emscripten::function("open", &open);
   emscripten::function("problem", &problem);
