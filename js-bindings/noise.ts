@@ -47,7 +47,13 @@ export function callNoise(
     )
   const known = optionsOf[kind]
   checkOptions(kind, options, known)
-  const { octaves = 5, lacunarity = 2, gain = 0.5, noise = 'noise', seed = 0 } = (options ?? {}) as Record<string, unknown>
+  const {
+    octaves = 5,
+    lacunarity = 2,
+    gain = 0.5,
+    noise = 'noise',
+    seed = 0,
+  } = (options ?? {}) as Record<string, unknown>
   const base = bases.indexOf(noise as never)
   if (base < 0)
     throw new WarpError(

@@ -9,6 +9,8 @@ export function instantiate<Module>(factory: Factory<Module>, base64: string): M
   return factory({ wasmBinary: unpack(decode(base64)) })
 }
 
+export const open = (base64: string) => new WebAssembly.Module(unpack(decode(base64)))
+
 /** js-bindings/unpack.cpp. */
 interface Unpacker {
   memory: WebAssembly.Memory
@@ -20,7 +22,7 @@ interface Unpacker {
 /** Of an .lzma file: the properties of the packing and two sizes. */
 const headerSize = 13
 
-function unpack(packed: Uint8Array): Uint8Array {
+function unpack(packed: Uint8Array): Uint8Array<ArrayBuffer> {
   const module = new WebAssembly.Module(decode(unpackModule))
   const unpacker = new WebAssembly.Instance(module).exports as unknown as Unpacker
   const input = unpacker.__heap_base.value as number
