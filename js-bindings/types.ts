@@ -159,8 +159,72 @@ type Arguments<Item, Arity, List extends Item[] = []> = List['length'] extends A
   ? List
   : Arguments<Item, Arity, [...List, Item]>
 
+/** The value of a uniform: a float (`true` is 1), a vec2 to vec4 or, column by column, a mat3 or mat4. A p5.Vector is a
+ * vec3 and a p5.Color a vec4 with numbers from 0 to 1. */
+export type UniformValue =
+  | number
+  | boolean
+  | readonly [number, number]
+  | readonly [number, number, number]
+  | readonly [number, number, number, number]
+  | ArrayLike<number>
+  | VectorLike
+  | ColorLike
+
+/** A p5.Vector, or another with these. */
+export interface VectorLike {
+  readonly x: number
+  readonly y: number
+  readonly z: number
+}
+
+/** A p5.Color. */
+export interface ColorLike {
+  setAlpha(alpha: number): unknown
+}
+
+export type UniformValues = Readonly<Record<string, UniformValue>>
+
+/** The option `uniforms`: by name a value, or a function that gives it, which is asked again whenever the warp is used. */
+export type UniformOptions<Values extends UniformValues = UniformValues> = {
+  [Name in keyof Values]: Values[Name] | (() => Values[Name])
+}
+
+/** What the offset function gets for a value; an array of which TypeScript does not know the length may be any. */
+export type UniformExpression<Value> = Value extends number | boolean
+  ? Scalar
+  : Value extends { readonly length: infer Length }
+    ? number extends Length
+      ? Vector | Mat3 | Mat4
+      : OfLength<Length>
+    : Value extends ColorLike
+      ? Vec4
+      : Vec3
+
+type OfLength<Length> = Length extends 2 | 3 | 4
+  ? VectorOf<Length>
+  : Length extends 9
+    ? Mat3
+    : Length extends 16
+      ? Mat4
+      : never
+
+/** What the offset function gets as `uniforms`. */
+export type UniformExpressions<Values> = {
+  readonly [Name in keyof Values]: UniformExpression<Values[Name]>
+}
+
+/** What a call may give in place of the declared values. */
+export type UniformOverrides<Values> = {
+  readonly [Name in keyof Values]?: UniformExpression<Values[Name]> extends Scalar
+    ? number | boolean
+    : ArrayLike<number> | VectorLike | ColorLike
+}
+
 /** What an offset function is given. */
-export interface WarpInputs {
+export interface WarpInputs<Uniforms extends UniformValues = {}> {
+  /** By the names of the option `uniforms`; reading another one throws. */
+  uniforms: UniformExpressions<Uniforms>
   glsl: Glsl
   /** The vertex, in the space of the warp. */
   position: Vec3
@@ -185,4 +249,6 @@ export interface WarpInputs {
 }
 
 /** From a vertex to the offset that moves it. Called once; loops and functions act as macros. */
-export type OffsetFunction = (inputs: WarpInputs) => Vec3
+export type OffsetFunction<Uniforms extends UniformValues = {}> = (
+  inputs: WarpInputs<Uniforms>,
+) => Vec3
