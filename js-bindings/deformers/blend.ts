@@ -1,4 +1,4 @@
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction, UniformValues } from '../types.js'
 import { type NumberOption, number } from './kinds.js'
 import { reader } from './options.js'
 import { checkWarps, offsetOf } from './warps.js'
@@ -9,11 +9,11 @@ import { checkWarps, offsetOf } from './warps.js'
  * counts for the normals. Throws a `WarpError` for what is no function, for wrong amounts, and, when the warp is made, if
  * one returns no vec3.
  */
-export function blend(
-  from: OffsetFunction,
-  to: OffsetFunction,
+export function blend<Uniforms extends UniformValues = {}>(
+  from: OffsetFunction<Uniforms>,
+  to: OffsetFunction<Uniforms>,
   amount?: NumberOption,
-): OffsetFunction {
+): OffsetFunction<Uniforms> {
   checkWarps('blend', [from, to])
   const readAmount = reader('blend: the amount', number(0.5), amount)
   return (inputs) =>

@@ -1,4 +1,4 @@
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction, UniformValues } from '../types.js'
 import { inputsAt } from './places.js'
 import { checkWarps, offsetOf } from './warps.js'
 
@@ -14,7 +14,9 @@ import { checkWarps, offsetOf } from './warps.js'
  *
  * Throws a `WarpError` for what is no function, and, when the warp is made, if one returns no vec3.
  */
-export function chain(...warps: OffsetFunction[]): OffsetFunction {
+export function chain<Uniforms extends UniformValues = {}>(
+  ...warps: OffsetFunction<Uniforms>[]
+): OffsetFunction<Uniforms> {
   checkWarps('chain', warps)
   return (inputs) => {
     let offset = offsetOf('chain', 1, warps[0]!, inputs)

@@ -1,7 +1,7 @@
 import { WarpError, describe } from '../errors.js'
 import type { Expression } from '../expression.js'
 import { isList } from '../options.js'
-import type { Glsl, Mat3, Mat4, OffsetFunction, Vec3, WarpInputs } from '../types.js'
+import type { Glsl, Mat3, Mat4, OffsetFunction, UniformValues, Vec3, WarpInputs } from '../types.js'
 import { type OptionInputs, type OrFunction, isExpression } from './kinds.js'
 import { inputsAt, surfaceOf } from './places.js'
 import { checkWarps, offsetOf } from './warps.js'
@@ -24,7 +24,10 @@ interface Space {
  * Throws a `WarpError` for what is no matrix or no function, for constants whose linear part has determinant 0, and, when
  * the warp is made, if it returns no vec3. Where a matrix that is computed has determinant 0, points stay.
  */
-export function inSpace(matrix: MatrixOption, warp: OffsetFunction): OffsetFunction {
+export function inSpace<Uniforms extends UniformValues = {}>(
+  matrix: MatrixOption,
+  warp: OffsetFunction<Uniforms>,
+): OffsetFunction<Uniforms> {
   if (typeof matrix !== 'function' && !isExpression(matrix)) checkNumbers(matrix)
   checkWarps('inSpace', [warp], 2)
   return (inputs) => {

@@ -1,4 +1,4 @@
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction, UniformValues } from '../types.js'
 import { type NumberOption, number } from './kinds.js'
 import { reader } from './options.js'
 import { checkWarps, offsetOf } from './warps.js'
@@ -9,7 +9,10 @@ import { checkWarps, offsetOf } from './warps.js'
  * the normals. Throws a `WarpError` for what is no function, for wrong weights and none, and, when the warp is made, if it
  * returns no vec3.
  */
-export function mask(warp: OffsetFunction, weight: NumberOption): OffsetFunction {
+export function mask<Uniforms extends UniformValues = {}>(
+  warp: OffsetFunction<Uniforms>,
+  weight: NumberOption,
+): OffsetFunction<Uniforms> {
   checkWarps('mask', [warp])
   const readWeight = reader('mask: the weight', { ...number(1), standard: undefined }, weight)
   return (inputs) => offsetOf('mask', 1, warp, inputs).mult(readWeight(inputs))

@@ -19,10 +19,10 @@ export function checkWarps(method: string, warps: readonly unknown[], first = 1)
 export function offsetOf(
   method: string,
   number: number,
-  warp: OffsetFunction,
+  warp: OffsetFunction<never>,
   inputs: WarpInputs,
 ): Vec3 {
-  const offset: unknown = warp(inputs)
+  const offset: unknown = warp(inputs as WarpInputs<never>)
   const expected = `${method}: the offset function that is argument ${number} must return a vec3`
   if (!isExpression(offset))
     throw new WarpError(

@@ -21,7 +21,8 @@ import {
   type NumberOption,
   type VectorOption,
 } from '../../js-bindings/deformers.js'
-import { compileWarp, type OffsetFunction } from '../../js-bindings/index.js'
+import { compileWarp, type OffsetFunction, type WarpInputs } from '../../js-bindings/index.js'
+import { createWarp } from '../../js-bindings/p5.js'
 
 const all: OffsetFunction[] = [
   twist({ axis: [1, 1, 0], center: [0, 0, 0], angle: Math.PI, length: 100 }),
@@ -54,6 +55,18 @@ export const composed: OffsetFunction = chain(
 
 compileWarp(composed)
 compileWarp((inputs) => twist({ angle: inputs.millis, center: inputs.glsl.vec3(1, 2, 3) })(inputs))
+
+// With uniforms of its own.
+createWarp(
+  {},
+  chain(twist(), ({ uniforms, glsl }: WarpInputs<{ far: number }>) =>
+    glsl.vec3(uniforms.far, 0, 0),
+  ),
+  { uniforms: { far: 5 } },
+)
+createWarp({}, chain(twist({ angle: ({ uniforms }) => uniforms.angle }), bend()), {
+  uniforms: { angle: 1 },
+})
 
 export const number: NumberOption = ({ millis }) => millis
 export const vector: VectorOption = [1, 2, 3]
