@@ -13,7 +13,7 @@ function setup() {
       center: [90, 215, 0],
       length: 400,
       neck: 0.06,
-      amount: ({ millis }) => millis.div(1100).sin().mult(0.42).add(0.26).max(0),
+      amount: ({ millis }) => millis.div(5000).fract().sub(0.5).abs().mult(-1.4).add(0.7),
     }),
     { space: 'world' },
   )

@@ -101,7 +101,7 @@ export const deformerSketches = {
       center: [90, 215, 0],
       length: 400,
       neck: 0.06,
-      amount: max(0, 0.26 + 0.42 * sin(millis / 1100)),
+      amount: 0.7 - 1.4 * Math.abs(((millis / 5000) % 1) - 0.5),
     })),
   },
   'deformer-spherify': {
