@@ -1,5 +1,6 @@
 // The warps of the gallery as plain functions of numbers, by the names that sketches.js gives them. The sketches have the
 // other half. See stress.js.
+import { deformerSketches } from './deformer-sketches.js'
 import { clamp } from './plain.js'
 
 const { sin, cos, exp, sqrt, hypot } = Math
@@ -19,6 +20,8 @@ const sinesByAxis =
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
 
 export const gallery = {
+  ...deformerSketches,
+
   'airplane-twist': {
     size: 100,
     offset(p, { millis }) {

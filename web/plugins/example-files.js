@@ -10,7 +10,11 @@ import { models, toOBJ } from '../models/index.js'
 const root = new URL('../../', import.meta.url)
 const read = (path) => readFile(new URL(path, root))
 
-const libraries = ['dist/p5.warpjet.min.js', 'node_modules/p5/lib/p5.min.js']
+const libraries = [
+  'dist/p5.warpjet.min.js',
+  'dist/warpjet.deformers.min.js',
+  'node_modules/p5/lib/p5.min.js',
+]
 const fonts = {
   'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',
 }
