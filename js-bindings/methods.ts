@@ -300,6 +300,31 @@ export interface Vec3Methods {
    * turns inside out.
    */
   deformation(position: Vec3): Mat3
+  /**
+   * The same of tangents of a surface, over which the inputs `normal`, `u` and `v` vary too: the
+   * normal by a symmetric matrix, given as its diagonal (xx, yy, zz) and the rest (yz, xz, xy),
+   * the others by their gradients.
+   */
+  surfaceDeformation(
+    position: Vec3,
+    normal: Vec3,
+    u: Scalar,
+    v: Scalar,
+    shapeDiagonal: Vec3,
+    shapeOffDiagonal: Vec3,
+    uGradient: Vec3,
+    vGradient: Vec3,
+  ): Mat3
+}
+
+export interface Mat3Methods {
+  /** The unit normal of a surface whose tangents this mat3 turns; zero where there is none. */
+  turnNormal(normal: Vec3): Vec3
+  /**
+   * The unit tangent that this mat3 makes of a tangent, at right angles to `normal`, the turned
+   * one.
+   */
+  turnTangent(tangent: Vec3, normal: Vec3): Vec3
 }
 
 export interface MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self> {
@@ -513,6 +538,29 @@ export interface Functions {
    * Jacobian. Where its determinant is not above 0, space turns inside out.
    */
   deformation(offset: Vec3, position: Vec3): Mat3
+  /**
+   * The same of tangents of a surface, over which the inputs `normal`, `u` and `v` vary too: the
+   * normal by a symmetric matrix, given as its diagonal (xx, yy, zz) and the rest (yz, xz, xy),
+   * the others by their gradients.
+   */
+  surfaceDeformation(
+    offset: Vec3,
+    position: Vec3,
+    normal: Vec3,
+    u: Scalar,
+    v: Scalar,
+    shapeDiagonal: Vec3,
+    shapeOffDiagonal: Vec3,
+    uGradient: Vec3,
+    vGradient: Vec3,
+  ): Mat3
+  /** The unit normal of a surface whose tangents this mat3 turns; zero where there is none. */
+  turnNormal(deformation: Mat3, normal: Vec3): Vec3
+  /**
+   * The unit tangent that this mat3 makes of a tangent, at right angles to `normal`, the turned
+   * one.
+   */
+  turnTangent(deformation: Mat3, tangent: Vec3, normal: Vec3): Vec3
   /** Another name of `add`. */
   sum: ByComponent<Operand[], Expression>
   /** Another name of `mult`. */

@@ -35,7 +35,8 @@ export async function bake(args: string[]): Promise<void> {
 
   const progress = new Progress(values.quiet)
   const offset = await readWarp(file)
-  const warp = await blame(file, () => compileWarp(offset))
+  // The text is not needed; baking finds out how the surface varies by itself.
+  const warp = await blame(file, () => compileWarp(offset, { surfaceVariation: true }))
   checkUniforms(file, warp, uniforms)
 
   let mesh = writable(await loadMesh(model))
@@ -79,9 +80,10 @@ const sizeOf = ({ positions, indices }: Mesh) =>
   `${count((indices ?? positions).length / (indices ? 3 : 9), 'triangle')}, ${count(positions.length / 3, 'vertex', 'vertices')}`
 
 /** The same warp, which tells how many vertices it has moved. */
-function watched(warp: CompiledWarp, progress: Progress): Pick<CompiledWarp, 'evaluate'> {
+function watched(warp: CompiledWarp, progress: Progress): CompiledWarp {
   let vertices = 0
   return {
+    ...warp,
     evaluate(mesh) {
       vertices += mesh.positions.length / 3
       progress.update(`Subdividing: ${count(vertices, 'vertex', 'vertices')} tried`)

@@ -21,6 +21,7 @@ interface MeshModule {
   _loadFile(job: number): number
   _checkMesh(job: number): number
   _addNormals(job: number): number
+  _addVariation(job: number): number
   _writeFile(job: number): number
   _refine(job: number, tolerance: number, angle: number, maxTriangles: number): number
   _refineUniformly(job: number, levels: number, maxTriangles: number): number
@@ -38,7 +39,17 @@ interface MeshModule {
 }
 
 /** The arrays of a job, by number. */
-const floatArrays = { positions: 0, normals: 1, uvs: 2, colors: 3, tangents: 4 }
+const floatArrays = {
+  positions: 0,
+  normals: 1,
+  uvs: 2,
+  colors: 3,
+  tangents: 4,
+  shapeDiagonals: 11,
+  shapeOffDiagonals: 12,
+  uGradients: 13,
+  vGradients: 14,
+}
 const indexArray = 5
 const byteArrays = { picture: 6, mimeType: 7, file: 8, name: 9, contents: 10 }
 
@@ -47,7 +58,7 @@ export type ByteArray = keyof typeof byteArrays
 
 /** What can be done with a job: those without numbers of their own. */
 export type Action =
-  'keepFile' | 'findFiles' | 'loadFile' | 'checkMesh' | 'addNormals' | 'writeFile'
+  'keepFile' | 'findFiles' | 'loadFile' | 'checkMesh' | 'addNormals' | 'addVariation' | 'writeFile'
 
 /** Memory only grows, so an instance that has grown beyond this is given up. */
 const mostKeptBytes = 2 ** 26

@@ -80,8 +80,9 @@ class Measurement {
     deviations.reserve(pieces.size());
     Mesh samples;
     for (std::size_t first = 0; first < pieces.size();) {
-      for (auto* numbers :
-           {&samples.positions, &samples.normals, &samples.uvs, &samples.colors, &samples.tangents})
+      for (auto* numbers : {&samples.positions, &samples.normals, &samples.uvs, &samples.colors,
+                            &samples.tangents, &samples.shapeDiagonals, &samples.shapeOffDiagonals,
+                            &samples.uGradients, &samples.vGradients})
         numbers->clear();
       std::size_t end = first;
       for (; end < pieces.size() && samples.vertexCount() < batchSize; ++end) {

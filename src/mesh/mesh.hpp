@@ -31,6 +31,8 @@ struct Material {
 // triangle; none at all means that the vertices stand in the order of the triangles.
 struct Mesh {
   std::vector<float> positions, normals, uvs, colors, tangents;
+  // 3 each: how normals and uvs vary over the surface, once variation.hpp has found that out.
+  std::vector<float> shapeDiagonals, shapeOffDiagonals, uGradients, vGradients;
   std::vector<std::uint32_t> indices;
   std::optional<Material> material;
 

@@ -40,17 +40,33 @@ Value deformation(Differentiator& differentiator, const Value& offset, const Val
   return m;
 }
 
-Value warpedNormal(Differentiator& differentiator, const Value& offset, const Value& normal,
-                   const Value& position) {
-  const Value m = deformation(differentiator, offset, position);
+Value surfaceDeformation(Differentiator& differentiator, const Value& offset, const Value& position,
+                         const SurfaceVariation& variation) {
+  const auto& [normal, u, v, diagonal, beside, uGradient, vGradient] = variation;
+  const Value shape = fillMatrix(
+      offset.graph(), 3, 3,
+      [&, &d = diagonal, &b = beside](int i, int j) { return i == j ? d[i] : b[3 - i - j]; });
+  // A column for each coordinate, a row for each of u and v.
+  const Value gradients =
+      fillMatrix(offset.graph(), 3, 2, [&, &first = uGradient, &second = vGradient](int i, int j) {
+        return (j == 0 ? first : second)[i];
+      });
+  Value uv(offset.graph(), vectorOf(2));
+  uv.set(0, u.id);
+  uv.set(1, v.id);
+  return deformation(differentiator, offset, position) +
+         multiply(jacobian(differentiator, offset, normal), shape) +
+         multiply(jacobian(differentiator, offset, uv), gradients);
+}
+
+Value turnedNormal(const Value& m, const Value& normal) {
   const Value cofactor[] = {cross(m.column(1), m.column(2)), cross(m.column(2), m.column(0)),
                             cross(m.column(0), m.column(1))};
   return normalize(cofactor[0] * normal[0] + cofactor[1] * normal[1] + cofactor[2] * normal[2]);
 }
 
-Value warpedTangent(Differentiator& differentiator, const Value& offset, const Value& tangent,
-                    const Value& normal, const Value& position) {
-  const Value moved = multiply(deformation(differentiator, offset, position), tangent);
+Value turnedTangent(const Value& m, const Value& tangent, const Value& normal) {
+  const Value moved = multiply(m, tangent);
   return normalize(moved - normal * dot(normal, moved));
 }
 
