@@ -14,6 +14,9 @@ export const variationInputs = {
 export type VariationInput = keyof typeof variationInputs
 export const variationNames = Object.keys(variationInputs) as VariationInput[]
 
+/** The attributes of p5 shapes that carry them. */
+export const variationAttributes = variationNames.map((name) => [name, `aWarpjet_${name}`] as const)
+
 /** Of each vertex. The offset function does not get the tangent, which is only turned, nor how the surface varies. */
 export const vertexInputs = {
   position: 3,

@@ -9,7 +9,7 @@ import { WarpError } from './errors.js'
 import { version } from './generated/version.js'
 import { registerGlobally } from './p5.js'
 import type { OffsetFunction } from './types.js'
-import { type WarpOptions, compileWarpText } from './warp-text.js'
+import { type WarpOptions, compileWarpText, noteIfApproximate } from './warp-text.js'
 
 export { compile, gen } from './compile.js'
 export { WarpError } from './errors.js'
@@ -17,8 +17,9 @@ export { version } from './generated/version.js'
 
 /** `compileWarp` without what runs on the CPU, which would make this script a quarter larger. */
 export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): CompiledWarp {
-  const { text } = compileWarpText('compileWarp', offset, options)
-  return { ...text, ...onlyInThePackage }
+  const warp = compileWarpText('compileWarp', offset, options)
+  noteIfApproximate(warp)
+  return { ...warp.text, ...onlyInThePackage }
 }
 
 const onlyInThePackage = Object.fromEntries(

@@ -24,7 +24,11 @@ export interface SurfaceVariation {
  * together or the mesh is too large for the memory of the module.
  */
 export const surfaceVariation = (mesh: MeshInput): SurfaceVariation =>
-  withJob('surfaceVariation', (job) => {
+  findVariation('surfaceVariation', mesh)
+
+/** The same for `method`. */
+export const findVariation = (method: string, mesh: MeshInput): SurfaceVariation =>
+  withJob(method, (job) => {
     putMesh(job, mesh)
     job.act('addNormals')
     return takeVariation(job)

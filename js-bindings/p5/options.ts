@@ -18,27 +18,34 @@ export interface CreateWarpOptions {
   space?: WarpSpace
   /** GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. */
   defs?: string
+  /**
+   * How normal and uv vary over the surface, for an offset that depends on them: left out, it counts for shapes that
+   * `addSurfaceVariation` told it of, and a note says so if there are none; `false`: they count as constant. p5 1.11
+   * knows nothing else.
+   */
+  surfaceVariation?: boolean
 }
 
 export interface WarpSettings {
   readonly type: WarpType | undefined
   readonly space: WarpSpace
   readonly defs: string
+  readonly surfaceVariation: boolean | undefined
 }
 
 const types = ['specular', 'normal']
 const spaces = ['local', 'world', 'camera']
 
 export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
-  checkOptions('createWarp', options, ['type', 'space', 'defs'])
-  const { type, space = 'local', defs = '' } = options
+  checkOptions('createWarp', options, ['type', 'space', 'defs', 'surfaceVariation'])
+  const { type, space = 'local', defs = '', surfaceVariation } = options
   if (type !== undefined) mustBeOneOf('type', types, type)
   mustBeOneOf('space', spaces, space)
   if (typeof defs !== 'string')
     throw new WarpError(
       `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
     )
-  return { type, space, defs }
+  return { type, space, defs, surfaceVariation }
 }
 
 function mustBeOneOf(option: string, choices: string[], value: unknown) {
