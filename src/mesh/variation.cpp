@@ -91,9 +91,8 @@ using Gradients = Mean<2>;  // of u and v
 class Estimate {
  public:
   explicit Estimate(Mesh& mesh) : mesh_(mesh) {
-    const double size = largest(mesh.positions);
-    smooth_ = paired(numbered(mesh.positions, 3, size * positionGrain),
-                     numbered(mesh.normals, 3, normalGrain));
+    places_ = numbered(mesh.positions, 3, largest(mesh.positions) * positionGrain);
+    smooth_ = paired(places_, numbered(mesh.normals, 3, normalGrain));
     shapes_.resize(mesh.vertexCount());
     if (mesh.uvs.empty()) return;
     seamless_ = paired(smooth_, numbered(mesh.uvs, 2, uvGrain));
@@ -118,6 +117,9 @@ class Estimate {
   using Three = std::array<glm::dvec3, 3>;
 
   void addTriangle(const Corners& corners) {
+    // As a sphere has them at its poles.
+    const auto isSide = [&](int i, int j) { return places_[corners[i]] != places_[corners[j]]; };
+    if (!(isSide(0, 1) && isSide(1, 2) && isSide(2, 0))) return;
     Three p, normals, sides;
     for (int i = 0; i < 3; ++i) {
       p[i] = vectorAt(mesh_.positions, corners[i]);
@@ -167,7 +169,7 @@ class Estimate {
   }
 
   Mesh& mesh_;
-  Numbers smooth_, seamless_;  // by vertex, with whom it shares what
+  Numbers places_, smooth_, seamless_;  // by vertex, with whom it shares what
   std::vector<Shape> shapes_;
   std::vector<Gradients> gradients_;
 };
