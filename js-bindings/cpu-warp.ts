@@ -124,11 +124,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       const values = mesh[arrayNames[input]]
       if (values) return { values, size: vertexInputs[input], isUniform: false }
       if (input in variationInputs) {
-        if (!warp.isAccepted)
-          noteApproximation(
-            method,
-            'add what surfaceVariation of warpjet/mesh computes to the mesh',
-          )
+        if (!warp.isAccepted) noteApproximation(method, 'surfaceVariation(mesh) of warpjet/mesh')
         return common
       }
       const name = method === 'evaluateAt' ? input : arrayNames[input]

@@ -184,11 +184,7 @@ export function buildWarp(
 
 /** For `compileWarp`. */
 export function noteIfApproximate({ isApproximate }: { isApproximate: boolean }) {
-  if (isApproximate)
-    noteApproximation(
-      'compileWarp',
-      'give it surfaceVariation: true, and the shader the attributes that surfaceVariation of warpjet/mesh computes',
-    )
+  if (isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
 }
 
 const part = (compilation: Compilation, vector: Expression, i: number) =>

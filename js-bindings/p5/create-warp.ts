@@ -74,7 +74,7 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
     outputs: results,
     surfaceVariation: surfaceVariation ?? (style.hasVariation || undefined),
   })
-  if (isApproximate) noteApproximation('createWarp', 'use addSurfaceVariation of p5 2')
+  if (isApproximate) noteApproximation('createWarp', 'addSurfaceVariation(shape) on p5 2')
   refuseUndeclared(parameters, material, settings.defs)
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {

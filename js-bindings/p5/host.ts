@@ -13,7 +13,6 @@ export interface Shader {
   readonly hooks: { readonly vertex: Record<string, string> }
   readonly uniforms: Record<string, Uniform | undefined>
   /** On 2.x. */
-  readonly attributes?: Record<string, { readonly location: number } | undefined>
   readonly _renderer?: {
     readonly GL: { disableVertexAttribArray(location: number): void }
     readonly registerEnabled: Set<number>

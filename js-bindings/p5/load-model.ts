@@ -6,15 +6,13 @@ import { WarpError, describe } from '../errors.js'
 import type { Mesh, Picture } from '../mesh.js'
 import { checkOptions } from '../options.js'
 import { importMesh } from './mesh-module.js'
-import { addSurfaceVariation, withOwnErrors } from './variation.js'
+import { withOwnErrors } from './variation.js'
 
 export interface LoadModelOptions {
   /** Centered, and 200 units at its longest, as p5's `loadModel` does it; true unless given. */
   normalize?: boolean
   /** The file's y upwards on the canvas; true unless given. */
   flipY?: boolean
-  /** `true` also does what `addSurfaceVariation` does, which needs p5 2. */
-  surfaceVariation?: boolean
 }
 
 interface Vector {
@@ -78,13 +76,12 @@ export async function fillModel(
     throw new WarpError(
       `loadWarpModel: the address of a model such as "bunny.glb" was expected, but ${describe(url)} came.`,
     )
-  checkOptions('loadWarpModel', options, ['normalize', 'flipY', 'surfaceVariation'])
+  checkOptions('loadWarpModel', options, ['normalize', 'flipY'])
   const { loadMesh } = await importMesh('loadWarpModel')
   const mesh = await withOwnErrors(() => loadMesh(url))
-  const { normalize = true, flipY = true, surfaceVariation = false } = options
+  const { normalize = true, flipY = true } = options
   putVertices(model, p5, mesh, flipY)
   if (normalize) model.normalize()
-  if (surfaceVariation) await addSurfaceVariation(model)
   model.warnings.push(...(mesh.warnings ?? []))
   const picture = mesh.material?.baseColorTexture
   if (picture) await putTexture(model, p5, picture)

@@ -26,7 +26,7 @@ export const readsVariation = ({ attributes }: WarpText) =>
 
 /** For a warp that does, when it is drawn with. */
 export function noteUnlessUsed() {
-  if (!isUsed) noteApproximation('createWarp', 'call addSurfaceVariation(shape) for the shapes')
+  if (!isUsed) noteApproximation('createWarp', 'addSurfaceVariation(shape)')
 }
 
 /** What the text is to read: the attributes, or in a space other than their own what `variationIn` makes of them. */
@@ -63,11 +63,8 @@ export function forgetLastShape(shader: Shader) {
   shader.bindShader = (...args) => {
     bind.apply(shader, args)
     const { registerEnabled, GL } = shader._renderer!
-    for (const [, name] of variationAttributes) {
-      const location = shader.attributes![name]?.location
-      if (location !== undefined && registerEnabled.delete(location))
-        GL.disableVertexAttribArray(location)
-    }
+    for (const location of registerEnabled) GL.disableVertexAttribArray(location)
+    registerEnabled.clear()
   }
 }
 

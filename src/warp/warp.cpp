@@ -42,21 +42,22 @@ Value deformation(Differentiator& differentiator, const Value& offset, const Val
 
 Value surfaceDeformation(Differentiator& differentiator, const Value& offset, const Value& position,
                          const SurfaceVariation& variation) {
-  const auto& [normal, u, v, diagonal, beside, uGradient, vGradient] = variation;
-  const Value shape = fillMatrix(
-      offset.graph(), 3, 3,
-      [&, &d = diagonal, &b = beside](int i, int j) { return i == j ? d[i] : b[3 - i - j]; });
-  // A column for each coordinate, a row for each of u and v.
-  const Value gradients =
-      fillMatrix(offset.graph(), 3, 2, [&, &first = uGradient, &second = vGradient](int i, int j) {
-        return (j == 0 ? first : second)[i];
-      });
-  Value uv(offset.graph(), vectorOf(2));
-  uv.set(0, u.id);
-  uv.set(1, v.id);
-  return deformation(differentiator, offset, position) +
-         multiply(jacobian(differentiator, offset, normal), shape) +
-         multiply(jacobian(differentiator, offset, uv), gradients);
+  Value m = deformation(differentiator, offset, position);
+  // Adds the derivative by an input times the gradient of that input, a column by a row.
+  const auto vary = [&](Expression input, const Value& gradient) {
+    const Value slope = derivative(differentiator, offset, input);
+    for (int i = 0; i < 9; ++i) m.set(i, (m[i] + slope[i % 3] * gradient[i / 3]).id);
+  };
+  for (int i = 0; i < 3; ++i) {
+    Value gradient = variation.shapeDiagonal;
+    for (int k = 0; k < 3; ++k) {
+      if (k != i) gradient.set(k, variation.shapeOffDiagonal[3 - i - k].id);
+    }
+    vary(variation.normal[i], gradient);
+  }
+  vary(variation.u, variation.uGradient);
+  vary(variation.v, variation.vGradient);
+  return m;
 }
 
 Value turnedNormal(const Value& m, const Value& normal) {

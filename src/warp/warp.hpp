@@ -19,10 +19,10 @@ Value deformation(Differentiator& differentiator, const Value& offset, const Val
 // radius r, 0 along it. It comes as its diagonal (xx, yy, zz) and what is beside that (yz, xz, xy).
 // The gradients lie in the surface too.
 struct SurfaceVariation {
-  Value normal;  // an input, as are u and v
+  const Value& normal;  // an input, as are u and v
   Expression u, v;
-  Value shapeDiagonal, shapeOffDiagonal;
-  Value uGradient, vGradient;
+  const Value &shapeDiagonal, &shapeOffDiagonal;
+  const Value &uGradient, &vGradient;
 };
 
 // The same M for an offset that depends on them: by the chain rule it is

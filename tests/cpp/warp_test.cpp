@@ -211,13 +211,9 @@ struct TorusPoint {
 class SurfaceTest : public WarpTest {
  protected:
   Value uv = variable(graph, "uv", vectorOf(2));
-  SurfaceVariation variation{n,
-                             uv[0],
-                             uv[1],
-                             vector3(graph, "shapeDiagonal"),
-                             vector3(graph, "shapeOffDiagonal"),
-                             vector3(graph, "uGradient"),
-                             vector3(graph, "vGradient")};
+  Value diagonal = vector3(graph, "diagonal"), offDiagonal = vector3(graph, "offDiagonal"),
+        uGradient = vector3(graph, "uGradient"), vGradient = vector3(graph, "vGradient");
+  SurfaceVariation variation{n, uv[0], uv[1], diagonal, offDiagonal, uGradient, vGradient};
 
   Inputs inputsAt(const TorusPoint& at) const {
     Inputs inputs{{uv[0].id, at.u}, {uv[1].id, at.v}};

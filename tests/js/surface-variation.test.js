@@ -261,7 +261,7 @@ describe('a note that normals are approximate', () => {
     assert.equal(lines.length, 1)
     assert.match(
       lines[0],
-      /^compileWarp: the offset depends on normal or uv.* surfaceVariation: true/,
+      /^compileWarp: the offset depends on normal or uv.*; its option surfaceVariation makes them exact/,
     )
   })
 
