@@ -49,8 +49,9 @@ export interface PointInputs {
   uv?: ArrayLike<number>
   color?: ArrayLike<number>
   tangent?: ArrayLike<number>
-  shapeDiagonal?: ArrayLike<number>
-  shapeOffDiagonal?: ArrayLike<number>
+  normalXGradient?: ArrayLike<number>
+  normalYGradient?: ArrayLike<number>
+  normalZGradient?: ArrayLike<number>
   uGradient?: ArrayLike<number>
   vGradient?: ArrayLike<number>
   uniforms?: Uniforms

@@ -1,12 +1,13 @@
 // What an offset function may read, and how many numbers that is.
 
 /**
- * How normal and uv vary over the surface, which decides the turn of an offset that depends on them: of the derivative of the
- * normal, a symmetric matrix (the shape operator), the diagonal xx, yy, zz, and yz, xz, xy; the gradients of u and v.
+ * The gradients over the surface of x, y and z of the normal and of u and v, in this order: how these vary decides the turn of
+ * an offset that depends on them.
  */
 export const variationInputs = {
-  shapeDiagonal: 3,
-  shapeOffDiagonal: 3,
+  normalXGradient: 3,
+  normalYGradient: 3,
+  normalZGradient: 3,
   uGradient: 3,
   vGradient: 3,
 } as const
@@ -14,8 +15,8 @@ export const variationInputs = {
 export type VariationInput = keyof typeof variationInputs
 export const variationNames = Object.keys(variationInputs) as VariationInput[]
 
-/** The attributes of p5 shapes that carry them. */
-export const variationAttributes = variationNames.map((name) => [name, `aWarpjet_${name}`] as const)
+/** The attribute of a p5 shape that carries one. */
+export const variationAttribute = (name: string) => `aWarpjet_${name}`
 
 /** Of each vertex. The offset function does not get the tangent, which is only turned, nor how the surface varies. */
 export const vertexInputs = {

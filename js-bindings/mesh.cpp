@@ -63,14 +63,8 @@ auto withArray(Job& job, int array, Visitor&& visit) {
       return visit(job.name);
     case 10:
       return visit(job.contents);
-    case 11:
-      return visit(job.mesh.shapeDiagonals);
-    case 12:
-      return visit(job.mesh.shapeOffDiagonals);
-    case 13:
-      return visit(job.mesh.uGradients);
     default:
-      return visit(job.mesh.vGradients);
+      return visit(job.mesh.gradients[array - 11]);
   }
 }
 

@@ -301,20 +301,10 @@ export interface Vec3Methods {
    */
   deformation(position: Vec3): Mat3
   /**
-   * The same of tangents of a surface, over which the inputs `normal`, `u` and `v` vary too: the
-   * normal by a symmetric matrix, given as its diagonal (xx, yy, zz) and the rest (yz, xz, xy),
-   * the others by their gradients.
+   * `offset.varied(deformation, input, gradient)`: The `deformation` by this offset where an
+   * input, such as a component of the normal, varies over the surface, with that gradient.
    */
-  surfaceDeformation(
-    position: Vec3,
-    normal: Vec3,
-    u: Scalar,
-    v: Scalar,
-    shapeDiagonal: Vec3,
-    shapeOffDiagonal: Vec3,
-    uGradient: Vec3,
-    vGradient: Vec3,
-  ): Mat3
+  varied(deformation: Mat3, input: Scalar, gradient: Vec3): Mat3
 }
 
 export interface Mat3Methods {
@@ -539,21 +529,10 @@ export interface Functions {
    */
   deformation(offset: Vec3, position: Vec3): Mat3
   /**
-   * The same of tangents of a surface, over which the inputs `normal`, `u` and `v` vary too: the
-   * normal by a symmetric matrix, given as its diagonal (xx, yy, zz) and the rest (yz, xz, xy),
-   * the others by their gradients.
+   * The `deformation` by this offset where an input, such as a component of the normal, varies
+   * over the surface, with that gradient.
    */
-  surfaceDeformation(
-    offset: Vec3,
-    position: Vec3,
-    normal: Vec3,
-    u: Scalar,
-    v: Scalar,
-    shapeDiagonal: Vec3,
-    shapeOffDiagonal: Vec3,
-    uGradient: Vec3,
-    vGradient: Vec3,
-  ): Mat3
+  varied(offset: Vec3, deformation: Mat3, input: Scalar, gradient: Vec3): Mat3
   /** The unit normal of a surface whose tangents this mat3 turns; zero where there is none. */
   turnNormal(deformation: Mat3, normal: Vec3): Vec3
   /**

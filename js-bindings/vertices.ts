@@ -18,8 +18,9 @@ export interface Vertices {
   tangents?: ArrayLike<number>
   /** Three each: how normals and uvs vary over the surface, as `surfaceVariation` of 'warpjet/mesh' gives it. An offset that
    * depends on them needs it for right normals; what is missing counts as 0. */
-  shapeDiagonals?: ArrayLike<number>
-  shapeOffDiagonals?: ArrayLike<number>
+  normalXGradients?: ArrayLike<number>
+  normalYGradients?: ArrayLike<number>
+  normalZGradients?: ArrayLike<number>
   uGradients?: ArrayLike<number>
   vGradients?: ArrayLike<number>
 }
@@ -42,8 +43,9 @@ export const arrayNames: Record<VertexInput, keyof Vertices> = {
   uv: 'uvs',
   color: 'colors',
   tangent: 'tangents',
-  shapeDiagonal: 'shapeDiagonals',
-  shapeOffDiagonal: 'shapeOffDiagonals',
+  normalXGradient: 'normalXGradients',
+  normalYGradient: 'normalYGradients',
+  normalZGradient: 'normalZGradients',
   uGradient: 'uGradients',
   vGradient: 'vGradients',
 }

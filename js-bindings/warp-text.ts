@@ -26,9 +26,9 @@ export interface WarpOptions extends CompileOptions {
   /** `true` also turns the tangent, a vec4 as in glTF. */
   tangents?: boolean
   /**
-   * `true`: the shader has the attributes `shapeDiagonal`, `shapeOffDiagonal`, `uGradient` and `vGradient`, vec3s that say
-   * how normal and uv vary over the surface, as `surfaceVariation` of 'warpjet/mesh' computes them. The text reads those
-   * that the offset makes it need. Otherwise normal and uv count as constant; `false` says that this will do.
+   * `true`: the shader has the attributes `normalXGradient`, `normalYGradient`, `normalZGradient`, `uGradient` and
+   * `vGradient`, vec3s that say how normal and uv vary over the surface, as `surfaceVariation` of 'warpjet/mesh' computes
+   * them; the text reads those that the offset makes it need. Otherwise normal and uv count as constant; `false` says that this will do.
    */
   surfaceVariation?: boolean
 }
@@ -139,20 +139,14 @@ export function buildWarp(
   compilation.output(outputs.offset, offset, place)
   const moved = operate('add', position, offset)
   compilation.outputSum(outputs.position, moved, position!, 0, place)
+  const constant = () => operate('deformation', offset, position)
   const whole = () =>
-    operate(
-      'surfaceDeformation',
-      ...[
-        offset,
-        position,
-        normal,
-        part(compilation, inputs.uv!, 0),
-        part(compilation, inputs.uv!, 1),
-      ],
-      ...variationNames.map((name) => inputs[name]),
-    )
+    variationNames.reduce((deformation, name, i) => {
+      const input = i < 3 ? part(compilation, normal!, i) : part(compilation, inputs.uv!, i - 3)
+      return operate('varied', offset, deformation, input, inputs[name])
+    }, constant())
   if (normals) {
-    const deformation = surfaceVariation ? whole() : operate('deformation', offset, position)
+    const deformation = surfaceVariation ? whole() : constant()
     const turned = operate('turnNormal', deformation, normal)
     compilation.output(outputs.normal, turned, place)
     if (tangents)
@@ -188,7 +182,7 @@ export function noteIfApproximate({ isApproximate }: { isApproximate: boolean })
 }
 
 const part = (compilation: Compilation, vector: Expression, i: number) =>
-  compilation.swizzle('xy'[i]!, vector, [i])
+  compilation.swizzle('xyz'[i]!, vector, [i])
 
 /** A vec4 as it came, but for the direction. */
 export function turnTangent(

@@ -45,10 +45,11 @@ const floatArrays = {
   uvs: 2,
   colors: 3,
   tangents: 4,
-  shapeDiagonals: 11,
-  shapeOffDiagonals: 12,
-  uGradients: 13,
-  vGradients: 14,
+  normalXGradients: 11,
+  normalYGradients: 12,
+  normalZGradients: 13,
+  uGradients: 14,
+  vGradients: 15,
 }
 const indexArray = 5
 const byteArrays = { picture: 6, mimeType: 7, file: 8, name: 9, contents: 10 }

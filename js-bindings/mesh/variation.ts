@@ -1,17 +1,17 @@
 // `surfaceVariation`: how normals and uvs vary over a mesh.
+import { variationNames } from '../inputs.js'
+import { arrayNames } from '../vertices.js'
 import { type MeshInput, putMesh } from './mesh.js'
-import { type Job, withJob } from './module.js'
+import { type FloatArray, type Job, withJob } from './module.js'
 
-/** Three numbers a vertex each. */
+/** How fast and which way something rises along the surface: three numbers a vertex each. */
 export interface SurfaceVariation {
-  /** Of the derivative of the normal, a symmetric matrix (the shape operator), the diagonal xx, yy, zz: on a sphere of
-   * radius r that matrix is 1/r across the normal and 0 along it. */
-  shapeDiagonals: Float32Array
-  /** The rest of it: yz, xz, xy. */
-  shapeOffDiagonals: Float32Array
-  /** How the first texture coordinate rises along the surface, a unit of length; if the mesh has uvs. */
+  /** Of x, y and z of the normal; on a sphere of radius r the part of that axis across the normal, divided by r. */
+  normalXGradients: Float32Array
+  normalYGradients: Float32Array
+  normalZGradients: Float32Array
+  /** Of the texture coordinates, if the mesh has some. */
   uGradients?: Float32Array
-  /** The same of the second one. */
   vGradients?: Float32Array
 }
 
@@ -41,12 +41,9 @@ export function takeVariation(job: Job): SurfaceVariation {
 }
 
 /** What the job's mesh has of it. */
-export function variationOf(job: Job): SurfaceVariation {
-  const [shapeDiagonals, shapeOffDiagonals] = [
-    job.floats('shapeDiagonals'),
-    job.floats('shapeOffDiagonals'),
-  ]
-  const uGradients = job.floats('uGradients')
-  if (!uGradients.length) return { shapeDiagonals, shapeOffDiagonals }
-  return { shapeDiagonals, shapeOffDiagonals, uGradients, vGradients: job.floats('vGradients') }
-}
+export const variationOf = (job: Job) =>
+  Object.fromEntries(
+    variationNames
+      .map((name) => [arrayNames[name], job.floats(arrayNames[name] as FloatArray)] as const)
+      .filter(([, numbers], i) => i < 3 || numbers.length),
+  ) as unknown as SurfaceVariation

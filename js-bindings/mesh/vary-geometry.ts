@@ -1,7 +1,7 @@
 // For the p5 addon: how a p5.Geometry varies, kept with it as properties of its vertices, which p5 2.x hands to shaders as
 // attributes. It stands here, and not in the addon, because it is of use only with this module.
 import { WarpError, describe } from '../errors.js'
-import { variationAttributes } from '../inputs.js'
+import { variationAttribute, variationNames } from '../inputs.js'
 import { arrayNames } from '../vertices.js'
 import { type SurfaceVariation, findVariation } from './variation.js'
 
@@ -38,7 +38,8 @@ export function varyGeometry(geometry: unknown) {
     uvs: isWhole(uvs, 2) ? uvs : undefined,
     indices: faces.length ? faces.flat() : undefined,
   })
-  for (const [name, attribute] of variationAttributes) {
+  for (const name of variationNames) {
+    const attribute = variationAttribute(name)
     const numbers = found[arrayNames[name] as keyof SurfaceVariation]
     shape.userVertexProperties[attribute]?.resetSrcArray()
     for (let i = 0; i < vertices.length; i++)

@@ -61,7 +61,7 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
 
   const renderer = webglOf(canvas)
   const target = renderer?.webglVersion === 'webgl' ? 'glsl100' : 'glsl300'
-  const { space, surfaceVariation } = settings
+  const { surfaceVariation } = settings
   if (surfaceVariation && !style.hasVariation)
     throw new WarpError('createWarp: surfaceVariation needs p5 2; leave it out.')
   const {
@@ -70,7 +70,7 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
     isApproximate,
   } = compileWarpText('createWarp', offset, {
     target,
-    names: namesFor(style, space),
+    names: namesFor(style),
     outputs: results,
     surfaceVariation: surfaceVariation ?? (style.hasVariation || undefined),
   })

@@ -12,7 +12,7 @@ import {
   readsVariation,
   variationDeclarations,
   variationIn,
-  variationNames,
+  variationVariables,
 } from './variation.js'
 
 /** All of our names in p5's shaders start with warpjet, so that they meet none of the sketch's. */
@@ -140,9 +140,9 @@ export function hookStyleOf(base: Shader): HookStyle | undefined {
 }
 
 /** The expressions that `compileWarp` is to use for its inputs. */
-export const namesFor = ({ names }: HookStyle, space: WarpSpace) => ({
+export const namesFor = ({ names }: HookStyle) => ({
   ...names,
-  ...variationNames(space),
+  ...variationVariables,
   ...inputUniforms,
 })
 

@@ -3,7 +3,7 @@
  * to the shader as attributes. 1.11 has no such properties.
  */
 import { WarpError } from '../errors.js'
-import { variationAttributes } from '../inputs.js'
+import { variationAttribute, variationInputs, variationNames } from '../inputs.js'
 import { noteApproximation } from '../notes.js'
 import type { WarpText } from '../warp-text.js'
 import type { Shader } from './host.js'
@@ -22,39 +22,40 @@ export async function addSurfaceVariation<Geometry>(geometry: Geometry): Promise
 
 /** Whether the text reads how the surface varies. */
 export const readsVariation = ({ attributes }: WarpText) =>
-  variationAttributes.some(([name]) => attributes.includes(name))
+  attributes.some((name) => name in variationInputs)
 
 /** For a warp that does, when it is drawn with. */
 export function noteUnlessUsed() {
   if (!isUsed) noteApproximation('createWarp', 'addSurfaceVariation(shape)')
 }
 
-/** What the text is to read: the attributes, or in a space other than their own what `variationIn` makes of them. */
-export const variationNames = (space: WarpSpace) =>
-  Object.fromEntries(
-    variationAttributes.map(([name, text]) => [name, space === 'local' ? text : text.slice(1)]),
-  )
+/** What the text reads for each input: `variationIn` makes it of the attribute. */
+export const variationVariables = Object.fromEntries(
+  variationNames.map((name) => [name, `warpjet_${name}`]),
+)
 
-export const variationDeclarations = variationAttributes
-  .map(([, attribute]) => `IN vec3 ${attribute};`)
+export const variationDeclarations = variationNames
+  .map((name) => `IN vec3 ${variationAttribute(name)};`)
   .join('\n')
 
+/** In p5 2.x, what turns normals from the shape's own space to another. */
+const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNormalMatrix' }
+
 /**
- * In a space where normals come from local ones by the matrix `n`, the inverse transpose of that for positions: gradients
- * turn as normals do, and the derivative W of the normal becomes n W nᵀ. GLSL 1.00 has no `transpose`, but `v * n`.
+ * By such a matrix N, the inverse transpose of that for positions, gradients turn as normals do, and the derivative W of the
+ * normal becomes N W Nᵀ. GLSL 1.00 has no `transpose`, but `v * N`.
  */
 export function variationIn(space: WarpSpace): string {
-  if (space === 'local') return ''
-  const n = space === 'world' ? 'uModelNormalMatrix' : 'uNormalMatrix'
-  const column = (axis: string) => `${n} * (warpjetShape * (vec3(${axis}) * ${n}))`
-  const names = variationNames(space)
-  const [d, o, u, v] = variationAttributes.map(([, attribute]) => attribute)
-  return `  mat3 warpjetShape = mat3(${d}.x, ${o}.zy, ${o}.z, ${d}.y, ${o}.x, ${o}.yx, ${d}.z);
-  warpjetShape = mat3(${column('1, 0, 0')}, ${column('0, 1, 0')}, ${column('0, 0, 1')});
-  vec3 ${names.shapeDiagonal} = vec3(warpjetShape[0].x, warpjetShape[1].y, warpjetShape[2].z);
-  vec3 ${names.shapeOffDiagonal} = vec3(warpjetShape[1].z, warpjetShape[0].zy);
-  vec3 ${names.uGradient} = ${n} * ${u}, ${names.vGradient} = ${n} * ${v};
-`
+  const n = normalMatrices[space]
+  const attributes = variationNames.map(variationAttribute)
+  const turned = (attribute: string, i: number) => {
+    if (!n) return attribute
+    const axis = ['1, 0, 0', '0, 1, 0', '0, 0, 1'][i]
+    return `${n} * ${axis ? `(mat3(${attributes.slice(0, 3)}) * (vec3(${axis}) * ${n}))` : attribute}`
+  }
+  return attributes
+    .map((attribute, i) => `  vec3 warpjet_${variationNames[i]} = ${turned(attribute, i)};\n`)
+    .join('')
 }
 
 /** p5 leaves the attributes of the last shape on for one that lacks them, which is then to read zeros. */

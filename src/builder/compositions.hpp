@@ -196,18 +196,12 @@ inline constexpr std::array compositions{
         "3J",
         Kind::Mat3,
         [](auto& d, auto x) { return deformation(d, x[0], x[1]); }},
-    Composition{{"surfaceDeformation",
-                 "offset, position, normal, u, v, shapeDiagonal, shapeOffDiagonal, uGradient, "
-                 "vGradient",
-                 "The same of tangents of a surface, over which the inputs `normal`, `u` and `v` "
-                 "vary too: the normal by a symmetric matrix, given as its diagonal (xx, yy, zz) "
-                 "and the rest (yz, xz, xy), the others by their gradients."},
-                "3JJii3333",
+    Composition{{"varied", "offset, deformation, input, gradient",
+                 "The `deformation` by this offset where an input, such as a component of the "
+                 "normal, varies over the surface, with that gradient."},
+                "39i3",
                 Kind::Mat3,
-                [](auto& d, auto x) {
-                  return surfaceDeformation(d, x[0], x[1],
-                                            {x[2], x[3][0], x[4][0], x[5], x[6], x[7], x[8]});
-                }},
+                [](auto& d, auto x) { return varied(d, x[1], x[0], x[2][0], x[3]); }},
     Composition{{"turnNormal", "deformation, normal",
                  "The unit normal of a surface whose tangents this mat3 turns; zero where there is "
                  "none."},

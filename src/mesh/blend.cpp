@@ -6,9 +6,6 @@ namespace warpjet {
 
 namespace {
 
-constexpr std::array variation{&Mesh::shapeDiagonals, &Mesh::shapeOffDiagonals, &Mesh::uGradients,
-                               &Mesh::vGradients};
-
 template <std::size_t size>
 std::array<float, size> mix(const std::vector<float>& from, const Blend& blend) {
   const auto& [a, b, c] = blend.vertices;
@@ -48,8 +45,9 @@ void appendBlend(Mesh& to, const Mesh& from, const Blend& blend) {
   if (!from.uvs.empty()) append(to.uvs, mix<2>(from.uvs, blend));
   if (!from.colors.empty()) append(to.colors, mix<4>(from.colors, blend));
   if (!from.tangents.empty()) append(to.tangents, mixDirections<4>(from.tangents, blend));
-  for (const auto numbers : variation)
-    if (!(from.*numbers).empty()) append(to.*numbers, mix<3>(from.*numbers, blend));
+  for (std::size_t i = 0; i < from.gradients.size(); ++i) {
+    if (!from.gradients[i].empty()) append(to.gradients[i], mix<3>(from.gradients[i], blend));
+  }
 }
 
 Mesh slice(const Mesh& mesh, std::size_t first, std::size_t end) {
@@ -63,7 +61,8 @@ Mesh slice(const Mesh& mesh, std::size_t first, std::size_t end) {
   vertices.uvs = part(mesh.uvs, 2);
   vertices.colors = part(mesh.colors, 4);
   vertices.tangents = part(mesh.tangents, 4);
-  for (const auto numbers : variation) vertices.*numbers = part(mesh.*numbers, 3);
+  for (std::size_t i = 0; i < mesh.gradients.size(); ++i)
+    vertices.gradients[i] = part(mesh.gradients[i], 3);
   return vertices;
 }
 

@@ -80,10 +80,10 @@ class Measurement {
     deviations.reserve(pieces.size());
     Mesh samples;
     for (std::size_t first = 0; first < pieces.size();) {
-      for (auto* numbers : {&samples.positions, &samples.normals, &samples.uvs, &samples.colors,
-                            &samples.tangents, &samples.shapeDiagonals, &samples.shapeOffDiagonals,
-                            &samples.uGradients, &samples.vGradients})
+      for (auto* numbers :
+           {&samples.positions, &samples.normals, &samples.uvs, &samples.colors, &samples.tangents})
         numbers->clear();
+      for (auto& numbers : samples.gradients) numbers.clear();
       std::size_t end = first;
       for (; end < pieces.size() && samples.vertexCount() < batchSize; ++end) {
         for (std::uint32_t i = 0; i < pieces[end].samples; ++i)

@@ -69,47 +69,37 @@ struct Turn {
   }
 };
 
-// A weighted mean of some vectors.
+// A weighted mean of some gradients.
 template <std::size_t size>
 struct Mean {
   std::array<glm::dvec3, size> sums{};
   double weight = 0;
 
-  void writeTo(std::array<std::vector<float>*, size> arrays, std::size_t vertex) const {
+  void writeTo(std::vector<float>* arrays, std::size_t vertex) const {
     constexpr double most = std::numeric_limits<float>::max();
     for (std::size_t i = 0; i < size; ++i) {
       const glm::dvec3 mean = weight > 0 ? sums[i] / weight : glm::dvec3(0);
       for (int k = 0; k < 3; ++k)
-        (*arrays[i])[3 * vertex + k] = static_cast<float>(std::clamp(mean[k], -most, most));
+        arrays[i][3 * vertex + k] = static_cast<float>(std::clamp(mean[k], -most, most));
     }
   }
 };
-
-using Shape = Mean<2>;      // diagonal, and beside it
-using Gradients = Mean<2>;  // of u and v
 
 class Estimate {
  public:
   explicit Estimate(Mesh& mesh) : mesh_(mesh) {
     places_ = numbered(mesh.positions, 3, largest(mesh.positions) * positionGrain);
     smooth_ = paired(places_, numbered(mesh.normals, 3, normalGrain));
-    shapes_.resize(mesh.vertexCount());
+    ofNormals_.resize(mesh.vertexCount());
     if (mesh.uvs.empty()) return;
     seamless_ = paired(smooth_, numbered(mesh.uvs, 2, uvGrain));
-    gradients_.resize(mesh.vertexCount());
+    ofUvs_.resize(mesh.vertexCount());
   }
 
   void run() {
     for (std::size_t i = 0; i < mesh_.triangleCount(); ++i) addTriangle(mesh_.corners(i));
-    mesh_.shapeDiagonals.resize(mesh_.positions.size());
-    mesh_.shapeOffDiagonals.resize(mesh_.positions.size());
-    for (std::size_t i = 0; i < shapes_.size(); ++i)
-      shapes_[smooth_[i]].writeTo({&mesh_.shapeDiagonals, &mesh_.shapeOffDiagonals}, i);
-    if (mesh_.uvs.empty()) return;
-    mesh_.uGradients.resize(mesh_.positions.size());
-    mesh_.vGradients.resize(mesh_.positions.size());
-    for (std::size_t i = 0; i < gradients_.size(); ++i)
-      gradients_[seamless_[i]].writeTo({&mesh_.uGradients, &mesh_.vGradients}, i);
+    write(ofNormals_, smooth_, &mesh_.gradients[0]);
+    write(ofUvs_, seamless_, &mesh_.gradients[3]);
   }
 
  private:
@@ -140,38 +130,43 @@ class Estimate {
           area / (glm::length(sides[(i + 1) % 3]) * glm::length(sides[(i + 2) % 3]));
       const glm::dvec3 normal = glm::normalize(normals[i]);
       const Turn turn(glm::dot(facing, normal) < 0 ? -facing : facing, normal);
-      addShape(shapes_[smooth_[corners[i]]], facing, normals, rises, turn, weight);
-      if (!mesh_.uvs.empty())
-        addGradients(gradients_[seamless_[corners[i]]], corners, rises, turn, weight);
+      addNormals(ofNormals_[smooth_[corners[i]]], facing, normals, rises, turn, weight);
+      if (!mesh_.uvs.empty()) addUvs(ofUvs_[seamless_[corners[i]]], corners, rises, turn, weight);
     }
   }
 
-  static void addShape(Shape& shape, const glm::dvec3& facing, const Three& normals,
-                       const Three& rises, const Turn& turn, double weight) {
+  static void addNormals(Mean<3>& mean, const glm::dvec3& facing, const Three& normals,
+                         const Three& rises, const Turn& turn, double weight) {
     for (int i = 0; i < 3; ++i) {
-      const glm::dvec3 a = turn(normals[i] - facing * glm::dot(facing, normals[i]));
-      const glm::dvec3 b = turn(rises[i]);
-      shape.sums[0] += weight * a * b;
-      const glm::dvec3 mixed(a.y * b.z + a.z * b.y, a.x * b.z + a.z * b.x, a.x * b.y + a.y * b.x);
-      shape.sums[1] += weight / 2 * mixed;
+      const glm::dvec3 normal = turn(normals[i] - facing * glm::dot(facing, normals[i]));
+      const glm::dvec3 rise = turn(rises[i]);
+      for (int k = 0; k < 3; ++k)
+        mean.sums[k] += weight / 2 * (normal[k] * rise + rise[k] * normal);
     }
-    shape.weight += weight;
+    mean.weight += weight;
   }
 
-  void addGradients(Gradients& gradients, const Corners& corners, const Three& rises,
-                    const Turn& turn, double weight) const {
+  void addUvs(Mean<2>& mean, const Corners& corners, const Three& rises, const Turn& turn,
+              double weight) const {
     for (int i = 0; i < 3; ++i) {
       const glm::dvec3 rise = weight * turn(rises[i]);
       for (std::size_t k = 0; k < 2; ++k)
-        gradients.sums[k] += rise * double{mesh_.uvs[2 * std::size_t{corners[i]} + k]};
+        mean.sums[k] += rise * double{mesh_.uvs[2 * std::size_t{corners[i]} + k]};
     }
-    gradients.weight += weight;
+    mean.weight += weight;
+  }
+
+  template <std::size_t size>
+  static void write(const std::vector<Mean<size>>& means, const Numbers& numbers,
+                    std::vector<float>* arrays) {
+    for (std::size_t i = 0; i < size; ++i) arrays[i].resize(3 * means.size());
+    for (std::size_t i = 0; i < means.size(); ++i) means[numbers[i]].writeTo(arrays, i);
   }
 
   Mesh& mesh_;
   Numbers places_, smooth_, seamless_;  // by vertex, with whom it shares what
-  std::vector<Shape> shapes_;
-  std::vector<Gradients> gradients_;
+  std::vector<Mean<3>> ofNormals_;
+  std::vector<Mean<2>> ofUvs_;
 };
 
 }  // namespace

@@ -6,16 +6,16 @@
 
 namespace warpjet {
 
-// Fills `shapeDiagonals` and `shapeOffDiagonals`, and with uvs `uGradients` and `vGradients`. There
-// must be normals; indices must be in range and numbers finite.
+// Fills `gradients`, those of u and v only if there are uvs. There must be normals; indices must be
+// in range and numbers finite.
 //
 // On each triangle, normals and uvs interpolated between its corners have constant derivatives
 // (Theisel, Rössl, Zayer and Seidel, "Normal Based Estimation of the Curvature Tensor for
 // Triangular Meshes", 2004, section 3). A vertex gets the mean of those of its triangles, turned
 // from their planes into its own, as in Rusinkiewicz, "Estimating Curvatures and Their Derivatives
-// on Triangle Meshes" (2004), section 3.2; of the derivative of the normal, which has no other part
-// on a smooth surface, the symmetric part. Where the normals are those of a smooth surface, the
-// means tend to its own derivatives as triangles get smaller, and on spheres and cylinders they are
+// on Triangle Meshes" (2004), section 3.2; of the derivative of the normal the symmetric part,
+// since a smooth surface has no other. Where the normals are those of a smooth surface, the means
+// tend to its own derivatives as triangles get smaller, and on spheres and cylinders they are
 // equal.
 //
 // Vertices at one place share what they have if their normals are equal too, and for the gradients

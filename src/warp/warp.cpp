@@ -40,24 +40,10 @@ Value deformation(Differentiator& differentiator, const Value& offset, const Val
   return m;
 }
 
-Value surfaceDeformation(Differentiator& differentiator, const Value& offset, const Value& position,
-                         const SurfaceVariation& variation) {
-  Value m = deformation(differentiator, offset, position);
-  // Adds the derivative by an input times the gradient of that input, a column by a row.
-  const auto vary = [&](Expression input, const Value& gradient) {
-    const Value slope = derivative(differentiator, offset, input);
-    for (int i = 0; i < 9; ++i) m.set(i, (m[i] + slope[i % 3] * gradient[i / 3]).id);
-  };
-  for (int i = 0; i < 3; ++i) {
-    Value gradient = variation.shapeDiagonal;
-    for (int k = 0; k < 3; ++k) {
-      if (k != i) gradient.set(k, variation.shapeOffDiagonal[3 - i - k].id);
-    }
-    vary(variation.normal[i], gradient);
-  }
-  vary(variation.u, variation.uGradient);
-  vary(variation.v, variation.vGradient);
-  return m;
+Value varied(Differentiator& differentiator, const Value& m, const Value& offset, Expression input,
+             const Value& gradient) {
+  const Value slope = derivative(differentiator, offset, input);
+  return fill(m.graph(), m.shape(), [&](int i) { return m[i] + slope[i % 3] * gradient[i / 3]; });
 }
 
 Value turnedNormal(const Value& m, const Value& normal) {

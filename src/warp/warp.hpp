@@ -13,24 +13,16 @@ namespace warpjet {
 // and uv among them, count as constant.
 Value deformation(Differentiator& differentiator, const Value& offset, const Value& position);
 
-// How the normal and the texture coordinates vary over the surface, which an offset along the
-// normal makes part of its derivative. The derivative of the unit normal is the shape operator (up
-// to the sign that authors give it) as a symmetric matrix: 1/r across the normal of a sphere of
-// radius r, 0 along it. It comes as its diagonal (xx, yy, zz) and what is beside that (yz, xz, xy).
-// The gradients lie in the surface too.
-struct SurfaceVariation {
-  const Value& normal;  // an input, as are u and v
-  Expression u, v;
-  const Value &shapeDiagonal, &shapeOffDiagonal;
-  const Value &uGradient, &vGradient;
-};
-
-// The same M for an offset that depends on them: by the chain rule it is
-// I + df/dp + df/dn W + df/du (du/dp) + df/dv (dv/dp). It holds for tangents of the surface. Since
-// W and the gradients are zero along the normal, its determinant is that of the thin layer around
-// the surface in which normal and uv stay the same along each normal.
-Value surfaceDeformation(Differentiator& differentiator, const Value& offset, const Value& position,
-                         const SurfaceVariation& variation);
+// M where `input`, which the offset depends on too, varies over the surface: by the chain rule
+// M + df/dinput (dinput/dp), where `gradient` is the last. The components of the normal vary so,
+// for an offset along the normal, and texture coordinates. M then holds for tangents of the
+// surface.
+//
+// If the gradients lie in the surface, the determinant of M is that of the thin layer around it in
+// which normal and texture coordinates stay the same along each normal: where it is not above zero,
+// the two sides of the surface have changed places.
+Value varied(Differentiator& differentiator, const Value& m, const Value& offset, Expression input,
+             const Value& gradient);
 
 // The unit normal of the surface whose tangents M turns, or zero where M collapses the surface so
 // that it has none; a cof(M) n outside of 1e-19 ... 1e19 counts as collapsed, since float32 cannot

@@ -183,10 +183,12 @@ TEST_F(WarpTest, WhereTheWarpCollapsesTheTangentItIsZero) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(evaluateNode(graph, result[i].id, inputs), 0);
 }
 
-// A torus by its angles, with its normal, its shape operator (by the principal curvatures, do
-// Carmo, "Differential Geometry of Curves and Surfaces", section 3.3) and the angles as u and v.
+// A torus by its angles, which are u and v, with the gradients of its normal (by the principal
+// curvatures, do Carmo, "Differential Geometry of Curves and Surfaces", section 3.3) and of the
+// angles.
 struct TorusPoint {
-  Point position, normal, shapeDiagonal, shapeOffDiagonal, uGradient, vGradient;
+  Point position, normal;
+  std::array<Point, 5> gradients;
   double u, v;
 
   TorusPoint(double a, double b) : u(a), v(b) {
@@ -196,14 +198,11 @@ struct TorusPoint {
     position = {ring * ca, ring * sa, small * sb};
     normal = {ca * cb, sa * cb, sb};
     const Point along{-sa, ca, 0}, around{-ca * sb, -sa * sb, cb};
-    const auto shape = [&](std::size_t i, std::size_t k) {
-      return along[i] * along[k] * cb / ring + around[i] * around[k] / small;
-    };
-    shapeDiagonal = {shape(0, 0), shape(1, 1), shape(2, 2)};
-    shapeOffDiagonal = {shape(1, 2), shape(0, 2), shape(0, 1)};
-    for (std::size_t i = 0; i < 3; ++i) {
-      uGradient[i] = along[i] / ring;
-      vGradient[i] = around[i] / small;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < 3; ++i)
+        gradients[i][k] = along[i] * along[k] * cb / ring + around[i] * around[k] / small;
+      gradients[3][k] = along[k] / ring;
+      gradients[4][k] = around[k] / small;
     }
   }
 };
@@ -211,19 +210,23 @@ struct TorusPoint {
 class SurfaceTest : public WarpTest {
  protected:
   Value uv = variable(graph, "uv", vectorOf(2));
-  Value diagonal = vector3(graph, "diagonal"), offDiagonal = vector3(graph, "offDiagonal"),
-        uGradient = vector3(graph, "uGradient"), vGradient = vector3(graph, "vGradient");
-  SurfaceVariation variation{n, uv[0], uv[1], diagonal, offDiagonal, uGradient, vGradient};
+  std::array<Value, 5> gradients{vector3(graph, "nx"), vector3(graph, "ny"), vector3(graph, "nz"),
+                                 vector3(graph, "nu"), vector3(graph, "nv")};
+
+  Value surfaceDeformation(const Value& offset) {
+    Value m = deformation(differentiator, offset, p);
+    const Expression inputs[] = {n[0], n[1], n[2], uv[0], uv[1]};
+    for (std::size_t i = 0; i < 5; ++i)
+      m = varied(differentiator, m, offset, inputs[i], gradients[i]);
+    return m;
+  }
 
   Inputs inputsAt(const TorusPoint& at) const {
     Inputs inputs{{uv[0].id, at.u}, {uv[1].id, at.v}};
-    for (int i = 0; i < 3; ++i) {
-      inputs[p[i].id] = at.position[i];
-      inputs[n[i].id] = at.normal[i];
-      inputs[variation.shapeDiagonal[i].id] = at.shapeDiagonal[i];
-      inputs[variation.shapeOffDiagonal[i].id] = at.shapeOffDiagonal[i];
-      inputs[variation.uGradient[i].id] = at.uGradient[i];
-      inputs[variation.vGradient[i].id] = at.vGradient[i];
+    for (int k = 0; k < 3; ++k) {
+      inputs[p[k].id] = at.position[k];
+      inputs[n[k].id] = at.normal[k];
+      for (std::size_t i = 0; i < 5; ++i) inputs[gradients[i][k].id] = at.gradients[i][k];
     }
     return inputs;
   }
@@ -252,7 +255,7 @@ class SurfaceTest : public WarpTest {
   }
 
   void expectRight(const Value& offset) {
-    const Value m = surfaceDeformation(differentiator, offset, p, variation);
+    const Value m = surfaceDeformation(offset);
     const Value turned = turnedNormal(m, n);
     for (double a = 0.1; a < 6; a += 0.9) {
       for (double b = 0.2; b < 6; b += 0.7) {
@@ -279,15 +282,13 @@ TEST_F(SurfaceTest, AllOfThemCountTogether) {
 
 // What is moved to n itself loses its position: M is W alone, to the last digit.
 TEST_F(SurfaceTest, TheOnesCancelOfAMovedPositionMinusThePosition) {
-  const Value m = surfaceDeformation(differentiator, n - p, p, variation);
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(m.at(i, i).id, variation.shapeDiagonal[i].id);
-  EXPECT_EQ(m.at(0, 1).id, variation.shapeOffDiagonal[2].id);
-  EXPECT_EQ(m.at(2, 1).id, variation.shapeOffDiagonal[0].id);
+  const Value m = surfaceDeformation(n - p);
+  for (int i = 0; i < 9; ++i) EXPECT_EQ(m[i].id, gradients[i % 3][i / 3].id);
 }
 
 TEST_F(SurfaceTest, WithoutNormalAndUvItIsTheDeformation) {
   const Value offset = vec3(sin(p[1]) * p[2], p[0] * p[0] * 0.3, p[0]);
-  const Value m = surfaceDeformation(differentiator, offset, p, variation);
+  const Value m = surfaceDeformation(offset);
   const Value known = deformation(differentiator, offset, p);
   for (int i = 0; i < 9; ++i) EXPECT_EQ(m[i].id, known[i].id);
 }
@@ -296,7 +297,7 @@ TEST_F(SurfaceTest, WithoutNormalAndUvItIsTheDeformation) {
 // is turned round, and the side that was outside is inside of the moved surface.
 TEST_F(SurfaceTest, TheDeterminantTellsWhereTheSidesChangePlaces) {
   const auto sign = [&](double amount) {
-    const Value m = surfaceDeformation(differentiator, n * amount, p, variation);
+    const Value m = surfaceDeformation(n * amount);
     return evaluateNode(graph, determinant(m).id, inputsAt({0.5, 0.3}));
   };
   EXPECT_GT(sign(-0.6), 0);

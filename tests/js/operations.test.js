@@ -20,7 +20,7 @@ const results = [
   'adjustNormal',
   'adjustTangent',
   'deformation',
-  'surfaceDeformation',
+  'varied',
   'turnNormal',
   'turnTangent',
 ]

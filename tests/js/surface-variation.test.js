@@ -174,7 +174,11 @@ describe('the bunny', () => {
         const expected = reference.slice(0, count)
         assert.ok(expected.filter((normal) => !normal).length < 0.01 * count)
         const zeros = new Float32Array(3 * count)
-        const nothing = { shapeDiagonals: zeros, shapeOffDiagonals: zeros }
+        const nothing = {
+          normalXGradients: zeros,
+          normalYGradients: zeros,
+          normalZGradients: zeros,
+        }
         const withIt = errors(
           warp.evaluate({ ...mesh, ...surfaceVariation(mesh) }).normals,
           expected,
@@ -196,14 +200,18 @@ const bumpy = warps['bumps along the normal'].warp
 
 describe('compileWarp', () => {
   const attributes = (warp, options = { surfaceVariation: true }) =>
-    compileWarp(warp, options).attributes.filter((name) => /^shape|Gradient$/.test(name))
+    compileWarp(warp, options).attributes.filter((name) => /Gradient$/.test(name))
 
   test('reads only what the offset makes it need', () => {
     assert.deepEqual(
       attributes(({ glsl, position }) => glsl.vec3(position.x().sin(), 0, 0)),
       [],
     )
-    assert.deepEqual(attributes(bumpy), ['shapeDiagonal', 'shapeOffDiagonal'])
+    assert.deepEqual(attributes(bumpy), ['normalXGradient', 'normalYGradient', 'normalZGradient'])
+    assert.deepEqual(
+      attributes(({ glsl, normal }) => glsl.vec3(0, normal.y().sin(), 0)),
+      ['normalYGradient'],
+    )
     assert.deepEqual(
       attributes(({ glsl, uv }) => glsl.vec3(uv.x(), 0, 0)),
       ['uGradient'],
@@ -217,17 +225,17 @@ describe('compileWarp', () => {
   })
 
   test('reads them by the names of the shader, in every language', () => {
-    const names = { shapeDiagonal: 'aDiagonal', shapeOffDiagonal: 'vertex.rest' }
+    const names = { normalXGradient: 'aByX', normalZGradient: 'vertex.byZ' }
     for (const target of ['glsl300', 'glsl100', 'wgsl']) {
       const { code } = compileWarp(bumpy, { target, names, surfaceVariation: true })
-      assert.match(code, /aDiagonal\.x/)
-      assert.match(code, /vertex\.rest\.z/)
+      assert.match(code, /aByX\.x/)
+      assert.match(code, /vertex\.byZ\.z/)
     }
   })
 
   test('gives the same text as ever where it is not asked for', () => {
     const { code } = compileWarp(bumpy, { surfaceVariation: false })
-    assert.doesNotMatch(code, /shape|Gradient|_warpjet/)
+    assert.doesNotMatch(code, /Gradient|_warpjet/)
   })
 
   test('refuses what is neither true nor false', () => {
@@ -287,7 +295,7 @@ describe('a note that normals are approximate', () => {
 
 describe('on the CPU', () => {
   const warp = compileWarp(({ normal }) => normal.mult(-0.5), { surfaceVariation: true })
-  const variation = { shapeDiagonal: [0, 1, 2.5], shapeOffDiagonal: [0, 0, 0] }
+  const variation = { normalYGradient: [0, 1, 0], normalZGradient: [0, 0, 2.5] }
 
   test('one vertex takes it too', () => {
     const bent = compileWarp(({ normal, position }) => normal.mult(position.y()), {
@@ -298,17 +306,17 @@ describe('on the CPU', () => {
     const length = Math.hypot(1.5, 1)
     ;[1.5 / length, -1 / length, 0].forEach((x, i) => assert.ok(Math.abs(normal[i] - x) < 1e-6))
     assert.throws(
-      () => bent.evaluateAt([0, 0, 0], { normal: [1, 0, 0], shapeDiagonal: [1, 2] }),
-      /^WarpError: evaluateAt: the shapeDiagonal must be an array of 3 finite numbers/,
+      () => bent.evaluateAt([0, 0, 0], { normal: [1, 0, 0], uGradient: [1, 2] }),
+      /^WarpError: evaluateAt: the uGradient must be an array of 3 finite numbers/,
     )
   })
 
   test('foldover tells where the sides of the surface change places', () => {
     // Inwards by 0.5: past the centre of curvature 1/2.5, not past 1/1.
     const mesh = { positions: [0, 0, 0, 0, 0, 0], normals: [1, 0, 0, 1, 0, 0] }
-    const shapeDiagonals = [0, 1, 2.5, 0, 1, 1.5]
-    const shapeOffDiagonals = [0, 0, 0, 0, 0, 0]
-    const { mask } = warp.foldover({ ...mesh, shapeDiagonals, shapeOffDiagonals })
+    const normalYGradients = [0, 1, 0, 0, 1, 0]
+    const normalZGradients = [0, 0, 2.5, 0, 0, 1.5]
+    const { mask } = warp.foldover({ ...mesh, normalYGradients, normalZGradients })
     assert.deepEqual([...mask], [1, 0])
   })
 })
@@ -319,9 +327,15 @@ describe('meshes', () => {
 
   test('surfaceVariation gives gradients where there are uvs, and leaves the mesh alone', () => {
     const before = structuredClone(mesh)
-    const names = ['shapeDiagonals', 'shapeOffDiagonals', 'uGradients', 'vGradients']
+    const names = [
+      'normalXGradients',
+      'normalYGradients',
+      'normalZGradients',
+      'uGradients',
+      'vGradients',
+    ]
     assert.deepEqual(Object.keys(surfaceVariation(mesh)), names)
-    assert.deepEqual(Object.keys(surfaceVariation({ ...mesh, uvs: undefined })), names.slice(0, 2))
+    assert.deepEqual(Object.keys(surfaceVariation({ ...mesh, uvs: undefined })), names.slice(0, 3))
     assert.deepEqual(mesh, before)
     for (const numbers of Object.values(surfaceVariation(mesh)))
       assert.equal(numbers.length, mesh.positions.length)

@@ -46,7 +46,14 @@ const shapeOf = (...parts) =>
 /** A mesh of it, with what a mesh cannot have in `exact`: the derivatives by formula. */
 export function surfaceMesh(surface, columns, rows) {
   const mesh = { positions: [], normals: [], uvs: [], indices: [] }
-  const exact = { shapeDiagonals: [], shapeOffDiagonals: [], uGradients: [], vGradients: [] }
+  const names = [
+    'normalXGradients',
+    'normalYGradients',
+    'normalZGradients',
+    'uGradients',
+    'vGradients',
+  ]
+  const exact = Object.fromEntries(names.map((name) => [name, []]))
   for (let j = 0; j <= rows; j++)
     for (let i = 0; i <= columns; i++) {
       const [u, v] = [i / columns, j / rows]
@@ -54,10 +61,7 @@ export function surfaceMesh(surface, columns, rows) {
       mesh.positions.push(...position)
       mesh.normals.push(...normal)
       mesh.uvs.push(u, v)
-      exact.shapeDiagonals.push(...[0, 1, 2].map((k) => shape[k][k]))
-      exact.shapeOffDiagonals.push(shape[1][2], shape[0][2], shape[0][1])
-      exact.uGradients.push(...uGradient)
-      exact.vGradients.push(...vGradient)
+      ;[...shape, uGradient, vGradient].forEach((gradient, k) => exact[names[k]].push(...gradient))
       if (i === columns || j === rows) continue
       const a = j * (columns + 1) + i
       const c = a + columns + 1
