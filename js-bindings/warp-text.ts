@@ -143,7 +143,10 @@ export function buildWarp(
   const whole = () =>
     variationNames.reduce((deformation, name, i) => {
       const input = i < 3 ? part(compilation, normal!, i) : part(compilation, inputs.uv!, i - 3)
-      return operate('varied', offset, deformation, input, inputs[name])
+      // Most warps read neither, and then there is nothing to derive.
+      return compilation.dependsOn(offset, input)
+        ? operate('varied', offset, deformation, input, inputs[name])
+        : deformation
     }, constant())
   if (normals) {
     const deformation = surfaceVariation ? whole() : constant()

@@ -160,3 +160,53 @@ describe('createWarp on p5 2.x, along the normal', () => {
     assert.deepEqual(messages, [])
   })
 })
+
+describe('a note that normals are approximate', () => {
+  /** What a page prints that makes a warp by `options` and draws three frames of `shape`. */
+  async function printed(version, options, shape = 'sphere(50)', loading = '') {
+    const { page, messages } = await runSketch(
+      browser,
+      server,
+      [p5Versions[version], addon],
+      `let warp, other, shape, isReady = false
+      function setup() {
+        createCanvas(50, 50, WEBGL)
+        const bumpy = ({ normal, position }) => normal.mult(position.x())
+        warp = createWarp(bumpy, ${options})
+        other = createWarp(bumpy, ${options})
+        const load = async () => { ${loading} }
+        load().then(() => (isReady = true))
+      }
+      function draw() {
+        if (!isReady) return
+        for (const distort of [warp, other]) { distort(); ${shape} }
+        if (frameCount > 6) window.done = true
+      }`,
+    )
+    await page.close()
+    return messages
+  }
+  const told = `shape = await addSurfaceVariation(buildGeometry(() => sphere(20)))`
+
+  for (const version of Object.keys(p5Versions))
+    test(`comes once on p5 ${version}, unless the sketch said that this will do`, async () => {
+      const messages = await printed(version, '{}')
+      assert.equal(messages.length, 1)
+      assert.match(
+        messages[0],
+        /^createWarp: the offset depends on normal or uv, .*addSurfaceVariation/,
+      )
+      assert.deepEqual(await printed(version, '{ surfaceVariation: false }'), [])
+    })
+
+  test('does not come where shapes tell how they vary, such as those of buildGeometry', async () =>
+    assert.deepEqual(await printed('2.x', '{}', 'model(shape)', told), []))
+
+  test('p5 1.11 says that it cannot do better', async () => {
+    const attempt = `window.problem = await addSurfaceVariation(buildGeometry(() => sphere(20))).catch(({ message }) => message)
+      if (problem !== 'addSurfaceVariation: this p5 keeps no properties of vertices; use p5 2.') throw new Error(problem)
+      try { createWarp(({ normal }) => normal, { surfaceVariation: true }) } catch ({ message }) { problem = message }
+      if (problem !== 'createWarp: surfaceVariation needs p5 2; leave it out.') throw new Error(problem)`
+    assert.deepEqual(await printed('1.11', '{ surfaceVariation: false }', '', attempt), [])
+  })
+})
