@@ -18,7 +18,19 @@ const sinesByAxis =
   ([x, y, z], { millis }) =>
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
 
+/** Both warps of the sketch; what differs is whether they are told how the normal varies. */
+const bumpsAlongTheNormal = {
+  size: 100,
+  offset: ([x, y, z], { normal, millis }) => {
+    const wave = (value) => sin(0.15 * value + millis / 900)
+    return normal.map((n) => 5 * n * (wave(x) + wave(y) + wave(z)))
+  },
+}
+
 export const gallery = {
+  'along-the-normal-rough': bumpsAlongTheNormal,
+  'along-the-normal-exact': bumpsAlongTheNormal,
+
   'airplane-twist': {
     size: 100,
     offset(p, { millis }) {

@@ -1,0 +1,43 @@
+// Bumps along the normal of a ring: left, lit as if the normal were the same all
+// around a vertex; right, addSurfaceVariation has told how it varies, and the
+// light is right.
+let ring, rough, exact
+
+async function setup() {
+  createCanvas(640, 480, WEBGL)
+  noStroke()
+
+  const bumps = ({ normal, position, millis }) => {
+    const wave = (x) => x.mult(0.15).add(millis.div(900)).sin()
+    const [x, y, z] = [position.x(), position.y(), position.z()]
+    return normal.mult(wave(x).add(wave(y), wave(z)).mult(5))
+  }
+  rough = createWarp(bumps, { surfaceVariation: false })
+  exact = createWarp(bumps)
+
+  ring = buildGeometry(() => torus(95, 40, 160, 80))
+  await addSurfaceVariation(ring)
+}
+
+function draw() {
+  background('#151823')
+  ambientLight(80)
+  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
+  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  specularMaterial(160)
+  shininess(40)
+
+  panel(-155, '#e9c46a', rough)
+  panel(155, '#43c6ac', exact)
+}
+
+function panel(x, color, warp) {
+  push()
+  translate(x, 0)
+  rotateX(0.5)
+  rotateY(0.3)
+  warp()
+  fill(color)
+  model(ring)
+  pop()
+}
