@@ -6,16 +6,19 @@ let ring, rough, exact
 async function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
+  ortho()
 
   const bumps = ({ normal, position, millis }) => {
-    const wave = (x) => x.mult(0.15).add(millis.div(900)).sin()
+    const wave = (x) => x.mult(0.1).add(millis.div(900)).sin()
     const [x, y, z] = [position.x(), position.y(), position.z()]
-    return normal.mult(wave(x).add(wave(y), wave(z)).mult(5))
+    const height = wave(x).add(wave(y), wave(z)).mult(4.5)
+    // buildGeometry leaves normals of other lengths than 1.
+    return normal.normalize().mult(height)
   }
   rough = createWarp(bumps, { surfaceVariation: false })
   exact = createWarp(bumps)
 
-  ring = buildGeometry(() => torus(95, 40, 160, 80))
+  ring = buildGeometry(() => torus(92, 38, 160, 80))
   await addSurfaceVariation(ring)
 }
 

@@ -22,8 +22,9 @@ const sinesByAxis =
 const bumpsAlongTheNormal = {
   size: 100,
   offset: ([x, y, z], { normal, millis }) => {
-    const wave = (value) => sin(0.15 * value + millis / 900)
-    return normal.map((n) => 5 * n * (wave(x) + wave(y) + wave(z)))
+    const wave = (value) => sin(0.1 * value + millis / 900)
+    const height = 4.5 * (wave(x) + wave(y) + wave(z))
+    return normal.map((n) => (n * height) / (hypot(...normal) || 1))
   },
 }
 
