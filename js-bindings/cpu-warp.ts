@@ -44,16 +44,9 @@ export interface WarpedVertices {
 }
 
 /** What the warp is to know of one vertex; the numbers of each as in `Vertices`. */
-export interface PointInputs {
-  normal?: ArrayLike<number>
-  uv?: ArrayLike<number>
-  color?: ArrayLike<number>
-  tangent?: ArrayLike<number>
-  normalXGradient?: ArrayLike<number>
-  normalYGradient?: ArrayLike<number>
-  normalZGradient?: ArrayLike<number>
-  uGradient?: ArrayLike<number>
-  vGradient?: ArrayLike<number>
+export interface PointInputs extends Partial<
+  Record<Exclude<VertexInput, 'position'>, ArrayLike<number>>
+> {
   uniforms?: Uniforms
 }
 

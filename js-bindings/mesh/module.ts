@@ -1,5 +1,6 @@
 // The wasm module of meshes: it starts when it is first used, and holds nothing between two calls.
 import { WarpError } from '../errors.js'
+import { type ByteArray, type FloatArray, byteArrays, floatArrays, indexArray } from './arrays.js'
 import factory from '../generated/mesh.js'
 import base64 from '../generated/mesh-wasm.js'
 import { instantiate } from '../wasm.js'
@@ -37,25 +38,6 @@ interface MeshModule {
   readonly HEAPU32: Uint32Array
   readonly HEAPF32: Float32Array
 }
-
-/** The arrays of a job, by number. */
-const floatArrays = {
-  positions: 0,
-  normals: 1,
-  uvs: 2,
-  colors: 3,
-  tangents: 4,
-  normalXGradients: 11,
-  normalYGradients: 12,
-  normalZGradients: 13,
-  uGradients: 14,
-  vGradients: 15,
-}
-const indexArray = 5
-const byteArrays = { picture: 6, mimeType: 7, file: 8, name: 9, contents: 10 }
-
-export type FloatArray = keyof typeof floatArrays
-export type ByteArray = keyof typeof byteArrays
 
 /** What can be done with a job: those without numbers of their own. */
 export type Action =
