@@ -188,4 +188,16 @@ export const sections = [
       },
     ],
   },
+  {
+    title: 'Beyond them',
+    source: 'what neither of them does',
+    examples: [
+      {
+        name: 'along-the-normal',
+        figure: 'New',
+        title: 'Along the normal',
+        text: 'Bumps along the normal, which turns as one goes around the ring. Left that turning is left out, as it usually is; right it counts, and highlights sit where the surface really faces the light.',
+      },
+    ],
+  },
 ]

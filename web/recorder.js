@@ -11,7 +11,8 @@
   for (const methods of [p5.prototype, p5.Graphics.prototype]) {
     const { createWarp } = methods
     methods.createWarp = function (offset, ...options) {
-      keep('createWarp', compileWarp(offset).code)
+      const surfaceVariation = options[0]?.surfaceVariation ?? true
+      keep('createWarp', compileWarp(offset, { surfaceVariation }).code)
       return createWarp.call(this, offset, ...options)
     }
   }

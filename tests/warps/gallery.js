@@ -19,8 +19,20 @@ const sinesByAxis =
   ([x, y, z], { millis }) =>
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
 
+/** Both warps of the sketch; what differs is whether they are told how the normal varies. */
+const bumpsAlongTheNormal = {
+  size: 100,
+  offset: ([x, y, z], { normal, millis }) => {
+    const wave = (value) => sin(0.1 * value + millis / 900)
+    const height = 4.5 * (wave(x) + wave(y) + wave(z))
+    return normal.map((n) => (n * height) / (hypot(...normal) || 1))
+  },
+}
+
 export const gallery = {
   ...deformerSketches,
+  'along-the-normal-rough': bumpsAlongTheNormal,
+  'along-the-normal-exact': bumpsAlongTheNormal,
 
   'airplane-twist': {
     size: 100,
