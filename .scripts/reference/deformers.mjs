@@ -57,7 +57,7 @@ With script tags, \`dist/warpjet.deformers.min.js\` after \`dist/p5.warpjet.min.
 \`warpjet.twist({ angle: 1 })\`.
 
 All options may be left out. A number may be a constant, a function of what an offset function is given, such as
-\`({ millis }) => millis.div(1000)\` or \`({ glsl }) => glsl.param('amount')\`, or, inside of an offset function, an expression. A
+\`({ millis }) => millis.div(1000)\` or \`({ uniforms }) => uniforms.amount\`, or, inside of an offset function, an expression. A
 point or a vector is an array of three of those, a vec3, or a function that gives one of them; an axis may also be \`'x'\`, \`'y'\` or
 \`'z'\`, and needs no length of 1.
 

@@ -26,11 +26,11 @@ for (const [version, p5] of Object.entries(p5Versions))
         setup: `
           const { chain, inflate, inSpace, mask } = warpjet
           const along = inflate({ amount: 40, direction: [1, 0, 0] })
-          const down = inflate({ direction: [1, 0, 0], amount: ({ glsl }) => glsl.param('far') })
+          const down = inflate({ direction: [1, 0, 0], amount: ({ uniforms }) => uniforms.far })
           const turned = [0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
           warps.right = createWarp(chain(along, inSpace(turned, down)), {
             space: 'world',
-            defs: 'uniform float far;',
+            uniforms: { far: 10 },
           })
           warps.local = createWarp(mask(along, 0))`,
         scenes: {
