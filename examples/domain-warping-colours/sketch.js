@@ -1,0 +1,46 @@
+// The same warp with its insides shown: f = fbm(p + 4r) mixes the first two colours, the
+// length of q lets in a third, and r.y a fourth. Time goes into the offsets, so that the
+// layers drift through each other.
+// After Inigo Quilez, Domain warping, 2002.
+let picture
+
+function setup() {
+  createCanvas(640, 480, WEBGL)
+  pixelDensity(1)
+  noStroke()
+  const { code, declarations } = warpjet.compile((glsl) => {
+    const { vec2, vec3, smoothstep } = glsl
+    const [p, time] = [glsl.vec2Param('p'), glsl.param('time')]
+    const f = (point, x, y) => glsl.fbm(point.add(vec2(x, y))).mult(0.5).add(0.5)
+    const q = vec2(f(p, 0, time.mult(0.05)), f(p, 5.2, 1.3))
+    const at = p.add(q.mult(4))
+    const r = vec2(f(at, time.mult(0.09).add(1.7), 9.2), f(at, 8.3, time.mult(-0.07).add(2.8)))
+    const height = f(p.add(r.mult(4)), 0, 0)
+
+    const night = vec3(0.04, 0.05, 0.12)
+    const ember = vec3(0.72, 0.2, 0.1)
+    const cream = vec3(1, 0.88, 0.68)
+    const sea = vec3(0.06, 0.42, 0.45)
+    const tint = night
+      .mix(ember, smoothstep(0.3, 0.65, height))
+      .mix(cream, smoothstep(0.72, 1, q.length()))
+      .mix(sea, smoothstep(0.5, 0.7, r.y()))
+    return { height, tint: tint.mult(smoothstep(0.2, 0.6, height)) }
+  })
+  picture = baseMaterialShader().modify({
+    uniforms: { 'float time': () => millis() / 1000 },
+    fragmentDeclarations: declarations,
+    'Inputs getPixelInputs': `(Inputs inputs) {
+      vec2 p = inputs.texCoord * vec2(4.0, 3.0) * 0.9;
+      ${code}
+      inputs.color = vec4(tint, 1.0);
+      return inputs;
+    }`,
+  })
+}
+
+function draw() {
+  background('#151823')
+  shader(picture)
+  plane(width, height)
+}

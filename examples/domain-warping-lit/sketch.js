@@ -1,0 +1,42 @@
+// A domain warp as a relief: its height is fbm(p + 4r), and its exact gradient, through all
+// three levels, makes the normal that p5's lights fall on. The mouse holds one of them.
+// After Inigo Quilez, Domain warping, 2002.
+let relief
+
+function setup() {
+  createCanvas(640, 480, WEBGL)
+  pixelDensity(1)
+  noStroke()
+  const { code, declarations } = warpjet.compile((glsl) => {
+    const [p, time] = [glsl.vec2Param('p'), glsl.param('time')]
+    const f = (point, x, y) => glsl.fbm(point.add(glsl.vec2(x, y)), { octaves: 4 }).mult(0.5).add(0.5)
+    const q = glsl.vec2(f(p, 0, time.mult(0.04)), f(p, 5.2, 1.3))
+    const at = p.add(q.mult(4))
+    const r = glsl.vec2(f(at, time.mult(0.06).add(1.7), 9.2), f(at, 8.3, 2.8))
+    const height = f(p.add(r.mult(4)), 0, 0)
+    return { height, slope: glsl.gradient(height, p) }
+  })
+  relief = baseMaterialShader().modify({
+    uniforms: { 'float time': () => millis() / 1000 },
+    fragmentDeclarations: declarations,
+    'Inputs getPixelInputs': `(Inputs inputs) {
+      vec2 p = inputs.texCoord * vec2(4.0, 3.0) * 0.5;
+      ${code}
+      inputs.normal = normalize(vec3(-0.5 * slope, 1.0));
+      vec3 tint = mix(vec3(0.2, 0.07, 0.06), vec3(0.85, 0.45, 0.2), smoothstep(0.3, 0.7, height));
+      inputs.color = vec4(tint, 1.0);
+      return inputs;
+    }`,
+  })
+}
+
+function draw() {
+  background('#151823')
+  ambientLight(40)
+  directionalLight('#6a7cc8', 1, 0.4, -0.6)
+  pointLight('#ffe6c0', mouseX - width / 2, mouseY - height / 2, 160)
+  specularMaterial(120)
+  shininess(60)
+  shader(relief)
+  plane(width, height)
+}
