@@ -5,7 +5,10 @@ let panels
 
 // The noise at p, from 0 to 1, after p was moved `level` times.
 function warped({ vec2, fbm }, p, level) {
-  const f = (point, x, y) => fbm(point.add(vec2(x, y))).mult(0.5).add(0.5)
+  const f = (point, x, y) =>
+    fbm(point.add(vec2(x, y)))
+      .mult(0.5)
+      .add(0.5)
   if (level === 0) return f(p, 0, 0)
   const q = vec2(f(p, 0, 0), f(p, 5.2, 1.3))
   const at = p.add(q.mult(4))

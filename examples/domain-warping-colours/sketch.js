@@ -11,7 +11,11 @@ function setup() {
   const { code, declarations } = warpjet.compile((glsl) => {
     const { vec2, vec3, smoothstep } = glsl
     const [p, time] = [glsl.vec2Param('p'), glsl.param('time')]
-    const f = (point, x, y) => glsl.fbm(point.add(vec2(x, y))).mult(0.5).add(0.5)
+    const f = (point, x, y) =>
+      glsl
+        .fbm(point.add(vec2(x, y)))
+        .mult(0.5)
+        .add(0.5)
     const q = vec2(f(p, 0, time.mult(0.05)), f(p, 5.2, 1.3))
     const at = p.add(q.mult(4))
     const r = vec2(f(at, time.mult(0.09).add(1.7), 9.2), f(at, 8.3, time.mult(-0.07).add(2.8)))

@@ -9,7 +9,11 @@ function setup() {
   noStroke()
   const { code, declarations } = warpjet.compile((glsl) => {
     const [p, time] = [glsl.vec2Param('p'), glsl.param('time')]
-    const f = (point, x, y) => glsl.fbm(point.add(glsl.vec2(x, y)), { octaves: 4 }).mult(0.5).add(0.5)
+    const f = (point, x, y) =>
+      glsl
+        .fbm(point.add(glsl.vec2(x, y)), { octaves: 4 })
+        .mult(0.5)
+        .add(0.5)
     const q = glsl.vec2(f(p, 0, time.mult(0.04)), f(p, 5.2, 1.3))
     const at = p.add(q.mult(4))
     const r = glsl.vec2(f(at, time.mult(0.06).add(1.7), 9.2), f(at, 8.3, 2.8))

@@ -48,8 +48,9 @@ const cases = warps
   .map((warp) => ({ ...warp, compiled: warp.compile('glsl300') }))
   .filter(({ compiled }) => compiled.evaluate)
 
-for (const { name, compiled, offset, size, reach, params, kept } of cases) {
-  const meshes = { 'sphere, cube and oddities': () => denseMesh(size) }
+for (const warp of cases) {
+  const { name, compiled, offset, size, step, degrees, every, reach, params, kept } = warp
+  const meshes = { 'sphere, cube and oddities': () => denseMesh(size, every) }
   if (kept)
     for (const [model, make] of Object.entries(models)) meshes[model] = () => modelMesh(make, size)
 
@@ -76,7 +77,7 @@ for (const { name, compiled, offset, size, reach, params, kept } of cases) {
             const angle = bothZero ? 0 : angleBetween(normal, shownNormal)
             const distance = distanceBetween(position, shownPosition) / scale
             if (angle > degrees || distance > bound) {
-              const truth = warpVertex(offset, vertex, uniforms, size / 1000)
+              const truth = warpVertex(offset, vertex, uniforms, step)
               if (!truth.normal?.some(Boolean) || truth.sensitivity > mostSensitive)
                 return worst.leftOut++
             }

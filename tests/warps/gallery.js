@@ -1,5 +1,6 @@
 // The warps of the gallery as plain functions of numbers, by the names that sketches.js gives them. The sketches have the
 // other half. See stress.js.
+import { fbm } from '../js/support/noise.js'
 import { clamp } from './plain.js'
 
 const { sin, cos, exp, sqrt, hypot } = Math
@@ -17,6 +18,48 @@ const sinesByAxis =
   (frequency, speed, amplitude, phases = [0, 0, 0]) =>
   ([x, y, z], { millis }) =>
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
+
+/**
+ * The relief of domain-warping-3d. Its derivatives change so fast that differences need small steps, and that an error of
+ * position becomes one of direction: a turn of the normal by 0.05° is what the third level may have in float32.
+ */
+const relief = (level) => ({
+  size: 1,
+  step: 1e-5,
+  degrees: 0.05,
+  every: 5,
+  offset(point, { millis }) {
+    const f = (p, shift) =>
+      0.5 +
+      0.5 *
+        fbm(
+          p.map((x, i) => x + shift[i]),
+          { octaves: 3 },
+        )
+    const p = point.map((x) => 0.5 * x + millis / 30000)
+    const movedBy = (shifts, at) => p.map((x, i) => x + 4 * f(at, shifts[i]))
+    let at = p
+    if (level > 0)
+      at = movedBy(
+        [
+          [0, 0, 0],
+          [5.2, 1.3, 2.8],
+          [1.7, 9.2, 4.1],
+        ],
+        p,
+      )
+    if (level > 1)
+      at = movedBy(
+        [
+          [1.7, 9.2, 0],
+          [8.3, 2.8, 5.1],
+          [3.9, 6.4, 2.2],
+        ],
+        at,
+      )
+    return point.map((x) => 0.9 * x * (f(at, [0, 0, 0]) - 0.5))
+  },
+})
 
 export const gallery = {
   'airplane-twist': {
@@ -62,6 +105,10 @@ export const gallery = {
       return [0, 0, ripples + 0.05 * sin(5 * x + time) * cos(4 * y) - z]
     },
   },
+
+  'domain-warping-3d-plain': relief(0),
+  'domain-warping-3d-warped': relief(1),
+  'domain-warping-3d-twice': relief(2),
 
   fingers: {
     size: 180,
