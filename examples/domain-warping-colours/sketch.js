@@ -11,9 +11,9 @@ function setup() {
   const { code, declarations } = warpjet.compile((glsl) => {
     const { vec2, vec3, smoothstep } = glsl
     const [p, time] = [glsl.vec2Param('p'), glsl.param('time')]
-    const f = (point, x, y) =>
+    const f = (at, x, y) =>
       glsl
-        .fbm(point.add(vec2(x, y)))
+        .fbm(at.add(vec2(x, y)))
         .mult(0.5)
         .add(0.5)
     const q = vec2(f(p, 0, time.mult(0.05)), f(p, 5.2, 1.3))
@@ -21,21 +21,21 @@ function setup() {
     const r = vec2(f(at, time.mult(0.09).add(1.7), 9.2), f(at, 8.3, time.mult(-0.07).add(2.8)))
     const height = f(p.add(r.mult(4)), 0, 0)
 
-    const night = vec3(0.04, 0.05, 0.12)
-    const ember = vec3(0.72, 0.2, 0.1)
-    const cream = vec3(1, 0.88, 0.68)
-    const sea = vec3(0.06, 0.42, 0.45)
+    const night = vec3(0.05, 0.05, 0.13)
+    const ember = vec3(0.83, 0.27, 0.13)
+    const cream = vec3(1, 0.9, 0.72)
+    const sea = vec3(0.06, 0.46, 0.5)
     const tint = night
-      .mix(ember, smoothstep(0.3, 0.65, height))
-      .mix(cream, smoothstep(0.72, 1, q.length()))
-      .mix(sea, smoothstep(0.5, 0.7, r.y()))
-    return { height, tint: tint.mult(smoothstep(0.2, 0.6, height)) }
+      .mix(ember, smoothstep(0.25, 0.62, height))
+      .mix(cream, smoothstep(0.68, 0.9, q.length()))
+      .mix(sea, smoothstep(0.5, 0.68, r.y()))
+    return { height, tint: tint.mult(smoothstep(0.1, 0.6, height).mult(1.15)) }
   })
   picture = baseMaterialShader().modify({
     uniforms: { 'float time': () => millis() / 1000 },
     fragmentDeclarations: declarations,
     'Inputs getPixelInputs': `(Inputs inputs) {
-      vec2 p = inputs.texCoord * vec2(4.0, 3.0) * 0.9;
+      vec2 p = inputs.texCoord * vec2(4.0, 3.0) * 0.7;
       ${code}
       inputs.color = vec4(tint, 1.0);
       return inputs;
@@ -46,5 +46,5 @@ function setup() {
 function draw() {
   background('#151823')
   shader(picture)
-  plane(width, height)
+  plane(width - 32, height - 32)
 }

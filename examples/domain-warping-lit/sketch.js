@@ -8,17 +8,20 @@ function setup() {
   pixelDensity(1)
   noStroke()
   const { code, declarations } = warpjet.compile((glsl) => {
+    const { vec2, vec3, smoothstep } = glsl
     const [p, time] = [glsl.vec2Param('p'), glsl.param('time')]
-    const f = (point, x, y) =>
+    const f = (at, x, y) =>
       glsl
-        .fbm(point.add(glsl.vec2(x, y)), { octaves: 4 })
+        .fbm(at.add(vec2(x, y)), { octaves: 3 })
         .mult(0.5)
         .add(0.5)
-    const q = glsl.vec2(f(p, 0, time.mult(0.04)), f(p, 5.2, 1.3))
+    const q = vec2(f(p, 0, time.mult(0.04)), f(p, 5.2, 1.3))
     const at = p.add(q.mult(4))
-    const r = glsl.vec2(f(at, time.mult(0.06).add(1.7), 9.2), f(at, 8.3, 2.8))
+    const r = vec2(f(at, time.mult(0.06).add(1.7), 9.2), f(at, 8.3, 2.8))
     const height = f(p.add(r.mult(4)), 0, 0)
-    return { height, slope: glsl.gradient(height, p) }
+    const bronze = vec3(0.2, 0.06, 0.06).mix(vec3(0.95, 0.5, 0.22), smoothstep(0.3, 0.7, height))
+    const tint = bronze.mix(vec3(0.1, 0.3, 0.36), smoothstep(0.5, 0.75, r.y()))
+    return { height, tint, slope: glsl.gradient(height, p) }
   })
   relief = baseMaterialShader().modify({
     uniforms: { 'float time': () => millis() / 1000 },
@@ -26,8 +29,7 @@ function setup() {
     'Inputs getPixelInputs': `(Inputs inputs) {
       vec2 p = inputs.texCoord * vec2(4.0, 3.0) * 0.5;
       ${code}
-      inputs.normal = normalize(vec3(-0.5 * slope, 1.0));
-      vec3 tint = mix(vec3(0.2, 0.07, 0.06), vec3(0.85, 0.45, 0.2), smoothstep(0.3, 0.7, height));
+      inputs.normal = normalize(vec3(-0.4 * slope, 1.0));
       inputs.color = vec4(tint, 1.0);
       return inputs;
     }`,
@@ -36,11 +38,11 @@ function setup() {
 
 function draw() {
   background('#151823')
-  ambientLight(40)
-  directionalLight('#6a7cc8', 1, 0.4, -0.6)
-  pointLight('#ffe6c0', mouseX - width / 2, mouseY - height / 2, 160)
-  specularMaterial(120)
+  ambientLight(60)
+  directionalLight(color('#7c8ce0'), 1, 0.4, -0.8)
+  pointLight(color('#ffe6c0'), mouseX - width / 2, mouseY - height / 2, 200)
+  specularMaterial(100)
   shininess(60)
   shader(relief)
-  plane(width, height)
+  plane(width - 32, height - 32)
 }

@@ -49,7 +49,7 @@ const cases = warps
   .filter(({ compiled }) => compiled.evaluate)
 
 for (const warp of cases) {
-  const { name, compiled, offset, size, step, degrees, every, reach, params, kept } = warp
+  const { name, compiled, offset, size, step, every, reach, params, kept } = warp
   const meshes = { 'sphere, cube and oddities': () => denseMesh(size, every) }
   if (kept)
     for (const [model, make] of Object.entries(models)) meshes[model] = () => modelMesh(make, size)

@@ -19,45 +19,21 @@ const sinesByAxis =
   ([x, y, z], { millis }) =>
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
 
-/**
- * The relief of domain-warping-3d. Its derivatives change so fast that differences need small steps, and that an error of
- * position becomes one of direction: a turn of the normal by 0.05° is what the third level may have in float32.
- */
+const add = (p, shift) => p.map((x, i) => x + shift[i])
+
+/** The relief of domain-warping-3d. Its slope changes so fast that differences need small steps. */
 const relief = (level) => ({
   size: 1,
   step: 1e-5,
-  degrees: 0.05,
   every: 5,
   offset(point, { millis }) {
-    const f = (p, shift) =>
-      0.5 +
-      0.5 *
-        fbm(
-          p.map((x, i) => x + shift[i]),
-          { octaves: 3 },
-        )
+    const f = (p, ...shift) => 0.5 + fbm(add(p, shift), { octaves: 3 }) / 2
     const p = point.map((x) => 0.5 * x + millis / 30000)
-    const movedBy = (shifts, at) => p.map((x, i) => x + 4 * f(at, shifts[i]))
+    const movedBy = (vector) => p.map((x, i) => x + 4 * vector[i])
     let at = p
-    if (level > 0)
-      at = movedBy(
-        [
-          [0, 0, 0],
-          [5.2, 1.3, 2.8],
-          [1.7, 9.2, 4.1],
-        ],
-        p,
-      )
-    if (level > 1)
-      at = movedBy(
-        [
-          [1.7, 9.2, 0],
-          [8.3, 2.8, 5.1],
-          [3.9, 6.4, 2.2],
-        ],
-        at,
-      )
-    return point.map((x) => 0.9 * x * (f(at, [0, 0, 0]) - 0.5))
+    if (level > 0) at = movedBy([f(p, 0, 0, 0), f(p, 5.2, 1.3, 2.8), f(p, 1.7, 9.2, 4.1)])
+    if (level > 1) at = movedBy([f(at, 1.7, 9.2, 0), f(at, 8.3, 2.8, 5.1), f(at, 3.9, 6.4, 2.2)])
+    return point.map((x) => 0.9 * x * (f(at, 0, 0, 0) - 0.5))
   },
 })
 

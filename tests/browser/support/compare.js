@@ -1,7 +1,7 @@
 // How far warped vertices are from what they must be.
 import { angleBetween, distanceBetween } from './oracle.js'
 
-/** So far off may a normal be, unless its warp says otherwise. */
+/** So far off may a normal be. */
 export const degrees = 0.02
 
 /** Beyond this a surface has all but collapsed, and float32 cannot tell its direction. */
@@ -16,9 +16,9 @@ export const moments = [0, 1234, 98765].map((millis) => ({
 
 /**
  * The greatest differences of `results`, for each moment six numbers a vertex, from `expected`, for each moment and vertex
- * what `warpVertex` gives. `beyond` counts the normals that are more than `bound` degrees off. Of vertices with a kink nearby, only whether the result is finite.
+ * what `warpVertex` gives. Of vertices with a kink nearby, only whether the result is finite.
  */
-export function compare(results, expected, reach, bound = degrees) {
+export function compare(results, expected, reach) {
   const worst = { position: 0, angle: 0, relativeAngle: 0, length: 0 }
   const counts = {
     count: 0,
@@ -47,7 +47,7 @@ export function compare(results, expected, reach, bound = degrees) {
       }
       if (sensitivity > mostSensitive) return counts.collapsing++
       const angle = angleBetween(turned, normal)
-      if (!(angle <= bound)) counts.beyond++
+      if (!(angle <= degrees)) counts.beyond++
       raise('angle', angle)
       raise('relativeAngle', angle / sensitivity)
     }),
