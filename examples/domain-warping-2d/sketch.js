@@ -24,12 +24,12 @@ function setup() {
   panels = [0, 1, 2].map((level) => {
     const { code, declarations } = warpjet.compile((glsl) => {
       const p = glsl.vec2Param('p')
-      const height = warped(glsl, p, level)
+      const value = warped(glsl, p, level)
       const dark = glsl.vec3(0.05, 0.04, 0.1)
       const warm = glsl.vec3(0.85, 0.3, 0.16)
       const light = glsl.vec3(1, 0.9, 0.72)
-      const tint = dark.mix(warm, glsl.smoothstep(0.3, 0.55, height))
-      return { height, tint: tint.mix(light, glsl.smoothstep(0.48, 0.72, height)) }
+      const shade = dark.mix(warm, glsl.smoothstep(0.3, 0.55, value))
+      return { value, shade: shade.mix(light, glsl.smoothstep(0.48, 0.72, value)) }
     })
     return baseMaterialShader().modify({
       uniforms: { 'float time': () => millis() / 1000 },
@@ -37,7 +37,7 @@ function setup() {
       'Inputs getPixelInputs': `(Inputs inputs) {
         vec2 p = inputs.texCoord * vec2(1.0, 2.25) * 1.6 + 0.03 * time;
         ${code}
-        inputs.color = vec4(tint, 1.0);
+        inputs.color = vec4(shade, 1.0);
         return inputs;
       }`,
     })

@@ -19,17 +19,17 @@ function setup() {
     const q = vec2(f(p, 0, time.mult(0.05)), f(p, 5.2, 1.3))
     const at = p.add(q.mult(4))
     const r = vec2(f(at, time.mult(0.09).add(1.7), 9.2), f(at, 8.3, time.mult(-0.07).add(2.8)))
-    const height = f(p.add(r.mult(4)), 0, 0)
+    const value = f(p.add(r.mult(4)), 0, 0)
 
     const night = vec3(0.05, 0.05, 0.13)
     const ember = vec3(0.83, 0.27, 0.13)
     const cream = vec3(1, 0.9, 0.72)
     const sea = vec3(0.06, 0.46, 0.5)
-    const tint = night
-      .mix(ember, smoothstep(0.25, 0.62, height))
+    const shade = night
+      .mix(ember, smoothstep(0.25, 0.62, value))
       .mix(cream, smoothstep(0.68, 0.9, q.length()))
       .mix(sea, smoothstep(0.5, 0.68, r.y()))
-    return { height, tint: tint.mult(smoothstep(0.1, 0.6, height).mult(1.15)) }
+    return { value, shade: shade.mult(smoothstep(0.1, 0.6, value).mult(1.15)) }
   })
   picture = baseMaterialShader().modify({
     uniforms: { 'float time': () => millis() / 1000 },
@@ -37,7 +37,7 @@ function setup() {
     'Inputs getPixelInputs': `(Inputs inputs) {
       vec2 p = inputs.texCoord * vec2(4.0, 3.0) * 0.7;
       ${code}
-      inputs.color = vec4(tint, 1.0);
+      inputs.color = vec4(shade, 1.0);
       return inputs;
     }`,
   })

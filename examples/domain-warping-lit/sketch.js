@@ -18,10 +18,10 @@ function setup() {
     const q = vec2(f(p, 0, time.mult(0.04)), f(p, 5.2, 1.3))
     const at = p.add(q.mult(4))
     const r = vec2(f(at, time.mult(0.06).add(1.7), 9.2), f(at, 8.3, 2.8))
-    const height = f(p.add(r.mult(4)), 0, 0)
-    const bronze = vec3(0.2, 0.06, 0.06).mix(vec3(0.95, 0.5, 0.22), smoothstep(0.3, 0.7, height))
-    const tint = bronze.mix(vec3(0.1, 0.3, 0.36), smoothstep(0.5, 0.75, r.y()))
-    return { height, tint, slope: glsl.gradient(height, p) }
+    const value = f(p.add(r.mult(4)), 0, 0)
+    const bronze = vec3(0.2, 0.06, 0.06).mix(vec3(0.95, 0.5, 0.22), smoothstep(0.3, 0.7, value))
+    const shade = bronze.mix(vec3(0.1, 0.3, 0.36), smoothstep(0.5, 0.75, r.y()))
+    return { value, shade, slope: glsl.gradient(value, p) }
   })
   relief = baseMaterialShader().modify({
     uniforms: { 'float time': () => millis() / 1000 },
@@ -30,7 +30,7 @@ function setup() {
       vec2 p = inputs.texCoord * vec2(4.0, 3.0) * 0.5;
       ${code}
       inputs.normal = normalize(vec3(-0.4 * slope, 1.0));
-      inputs.color = vec4(tint, 1.0);
+      inputs.color = vec4(shade, 1.0);
       return inputs;
     }`,
   })

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { WarpError, compileWarp, evaluationMemoryInUse } from '../../dist/warpjet.js'
-import { compare, degrees, moments } from '../browser/support/compare.js'
+import { compare, moments } from '../browser/support/compare.js'
 import { arraysOf, denseMesh, interleaved, vertices } from '../browser/support/dense-mesh.js'
 import { warpVertex } from '../browser/support/oracle.js'
 import { warps } from '../warps/index.js'
@@ -12,7 +12,7 @@ const hasNoTinyPart = ({ normal }) => normal.every((x) => x === 0 || Math.abs(x)
 
 describe('positions and normals are right:', () => {
   for (const warp of warps) {
-    const { name, offset, size, step, every, reach, params, collapses } = warp
+    const { name, offset, size, step, degrees, every, reach, params, collapses } = warp
     const compiled = warp.compile('glsl300')
     // The text of `gen` that two sketches splice into their own shaders is no warp.
     if (!compiled.evaluate) continue
@@ -25,7 +25,7 @@ describe('positions and normals are right:', () => {
       const expected = draws.map((inputs) =>
         points.map((vertex) => warpVertex(offset, vertex, inputs, step)),
       )
-      const found = compare(results, expected, reach)
+      const found = compare(results, expected, reach, degrees)
       assert.equal(found.notFinite, 0, 'NaN or infinite')
       if (collapses) assert.equal(found.notZero, 0, 'normals that should be zero')
       assert.ok(found.length < 1e-6, `normals are ${found.length} off length 1`)
