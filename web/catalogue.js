@@ -91,6 +91,36 @@ export const sections = [
     ],
   },
   {
+    title: 'Domain warping',
+    source: 'Quilez, Domain warping, 2002',
+    examples: [
+      {
+        name: 'domain-warping-2d',
+        figure: 'f(g(p))',
+        title: 'Noise moved by noise',
+        text: 'Left a fractal noise, in the middle the same noise looked up where noise has moved the point, right where that noise was itself moved. Nothing else turns clouds into marble.',
+      },
+      {
+        name: 'domain-warping-colours',
+        figure: 'q and r',
+        title: 'Its insides as colours',
+        text: 'On the way to its value the warp passes two vectors, and they know more about the pattern than the value does. The length of the first lets in cream, a coordinate of the second the sea; time drifts through both.',
+      },
+      {
+        name: 'domain-warping-lit',
+        figure: 'Gradient',
+        title: 'The same in the light',
+        text: 'The value is a height now, and its exact gradient, through three fractal noises, one inside the other, turns the normal. Every pixel has its own, so the lamp at the mouse finds every crease.',
+      },
+      {
+        name: 'domain-warping-3d',
+        figure: 'Offset',
+        title: 'Three spheres of noise',
+        text: 'The three levels as the relief of a sphere. The deeper the noise is nested, the faster its slope changes, and the light still follows every fold, since the normals are exact at each vertex.',
+      },
+    ],
+  },
+  {
     title: 'Deformers',
     source:
       'From warpjet/deformers, ready made. Twist, taper, stretch and bend are those of Barr, Global and Local Deformations of Solid Primitives, 1984',
