@@ -12,6 +12,7 @@
 
 #include "builder/builder.hpp"
 #include "noise/noise.hpp"
+#include "texture/texture.hpp"
 
 using namespace warpjet;
 
@@ -172,6 +173,11 @@ int addFunction(Address session, const std::string& name, const std::string& sou
   return at(session).builder.addFunction(name, source, arity);
 }
 
+// Filter and wrap by their numbers.
+int texture(Address session, const std::string& image, int filter, int wrap) {
+  return at(session).builder.callTexture(image, {Filter(filter), Wrap(wrap)});
+}
+
 void comment(Address session, const std::string& text) { at(session).builder.comment(text); }
 
 bool output(Address session, const std::string& method, const std::string& name, int handle) {
@@ -233,6 +239,7 @@ EMSCRIPTEN_BINDINGS(warpjet) {
   emscripten::function("problem", &problem);
   emscripten::function("input", &input);
   emscripten::function("addFunction", &addFunction);
+  emscripten::function("texture", &texture);
   emscripten::function("comment", &comment);
   emscripten::function("output", &output);
   emscripten::function("outputSum", &outputSum);

@@ -140,6 +140,13 @@ export class Compilation {
     return this.expression(this.core._callNoise(session, kind, base, octaves, isMethod))
   }
 
+  /** An image of the host at a place, with filter and wrap by number. */
+  texture(image: string, uv: Expression, filter: number, wrap: number): Expression {
+    const session = this.open('texture')
+    this.core._push(session, uv.handle)
+    return this.expression(this.core.texture(session, image, filter, wrap))
+  }
+
   /** A derivative meets calls of the host's functions: the sketch says what their partial derivatives are there. */
   private givePartials(session: Session) {
     const calls = Array.from({ length: this.core._pendingCount(session) }, (_, place) =>

@@ -55,6 +55,7 @@ export interface Core {
   problem(session: Session): string
   input(session: Session, method: string, label: string, columns: number, rows: number): number
   addFunction(session: Session, name: string, source: string, arity: number): number
+  texture(session: Session, image: string, filter: number, wrap: number): number
   comment(session: Session, text: string): void
   output(session: Session, method: string, name: string, handle: number): boolean
   outputSum(

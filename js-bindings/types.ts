@@ -106,8 +106,34 @@ export interface Glsl extends Functions {
   /** The columns and rows of a matrix, by number from 0. */
   column<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<R>
   row<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<C>
+  /**
+   * The colour of an image at `uv`, from (0, 0) to (1, 1) across it, v down: red, green, blue and alpha. `sampler` is the
+   * name of the shader's image: a `uniform sampler2D`, in WGSL a `texture_2d<f32>` variable, which your shader declares.
+   * `glsl100`, WebGL 1's language, cannot ask for its size: declare `uniform vec2 heightMapSize` too, in texels, for a
+   * `heightMap`. Works in the vertex and in the fragment stage, and only on the GPU.
+   *
+   * It reads texels and mixes them itself, so that its derivatives are exactly those of what it gives, whatever filter is
+   * set for the image; mipmaps are not read.
+   */
+  texture(sampler: string, uv: Vec2, options?: TextureOptions): Vec4
   /** A function of your own, in the shader's language; used like a built-in one. */
   fn<Arity extends FunctionArity>(options: FunctionOptions<Arity>): OwnFunction<Arity>
+}
+
+/** What `glsl.texture` takes. */
+export interface TextureOptions {
+  /**
+   * How it goes on between the centres of texels.
+   * - `'bilinear'` unless given: the mix of four texels. Its slope jumps at every row and column of texels, and so does light.
+   * - `'bicubic'`, of 16 texels: goes through the texels without such jumps, and a little beyond them beside edges (the
+   *   Catmull-Rom spline; Keys, "Cubic Convolution Interpolation for Digital Image Processing", 1981, with a = -1/2).
+   * - `'bspline'`, of 16 texels: smooths the image by about a texel, and is smooth up to its second derivatives; for
+   *   heights of 8 bits and for light that shows no texels (the uniform cubic B-spline; Sigg and Hadwiger, "Fast
+   *   Third-Order Texture Filtering", GPU Gems 2, chapter 20, 2005).
+   */
+  filter?: 'bilinear' | 'bicubic' | 'bspline'
+  /** Beyond 0 and 1: the colour of the edge (`'clamp'` unless given), the image again, or its mirror image. */
+  wrap?: 'clamp' | 'repeat' | 'mirror'
 }
 
 export type FunctionArity = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 | 10 | 11 | 12 | 13 | 14 | 15 | 16

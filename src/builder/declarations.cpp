@@ -47,6 +47,10 @@ void Declarations::define(const Function& function, int order) {
   const Bundle bundle(function, order);
   if (isDefined(bundle.function)) return;
   Body& body = library_.withResults(function.name, order);
+  if (!body.definition.body) {
+    const auto language = static_cast<std::size_t>(dialect_.language);
+    return define(bundle.function, std::string(body.definition.texts[language]));
+  }
   Comments none;
   std::vector<NodeId> results(body.results.begin(), body.results.begin() + bundle.count);
   results = lower(body.graph, results, dialect_.language, none);
@@ -72,7 +76,9 @@ std::string Declarations::header(const std::string& type, const std::string& nam
   for (int i = 0; i < body.definition.function.arity; ++i) {
     if (i > 0) text += ", ";
     const std::string argument(body.definition.argumentName(i));
-    text += isWgsl ? argument + ": f32" : "float " + argument;
+    const std::string kind =
+        dialect_.typeName(ops::Type::Float, body.definition.argumentShape(i));
+    text += isWgsl ? argument + ": " + kind : kind + ' ' + argument;
   }
   return text + (isWgsl ? ") -> " + type : ")") + " {\n";
 }

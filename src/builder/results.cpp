@@ -50,6 +50,10 @@ std::optional<Program> Builder::program() {
   for (const Value& value : operands_)
     nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
   operands_.clear();
+  for (const NodeId id : reachable(graph_, nodes)) {
+    const auto [input, component, unused] = graph_.node(id).operands;
+    if (graph_.isInput(id) && graph_.input(input).shape == oneImage) return std::nullopt;
+  }
   return warpjet::program(graph_, inlineCalls(graph_, library_, nodes));
 }
 

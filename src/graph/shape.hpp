@@ -5,7 +5,8 @@
 
 namespace warpjet {
 
-// A number is 1 by 1, a vector is one column. Components count down the columns, as in GLSL.
+// A number is 1 by 1, a vector is one column. Components count down the columns, as in GLSL. An image
+// of the host has none: it is no value, only an argument of our functions.
 struct Shape {
   std::uint8_t columns = 1;
   std::uint8_t rows = 1;
@@ -18,7 +19,7 @@ struct Shape {
   constexpr bool operator==(const Shape&) const = default;
 };
 
-inline constexpr Shape oneNumber{};
+inline constexpr Shape oneNumber{}, oneImage{0, 0};
 constexpr Shape vectorOf(int size) { return {1, static_cast<std::uint8_t>(size)}; }
 constexpr Shape matrixOf(int columns, int rows) {
   return {static_cast<std::uint8_t>(columns), static_cast<std::uint8_t>(rows)};
