@@ -47,7 +47,13 @@ export function callNoise(
     )
   const known = optionsOf[kind]
   checkOptions(kind, options, known)
-  const { octaves = 5, lacunarity = 2, gain = 0.5, noise = 'noise', seed = 0 } = (options ?? {}) as Record<string, unknown>
+  const {
+    octaves = 5,
+    lacunarity = 2,
+    gain = 0.5,
+    noise = 'noise',
+    seed = 0,
+  } = (options ?? {}) as Record<string, unknown>
   const base = bases.indexOf(noise as never)
   if (base < 0)
     throw new WarpError(
@@ -77,13 +83,20 @@ const mostSeed = 2 ** 23
 function checkWhole(kind: string, option: string, value: unknown, least: number, most: number) {
   if (!(Number.isInteger(value) && (value as number) >= least && (value as number) <= most))
     throw new WarpError(
-      `${kind}: the option "${option}" must be a whole number from ${least} to ${most}, but is ${typeof value === 'number' ? value : describe(value)}.`,
+      `${kind}: the option "${option}" must be a whole number from ${least} to ${most}, but is ${describe(value)}.`,
     )
 }
 
 /** What an octave differs from the one before by. */
 function factor(compilation: Compilation, kind: string, option: string, value: unknown) {
   if (typeof value === 'number' && !(value > 0))
-    throw new WarpError(`${kind}: the option "${option}" must be above 0, but is ${value}.`)
-  return toExpression(compilation, kind, value, `the option "${option}"`)
+    throw new WarpError(
+      `${kind}: the option "${option}" must be above 0, but is ${describe(value)}.`,
+    )
+  const expression = toExpression(compilation, kind, value, `the option "${option}"`)
+  if (compilation.shapeOf(expression).some((size) => size > 1))
+    throw new WarpError(
+      `${kind}: the option "${option}" must be a number, but is a vector or a matrix.`,
+    )
+  return expression
 }

@@ -12,17 +12,39 @@ import type {
   Vec3Methods,
   VectorMethods,
 } from './methods.js'
+import type { CurlMethod, FieldMethods, NoiseFunctions, NoiseMethods } from './noise-types.js'
 import type { ByComponent, MatrixOf, Shape, Size, VectorOf } from './signatures.js'
 
 /** An expression of one number a vertex. A condition is one too: 1 or 0 where it is used as a number. */
-export interface Scalar extends Shape<1, 1>, ScalarMethods, Results {}
+export interface Scalar extends Shape<1, 1>, ScalarMethods, NoiseMethods, Results {}
 
-export interface Vec2 extends Shape<1, 2>, VectorMethods<Vec2>, Results, XY, RG, ST, UV {}
+export interface Vec2
+  extends Shape<1, 2>, VectorMethods<Vec2>, NoiseMethods, Results, XY, RG, ST, UV {}
 
 export interface Vec3
-  extends Shape<1, 3>, VectorMethods<Vec3>, Vec3Methods, Results, XYZ, RGB, STP, UV {}
+  extends
+    Shape<1, 3>,
+    VectorMethods<Vec3>,
+    Vec3Methods,
+    NoiseMethods,
+    CurlMethod,
+    Results,
+    XYZ,
+    RGB,
+    STP,
+    UV {}
 
-export interface Vec4 extends Shape<1, 4>, VectorMethods<Vec4>, Results, XYZW, RGBA, STPQ, UV {}
+export interface Vec4
+  extends
+    Shape<1, 4>,
+    VectorMethods<Vec4>,
+    FieldMethods,
+    CurlMethod,
+    Results,
+    XYZW,
+    RGBA,
+    STPQ,
+    UV {}
 
 /** Of different numbers of columns and rows, as some Jacobians are; GLSL's matCxR. WebGL 1 has none. */
 export interface Matrix<Columns extends Size, Rows extends Size>
@@ -81,7 +103,7 @@ interface Columns<Self, Vectors> extends Rows<Self, Vectors> {
 }
 
 /** `glsl`: inputs, constants, and every operation as a function. */
-export interface Glsl extends Functions {
+export interface Glsl extends Functions, NoiseFunctions {
   /** A float of the shader, by its name or the expression that reads it there. */
   param(name: string): Scalar
   vec2Param(name: string): Vec2

@@ -38,20 +38,44 @@ Expression isTaken(Expression rank, int corner, int n) {
   return step(static_cast<double>(n - corner), rank);
 }
 
+// A point in a grid of cubes, which its diagonal is pressed along until the simplices of each cube
+// are regular; of one dimension, the grid as it is. Large numbers cancel beforehand, so that a
+// point far away is as exact as one nearby: with cells P + f of the point, skew S of their sum, and
+// S = s + s' of a whole number and a fraction, p - (cell - unskew * sum(cell)) is a sum of
+// fractions.
+struct Skewed {
+  Numbers whole, inside, step;
+  Expression shift, fraction;
+
+  Skewed(Point p, double skew) : shift{p[0].graph, p[0].graph->constant(0)}, fraction(shift) {
+    for (const Expression x : p) {
+      whole.push_back(floor(x));
+      inside.push_back(fract(x));
+    }
+    // A product of this and of a whole number of up to 4096 is exact in float.
+    const double coarse = std::round(skew * 4096) / 4096;
+    const Expression cells = sum(whole), product = cells * coarse;
+    shift = floor(product);
+    fraction = fract(product) + cells * (skew - coarse);
+    const Expression move = fraction + sum(inside) * skew;
+    for (const Expression x : inside) step.push_back(floor(x + move));
+  }
+
+  Expression cell(int i) const { return whole[i] + shift + step[i]; }
+};
+
 }  // namespace
 
 Expression simplexNoise(Library& library, Point p, Expression seed) {
   const int n = static_cast<int>(p.size());
-  // A grid of cubes, pressed along its diagonal until its simplices are regular; of one dimension
-  // as it is.
   const double root = std::sqrt(n + 1.0);
   const double skew = n == 1 ? 0 : (root - 1) / n, unskew = n == 1 ? 0 : (1 - 1 / root) / n;
-  const Expression skewed = sum(p) * skew;
-  Numbers cell;
-  for (const Expression x : p) cell.push_back(floor(x + skewed));
-  const Expression unskewed = sum(cell) * unskew;
+  const Skewed skewed(p, skew);
+  // Where the point lies, seen from the first corner of its simplex.
+  const Expression moved =
+      skewed.fraction * (n == 1 ? 0 : unskew / skew) + sum(skewed.step) * unskew;
   Numbers first;
-  for (int i = 0; i < n; ++i) first.push_back(p[i] - (cell[i] - unskewed));
+  for (int i = 0; i < n; ++i) first.push_back(skewed.inside[i] - skewed.step[i] + moved);
 
   // From one corner of the simplex to the next goes a step along the largest coordinate that is
   // left.
@@ -62,7 +86,7 @@ Expression simplexNoise(Library& library, Point p, Expression seed) {
     Numbers offset;
     for (int i = 0; i < n; ++i) {
       const Expression taken = isTaken(rank[i], corner, n);
-      cellHash = hash(cellHash, cell[i] + taken);
+      cellHash = hash(cellHash, skewed.cell(i) + taken);
       offset.push_back(first[i] - taken + corner * unskew);
     }
     // The square of the height of such a simplex, whatever its dimension; of one dimension, its
