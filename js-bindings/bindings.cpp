@@ -53,6 +53,10 @@ EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int oct
   return session->builder.callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);
 }
 
+EMSCRIPTEN_KEEPALIVE int callTexture(Session* session, int filter, int wrap) {
+  return session->builder.callTexture({Filter(filter), Wrap(wrap)});
+}
+
 EMSCRIPTEN_KEEPALIVE int swizzle(Session* session, int handle, int count, int indices) {
   return session->builder.swizzle(handle, count, static_cast<unsigned>(indices));
 }
@@ -173,11 +177,6 @@ int addFunction(Address session, const std::string& name, const std::string& sou
   return at(session).builder.addFunction(name, source, arity);
 }
 
-// Filter and wrap by their numbers.
-int texture(Address session, const std::string& image, int filter, int wrap) {
-  return at(session).builder.callTexture(image, {Filter(filter), Wrap(wrap)});
-}
-
 void comment(Address session, const std::string& text) { at(session).builder.comment(text); }
 
 bool output(Address session, const std::string& method, const std::string& name, int handle) {
@@ -239,7 +238,6 @@ EMSCRIPTEN_BINDINGS(warpjet) {
   emscripten::function("problem", &problem);
   emscripten::function("input", &input);
   emscripten::function("addFunction", &addFunction);
-  emscripten::function("texture", &texture);
   emscripten::function("comment", &comment);
   emscripten::function("output", &output);
   emscripten::function("outputSum", &outputSum);

@@ -22,6 +22,7 @@ export interface Core {
     octaves: number,
     isMethod: boolean,
   ): number
+  _callTexture(session: Session, filter: number, wrap: number): number
   _swizzle(session: Session, handle: number, count: number, indices: number): number
   _pendingCount(session: Session): number
   _pendingCall(session: Session, place: number): number
@@ -55,7 +56,6 @@ export interface Core {
   problem(session: Session): string
   input(session: Session, method: string, label: string, columns: number, rows: number): number
   addFunction(session: Session, name: string, source: string, arity: number): number
-  texture(session: Session, image: string, filter: number, wrap: number): number
   comment(session: Session, text: string): void
   output(session: Session, method: string, name: string, handle: number): boolean
   outputSum(

@@ -55,8 +55,8 @@ class Builder {
   int call(int operation, bool isMethod);
   int callFunction(int function);
   int callNoise(const Noise& noise, bool isMethod);
-  // The host's image of that name at the vec2 that was pushed.
-  int callTexture(std::string_view image, const Sampling& sampling);
+  // The operands are a vec2, an image, and its width and height in texels, a vec2.
+  int callTexture(const Sampling& sampling);
 
   // Some components of a vector, two bits each, the first one lowest. A problem is told without the
   // method, which goes by three alphabets.

@@ -28,7 +28,7 @@ std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
 void Declarations::add(const Graph& graph, const Emitted& emitted) {
   for (const Op op : emitted.helped) {
     const ops::Info& info = ops::info(op);
-    define(info.name, std::string(info.helpers[static_cast<std::size_t>(dialect_.language)]));
+    define(info.name, textIn(info.helpers));
   }
   for (const auto& [number, order] : emitted.ourFunctions) define(graph.function(number), order);
 }
@@ -47,10 +47,8 @@ void Declarations::define(const Function& function, int order) {
   const Bundle bundle(function, order);
   if (isDefined(bundle.function)) return;
   Body& body = library_.withResults(function.name, order);
-  if (!body.definition.body) {
-    const auto language = static_cast<std::size_t>(dialect_.language);
-    return define(bundle.function, std::string(body.definition.texts[language]));
-  }
+  if (const auto* texts = body.definition.texts)
+    return define(bundle.function, textIn(*texts));
   Comments none;
   std::vector<NodeId> results(body.results.begin(), body.results.begin() + bundle.count);
   results = lower(body.graph, results, dialect_.language, none);

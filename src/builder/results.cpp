@@ -50,9 +50,8 @@ std::optional<Program> Builder::program() {
   for (const Value& value : operands_)
     nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
   operands_.clear();
-  for (const NodeId id : reachable(graph_, nodes)) {
-    const auto [input, component, unused] = graph_.node(id).operands;
-    if (graph_.isInput(id) && graph_.input(input).shape == oneImage) return std::nullopt;
+  for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
+    if (graph_.input(i).shape == oneImage) return std::nullopt;
   }
   return warpjet::program(graph_, inlineCalls(graph_, library_, nodes));
 }

@@ -32,7 +32,7 @@ struct Definition {
   double high = std::numeric_limits<double>::infinity();
 
   // Instead of a body, the function in each language; one that has no derivatives.
-  ops::Helpers texts = {};
+  const ops::Helpers* texts = nullptr;
 
   // The variables, then the other arguments, as far as there are any.
   static constexpr std::string_view variableNames[] = {"x", "y", "z", "w"};

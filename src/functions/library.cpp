@@ -39,7 +39,7 @@ Body& Library::withResults(std::string_view name, int order) {
   Body& body = *find(name);
   const Definition& definition = body.definition;
   const Function& function = definition.function;
-  if (!definition.body) return body;
+  if (definition.texts) return body;
   if (body.results.empty()) {
     for (int i = 0; i < function.arity; ++i) {
       const std::uint32_t input =

@@ -6,129 +6,105 @@ namespace warpjet {
 
 namespace {
 
-constexpr std::string_view filterNames[] = {"Bilinear", "Bicubic", "Bspline"};
-constexpr std::string_view wrapNames[] = {"Clamp", "Repeat", "Mirror"};
-
-constexpr int channels = 4;
+constexpr int channels = 4, reach = 4;
 
 // Texel centres lie at half texels, where not even a linear filter of the host's mixes neighbours.
 constexpr ops::Helpers texelTexts{
-    R"(highp vec4 warpjetTexel(highp float x, highp float y, highp sampler2D image) {
+    R"(highp vec4 warpjetTexel(float x, float y, highp sampler2D image, float width, float height) {
   return texelFetch(image, ivec2(int(x), int(y)), 0);
 }
 )",
-    R"(highp vec4 warpjetTexel(highp float x, highp float y, highp sampler2D image, highp float width, highp float height) {
+    R"(highp vec4 warpjetTexel(float x, float y, highp sampler2D image, float width, float height) {
   return texture2D(image, vec2((x + 0.5) / width, (y + 0.5) / height));
 }
 )",
-    R"(fn warpjetTexel(x: f32, y: f32, image: texture_2d<f32>) -> vec4f {
+    R"(fn warpjetTexel(x: f32, y: f32, image: texture_2d<f32>, width: f32, height: f32) -> vec4f {
   return textureLoad(image, vec2i(i32(x), i32(y)), 0);
 }
 )"};
 
-constexpr ops::Helpers sizeTexts{
-    R"(highp vec2 warpjetImageSize(highp sampler2D image) {
-  return vec2(textureSize(image, 0));
-}
-)",
-    "",
-    R"(fn warpjetImageSize(image: texture_2d<f32>) -> vec2f {
-  return vec2f(textureDimensions(image));
-}
-)"};
+// By filter and texel, its weight times the divisor as a polynomial of where the point lies between
+// the middle two, from 0 to 1; the highest power first.
+constexpr std::int8_t weights[3][reach][4] = {
+    {{}, {0, 0, -1, 1}, {0, 0, 1, 0}, {}},
+    {{-1, 2, -1, 0}, {3, -5, 0, 2}, {-3, 4, 1, 0}, {1, -1, 0, 0}},
+    {{-1, 3, -3, 1}, {3, -6, 0, 4}, {-3, 3, 3, 1}, {1, 0, 0, 0}}};
+constexpr double divisors[] = {1, 2, 6};
 
-// By texel, its weight as a polynomial of where between the middle two the point lies, from 0 to 1.
-using Weights = double[4][4];
-constexpr Weights catmullRom = {
-    {0, -0.5, 1, -0.5}, {1, 0, -2.5, 1.5}, {0, 0.5, 2, -1.5}, {0, 0, -0.5, 0.5}};
-constexpr Weights bspline = {{1. / 6, -0.5, 0.5, -1. / 6},
-                             {4. / 6, 0, -1, 0.5},
-                             {1. / 6, 0.5, 0.5, -0.5},
-                             {0, 0, 0, 1. / 6}};
+// Formulas in half as many bytes of wasm as the operators of Expression take.
+struct Calculation {
+  Graph& graph;
+
+  NodeId operator()(Op op, NodeId x) const { return graph.apply(op, {x}); }
+  NodeId operator()(Op op, NodeId x, NodeId y) const { return graph.apply(op, {x, y}); }
+  NodeId operator()(Op op, NodeId x, double y) const { return (*this)(op, x, graph.constant(y)); }
+};
+
+constexpr Op add = ops::find("add"), sub = ops::find("sub"), mult = ops::find("mult");
 
 // A whole number of any size as the number of a texel. The half keeps a quotient that a GPU rounds
 // away from whole numbers.
-Expression wrapped(Expression i, Expression size, Wrap wrap) {
-  const auto repeated = [&](Expression period) {
-    return i - period * floor((i + 0.5) / period);
-  };
-  if (wrap == Wrap::Repeat) return repeated(size);
-  if (wrap == Wrap::Clamp) return min(max(i, 0.0), size - 1.0);
-  const Expression twice = size * 2.0, back = repeated(twice);
-  return min(back, twice - 1.0 - back);
+NodeId wrapped(Calculation make, NodeId i, NodeId size, Wrap wrap) {
+  constexpr Op least = ops::find("min");
+  if (wrap == Wrap::Clamp) return make(least, make(ops::find("max"), i, 0.0), make(sub, size, 1.0));
+  const NodeId period = make(mult, size, wrap == Wrap::Mirror ? 2.0 : 1.0);
+  const NodeId times = make(ops::find("floor"), make(ops::find("div"), make(add, i, 0.5), period));
+  const NodeId inside = make(sub, i, make(mult, period, times));
+  if (wrap == Wrap::Repeat) return inside;
+  return make(least, inside, make(sub, make(sub, period, 1.0), inside));
 }
 
-// Along one side of the image: the texels near a point, and how to mix them.
-class Axis {
- public:
-  Axis(Expression coordinate, Expression size, const Sampling& sampling) {
-    const Expression position = coordinate * size - 0.5, first = floor(position);
-    inside_ = build(ops::find("fract"), position);
-    const bool isLinear = sampling.filter == Filter::Bilinear;
-    for (int i = isLinear ? 0 : -1; i <= (isLinear ? 1 : 2); ++i)
-      texels.push_back(wrapped(first + static_cast<double>(i), size, sampling.wrap));
-    if (isLinear) return;
-    for (const double* c : sampling.filter == Filter::Bicubic ? catmullRom : bspline)
-      weights_.push_back(((inside_ * c[3] + c[2]) * inside_ + c[1]) * inside_ + c[0]);
+// Along one side of the image, the texels near a point, and how much of each there is.
+struct Axis {
+  NodeId texels[reach], shares[reach];
+
+  Axis(Calculation make, NodeId x, NodeId size, std::uint32_t filter, Wrap wrap) {
+    const NodeId first = make(ops::find("floor"), x), inside = make(ops::find("fract"), x);
+    for (int i = 0; i < reach; ++i) {
+      texels[i] = wrapped(make, make(add, first, i - 1.0), size, wrap);
+      shares[i] = make.graph.constant(0);
+      for (const double weight : weights[filter][i])
+        shares[i] = make(add, make(mult, shares[i], inside), weight / divisors[filter]);
+    }
   }
-
-  Expression mix(std::span<const Expression> x) const {
-    // With weights, a flat image would have a slope by rounding.
-    if (weights_.empty()) return x[0] + inside_ * (x[1] - x[0]);
-    Expression sum = weights_[0] * x[0];
-    for (std::size_t i = 1; i < x.size(); ++i) sum = sum + weights_[i] * x[i];
-    return sum;
-  }
-
-  Numbers texels;
-
- private:
-  Expression inside_;
-  Numbers weights_;
 };
 
-Numbers sizeOf(Library& library, std::span<const Expression> image) {
-  if (image.size() > 1) return {image[1], image[2]};
-  return library.call({.function = {"warpjetImageSize", 1, 2, 0}, .texts = sizeTexts}, image);
-}
-
-Numbers texel(Library& library, Expression x, Expression y, std::span<const Expression> image) {
-  Numbers arguments{x, y};
-  arguments.insert(arguments.end(), image.begin(), image.end());
-  const int arity = static_cast<int>(arguments.size());
-  return library.call({.function = {"warpjetTexel", arity, channels, 0}, .texts = texelTexts},
-                      arguments);
-}
-
 Numbers body(Library& library, std::uint32_t settings, std::span<const Expression> arguments) {
-  const Sampling sampling{Filter(settings & 255), Wrap(settings >> 8)};
-  const auto image = arguments.subspan(2);
-  const Numbers size = sizeOf(library, image);
-  const Axis across(arguments[0], size[0], sampling), down(arguments[1], size[1], sampling);
-  Numbers values;
-  for (int channel = 0; channel < channels; ++channel) {
-    Numbers rows;
-    for (const Expression y : down.texels) {
-      Numbers row;
-      for (const Expression x : across.texels) row.push_back(texel(library, x, y, image)[channel]);
-      rows.push_back(across.mix(row));
+  const std::uint32_t filter = settings & 3;
+  const Wrap wrap{static_cast<std::uint8_t>(settings >> 2)};
+  Numbers place(arguments.begin(), arguments.end());
+  const Calculation make{*place[0].graph};
+  const Axis across(make, place[0].id, place[3].id, filter, wrap);
+  const Axis down(make, place[1].id, place[4].id, filter, wrap);
+  const Definition texel{.function = {"warpjetTexel", 5, channels, 0}, .texts = &texelTexts};
+  Numbers values(channels, {&make.graph, make.graph.constant(0)});
+  const auto addTo = [&](Numbers& sums, NodeId share, const Numbers& x) {
+    for (int i = 0; i < channels; ++i)
+      sums[i].id = make(add, sums[i].id, make(mult, share, x[i].id));
+  };
+  for (int row = 0; row < reach; ++row) {
+    place[1].id = down.texels[row];
+    Numbers sums(channels, {&make.graph, make.graph.constant(0)});
+    for (int column = 0; column < reach; ++column) {
+      place[0].id = across.texels[column];
+      addTo(sums, across.shares[column], library.call(texel, place));
     }
-    values.push_back(down.mix(rows));
+    addTo(values, down.shares[row], sums);
   }
   return values;
 }
 
 }  // namespace
 
-Definition definitionOf(const Sampling& sampling, bool takesSize) {
+Definition definitionOf(const Sampling& sampling) {
+  constexpr const char* filterNames[] = {"Bilinear", "Bicubic", "Bspline"};
+  constexpr const char* wrapNames[] = {"Clamp", "Repeat", "Mirror"};
   const auto filter = static_cast<std::uint32_t>(sampling.filter);
   const auto wrap = static_cast<std::uint32_t>(sampling.wrap);
-  std::string name = "warpjet";
-  name += filterNames[filter];
-  name += wrapNames[wrap];
-  return {.function = {name, takesSize ? 5 : 3, channels, 2},
+  const std::string name = std::string("warpjet") + filterNames[filter] + wrapNames[wrap];
+  return {.function = {name, 5, channels, 2},
           .body = body,
-          .settings = filter | wrap << 8,
+          .settings = filter | wrap << 2,
           .parameters = Definition::imageParameters};
 }
 

@@ -1,7 +1,7 @@
-// Images as functions of texture coordinates: x and y enter, from 0 to 1 across the image, and red,
-// green, blue and alpha of the interpolant between its texels leave. To read a texel is the only
-// step that is no node, and it is locally constant; so derivatives of every order are those of the
-// interpolant itself, whatever filter the host has set.
+// Images as functions of a place: x and y in texels enter, 0 at the centre of the first one, and
+// red, green, blue and alpha of the interpolant between the texels leave. To read a texel is the
+// only step that is no node, and it is locally constant; so derivatives of every order are those of
+// the interpolant itself, whatever filter the host has set.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,7 @@ struct Sampling {
   Wrap wrap;
 };
 
-// A function of x, y and an image, and of its width and height in texels for a language that cannot
-// ask an image for them.
-Definition definitionOf(const Sampling& sampling, bool takesSize);
+// A function of x, y, an image, and its width and height.
+Definition definitionOf(const Sampling& sampling);
 
 }  // namespace warpjet
