@@ -92,4 +92,91 @@ for (const target of targets)
             assertClose(hessian, wanted.hessian, 5e-3, `second derivatives ${where}`)
           })
         })
+
+    // Just before and just behind a texel's row and column of centres.
+    test('goes over texels without a jump, and without a kink if cubic', async () => {
+      const side = 2 ** -20
+      const lines = [0.5, 1.5, 3.5, 6.5, 7.5, -0.5].map((x) => x / image.width)
+      const pairs = lines.flatMap((u) => [
+        [u - side, 0.37],
+        [u + side, 0.37],
+      ])
+      for (const filter of filters)
+        for (const wrap of wraps) {
+          const results = await run(
+            target,
+            { red: 1, slope: 1, bend: 1 },
+            (glsl, uv) => {
+              const red = glsl.texture('heights', uv, { filter, wrap }).r()
+              const slope = glsl.derivative(red, uv.x())
+              return { red, slope, bend: glsl.derivative(slope, uv.x()) }
+            },
+            pairs,
+          )
+          for (let i = 0; i < results.length; i += 2) {
+            const [before, behind] = results.slice(i, i + 2)
+            const jump = (name) => Math.abs(before[name] - behind[name])
+            const where = `${filter}, ${wrap}, at ${pairs[i]}`
+            assert.ok(jump('red') < 1e-4, `${where}: the value jumps by ${jump('red')}`)
+            if (filter === 'bilinear') continue
+            assert.ok(jump('slope') < 2e-3, `${where}: the slope jumps by ${jump('slope')}`)
+            if (filter === 'bicubic') continue
+            assert.ok(jump('bend') < 2e-2, `${where}: the second derivative by ${jump('bend')}`)
+          }
+        }
+    })
+
+    test('the cubic that goes through the texels does, and the bilinear one', async () => {
+      const centres = Array.from({ length: image.width * image.height }, (_, i) => [
+        ((i % image.width) + 0.5) / image.width,
+        (Math.floor(i / image.width) + 0.5) / image.height,
+      ])
+      for (const filter of ['bilinear', 'bicubic']) {
+        const build = (glsl, uv) => ({ color: glsl.texture('heights', uv, { filter }) })
+        const results = await run(target, { color: 4 }, build, centres)
+        results.forEach(({ color }, i) => {
+          const texel = image.data.slice(4 * i, 4 * i + 4).map((byte) => byte / 255)
+          assertClose(color, texel, 1e-5, `${filter}, texel ${i}`)
+        })
+      }
+    })
+
+    test('several images, filters and wraps side by side', async () => {
+      const images = { a: image, B: randomImage(4, 8, 2), b: randomImage(1, 1, 3) }
+      const results = await run(
+        target,
+        { color: 4, slope: 1 },
+        (glsl, uv) => {
+          const moved = uv.add(glsl.texture('a', uv, { filter: 'bspline' }).rg())
+          const color = glsl
+            .texture('B', moved, { filter: 'bicubic', wrap: 'repeat' })
+            .add(glsl.texture('b', uv), glsl.texture('B', uv, { wrap: 'mirror' }))
+          return { color, slope: glsl.derivative(color.g(), uv.y()) }
+        },
+        points,
+        images,
+      )
+      const at = ([u, v]) => {
+        const [red, green] = sample(images.a, u, v, { filter: 'bspline' })
+        const parts = [
+          sample(images.B, u + red, v + green, { filter: 'bicubic', wrap: 'repeat' }),
+          sample(images.b, u, v),
+          sample(images.B, u, v, { wrap: 'mirror' }),
+        ]
+        return [0, 1, 2, 3].map((i) => parts[0][i] + parts[1][i] + parts[2][i])
+      }
+      let compared = 0
+      results.forEach(({ color, slope }, i) => {
+        const [u, v] = points[i]
+        assertClose(color, at([u, v]), 3e-5, `at ${points[i]}`)
+        const along = [-2, -1, 1, 2].map((k) => at([u, v + k * 1e-5])[1])
+        const wanted = (8 * (along[2] - along[1]) - (along[3] - along[0])) / 12e-5
+        const coarse = (along[2] - along[1]) / 2e-5
+        // A difference over a line of texels is none of a derivative.
+        if (Math.abs(coarse - wanted) > 1e-4) return
+        assertClose([slope], [wanted], 1e-3, `slope at ${points[i]}`)
+        compared++
+      })
+      assert.ok(compared > 0.9 * points.length, `${compared} slopes compared`)
+    })
   })
