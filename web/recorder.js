@@ -3,7 +3,7 @@
 // And it leaves the mouse wheel and vertical swipes to that page, so that nobody gets stuck in a sketch.
 {
   const recorded = (window.recordedCode = [])
-  const { compileWarp, gen } = warpjet
+  const { compile, compileWarp, gen } = warpjet
   const keep = (maker, code) => {
     if (!recorded.some((record) => record.code === code)) recorded.push({ maker, code })
   }
@@ -18,6 +18,11 @@
 
   window.warpjet = {
     ...warpjet,
+    compile(callback, options) {
+      const compiled = compile(callback, options)
+      keep('compile', compiled.declarations + compiled.code)
+      return compiled
+    },
     compileWarp(offset, options) {
       const compiled = compileWarp(offset, options)
       keep('compileWarp', compiled.code)

@@ -82,6 +82,7 @@ export function setUniforms(shader: Shader, uniforms: WarpUniforms, defs: string
 }
 
 const mat2 = 0x8b5a
+const sampler2D = 0x8b5e
 
 /** Of the matrices, by WebGL's number. */
 const matrixSizes: Record<number, number> = { [mat2]: 4, 0x8b5b: 9, 0x8b5c: 16 }
@@ -91,6 +92,13 @@ function readValue(name: string, value: unknown, { type, isArray: isList = false
     throw new WarpError(
       `The warp's uniform "${name}" is a mat2, which this p5 cannot set; declare a mat3, or use p5 2.`,
     )
+  if (type === sampler2D) {
+    // Images, graphics, framebuffers and videos have a width, as their textures do.
+    if (typeof value === 'object' && value !== null && 'width' in value) return value
+    throw new WarpError(
+      `The warp's uniform "${name}" must be an image, such as one of loadImage or createGraphics, but is ${describe(value)}.`,
+    )
+  }
   const wrong =
     value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
   if (wrong || (isList && typeof value !== 'object'))

@@ -8,7 +8,9 @@ import { launchBrowser } from './support/browser.js'
 import { normalize } from './support/matrix.js'
 import { colorAt } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions } from './support/sketch.js'
+import { drawScenes, p5Versions, runSketch } from './support/sketch.js'
+
+const addon = '/dist/p5.warpjet.min.js'
 
 let browser, server
 before(async () => {
@@ -71,7 +73,7 @@ function assertColor(picture, [u, v], wanted, tolerance, what) {
 
 for (const [version, p5] of Object.entries(p5Versions)) {
   const draw = (options) =>
-    drawScenes(browser, server, [p5, '/dist/p5.warpjet.min.js'], { size, ...options })
+    drawScenes(browser, server, [p5, addon], { size, ...options })
 
   describe(`glsl.texture on p5 ${version}`, () => {
     for (const filter of ['bicubic', 'bspline'])
@@ -147,6 +149,43 @@ void main() {
         const wanted = color.map((channel) => 255 * Math.min(Math.max(channel, 0), 1))
         assertColor(pictures.image, [u, v], wanted, 1.5, 'color')
       }
+    })
+
+    test('says in a WarpError what is wrong with an image', async () => {
+      const cases = {
+        'createWarp(warp)': /reads "heights", .* "uniform sampler2D heights;"/,
+        'distort({ heights: 5 })':
+          /uniform "heights" must be an image, such as one of loadImage or createGraphics, but is the number 5/,
+        'distort({ heights: null })': /uniform "heights" must be an image, .* but is null/,
+        'distort({ heights: "a.png" })': /must be an image, .* but is the text "a.png"/,
+        'distort({ heights: Promise.resolve() })': /must be an image, .* but is a promise/,
+      }
+      const { page, messages } = await runSketch(
+        browser,
+        server,
+        [p5, addon],
+        `const warp = ({ glsl, position }) =>
+          glsl.vec3(0, 0, glsl.texture('heights', position.xy()).r())
+        function setup() {
+          createCanvas(100, 100, WEBGL)
+          distort = createWarp(warp, { defs: 'uniform sampler2D heights;' })
+          noLoop()
+        }
+        function draw() {
+          distort({ heights: createImage(2, 2) })
+          sphere(20)
+          window.done = true
+        }`,
+      )
+      for (const [code, message] of Object.entries(cases)) {
+        const error = await page.evaluate(`(() => {
+          try { ${code} } catch (error) { return { name: error.name, message: error.message } }
+        })()`)
+        assert.equal(error?.name, 'WarpError', code)
+        assert.match(error.message, message)
+      }
+      await page.close()
+      assert.deepEqual(messages, [])
     })
   })
 }
