@@ -4,11 +4,11 @@
 // image, is a function of a text.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
-#include <span>
 #include <string_view>
-#include <vector>
 
 #include "graph/expression.hpp"
 
@@ -16,11 +16,33 @@ namespace warpjet {
 
 class Library;
 
-using Numbers = std::vector<Expression>;
+// A few numbers: the arguments of a function, or its values. No vector, which would be more code.
+class Numbers {
+ public:
+  static constexpr std::size_t most = 8;
+
+  Numbers() = default;
+  Numbers(std::initializer_list<Expression> all) {
+    for (const Expression x : all) push_back(x);
+  }
+
+  void push_back(Expression x) { items_[size_++] = x; }
+  std::size_t size() const { return size_; }
+  Expression& operator[](std::size_t i) { return items_[i]; }
+  const Expression& operator[](std::size_t i) const { return items_[i]; }
+  Expression* begin() { return items_.data(); }
+  Expression* end() { return begin() + size_; }
+  const Expression* begin() const { return items_.data(); }
+  const Expression* end() const { return begin() + size_; }
+
+ private:
+  std::array<Expression, most> items_{};
+  std::size_t size_ = 0;
+};
 
 struct Definition {
   // The values from the arguments. May call other functions of the library.
-  using Body = Numbers (*)(Library&, std::uint32_t settings, std::span<const Expression> arguments);
+  using Body = Numbers (*)(Library&, std::uint32_t settings, const Numbers& arguments);
 
   // Equal names are equal functions.
   Function function;

@@ -22,7 +22,7 @@ Body* Library::find(std::string_view name) {
   return nullptr;
 }
 
-Numbers Library::call(const Definition& definition, std::span<const Expression> arguments) {
+Numbers Library::call(const Definition& definition, const Numbers& arguments) {
   const Function& function = definition.function;
   if (!find(function.name)) bodies_.push_back(std::make_unique<Body>(definition));
 
