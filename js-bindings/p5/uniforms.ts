@@ -61,9 +61,7 @@ export function refuseUndeclared(parameters: readonly Variable[], shader: Shader
 }
 
 const typeOf = ([columns, rows]: Shape) =>
-  columns === 0
-    ? 'sampler2D'
-    : columns > 1 ? `mat${columns}` : rows > 1 ? `vec${rows}` : 'float'
+  columns === 0 ? 'sampler2D' : columns > 1 ? `mat${columns}` : rows > 1 ? `vec${rows}` : 'float'
 
 export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
   for (const { uniform, read } of inputsAmong(names)) shader.setUniform(uniform, read(canvas))

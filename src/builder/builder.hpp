@@ -83,7 +83,8 @@ class Builder {
   std::optional<Built> build(std::optional<int> maxDepth = {});
 
   const std::vector<Output>& outputs() const { return outputs_; }
-  // The values pushed, for the CPU; nothing if a function or an image of the host is needed for them.
+  // The values pushed, for the CPU; nothing if a function or an image of the host is needed for
+  // them.
   std::optional<Program> program();
 
  private:

@@ -47,8 +47,7 @@ void Declarations::define(const Function& function, int order) {
   const Bundle bundle(function, order);
   if (isDefined(bundle.function)) return;
   Body& body = library_.withResults(function.name, order);
-  if (const auto* texts = body.definition.texts)
-    return define(bundle.function, textIn(*texts));
+  if (const auto* texts = body.definition.texts) return define(bundle.function, textIn(*texts));
   Comments none;
   std::vector<NodeId> results(body.results.begin(), body.results.begin() + bundle.count);
   results = lower(body.graph, results, dialect_.language, none);
@@ -74,8 +73,7 @@ std::string Declarations::header(const std::string& type, const std::string& nam
   for (int i = 0; i < body.definition.function.arity; ++i) {
     if (i > 0) text += ", ";
     const std::string argument(body.definition.argumentName(i));
-    const std::string kind =
-        dialect_.typeName(ops::Type::Float, body.definition.argumentShape(i));
+    const std::string kind = dialect_.typeName(ops::Type::Float, body.definition.argumentShape(i));
     text += isWgsl ? argument + ": " + kind : kind + ' ' + argument;
   }
   return text + (isWgsl ? ") -> " + type : ")") + " {\n";

@@ -5,8 +5,8 @@
 
 namespace warpjet {
 
-// A number is 1 by 1, a vector is one column. Components count down the columns, as in GLSL. An image
-// of the host, which is only an argument of our functions, is one node in no column.
+// A number is 1 by 1, a vector is one column. Components count down the columns, as in GLSL. An
+// image of the host, which is only an argument of our functions, is one node in no column.
 struct Shape {
   std::uint8_t columns = 1;
   std::uint8_t rows = 1;

@@ -69,22 +69,23 @@ struct Axis {
   }
 };
 
-Numbers body(Library& library, std::uint32_t settings, std::span<const Expression> arguments) {
+Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments) {
   const std::uint32_t filter = settings & 3;
   const Wrap wrap{static_cast<std::uint8_t>(settings >> 2)};
-  Numbers place(arguments.begin(), arguments.end());
+  Numbers place = arguments;
   const Calculation make{*place[0].graph};
   const Axis across(make, place[0].id, place[3].id, filter, wrap);
   const Axis down(make, place[1].id, place[4].id, filter, wrap);
   const Definition texel{.function = {"warpjetTexel", 5, channels, 0}, .texts = &texelTexts};
-  Numbers values(channels, {&make.graph, make.graph.constant(0)});
+  const Expression zero{&make.graph, make.graph.constant(0)};
+  Numbers values{zero, zero, zero, zero};
   const auto addTo = [&](Numbers& sums, NodeId share, const Numbers& x) {
     for (int i = 0; i < channels; ++i)
       sums[i].id = make(add, sums[i].id, make(mult, share, x[i].id));
   };
   for (int row = 0; row < reach; ++row) {
     place[1].id = down.texels[row];
-    Numbers sums(channels, {&make.graph, make.graph.constant(0)});
+    Numbers sums{zero, zero, zero, zero};
     for (int column = 0; column < reach; ++column) {
       place[0].id = across.texels[column];
       addTo(sums, across.shares[column], library.call(texel, place));

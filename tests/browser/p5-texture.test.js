@@ -72,8 +72,7 @@ function assertColor(picture, [u, v], wanted, tolerance, what) {
 }
 
 for (const [version, p5] of Object.entries(p5Versions)) {
-  const draw = (options) =>
-    drawScenes(browser, server, [p5, addon], { size, ...options })
+  const draw = (options) => drawScenes(browser, server, [p5, addon], { size, ...options })
 
   describe(`glsl.texture on p5 ${version}`, () => {
     for (const filter of ['bicubic', 'bspline'])
@@ -144,7 +143,9 @@ void main() {
       const moved = (u, v) => [u + 0.1 * Math.sin(5 * v), v + 0.1 * Math.sin(5 * u)]
       const options = { wrap: 'mirror', filter: 'bicubic' }
       // A pixel shows what is at its middle.
-      for (const [u, v] of grid(20).map((place) => place.map((t) => (Math.floor(t * side) + 0.5) / side))) {
+      for (const [u, v] of grid(20).map((place) =>
+        place.map((t) => (Math.floor(t * side) + 0.5) / side),
+      )) {
         const color = sample(image, ...moved(u, v), options).slice(0, 3)
         const wanted = color.map((channel) => 255 * Math.min(Math.max(channel, 0), 1))
         assertColor(pictures.image, [u, v], wanted, 1.5, 'color')

@@ -66,7 +66,9 @@ test('what is refused', () => {
   const of =
     (...args) =>
     () =>
-      compile((glsl) => ({ r: glsl.texture(...args.map((arg) => typeof arg === "function" ? arg(glsl) : arg)) }))
+      compile((glsl) => ({
+        r: glsl.texture(...args.map((arg) => (typeof arg === 'function' ? arg(glsl) : arg))),
+      }))
   const uv = (glsl) => glsl.vec2Param('uv')
   refuses(of(), /texture: argument 1 must be the name of a sampler2D.*is undefined/)
   refuses(of(5, uv), /texture: argument 1 must be the name.*is the number 5/)

@@ -38,7 +38,12 @@ const wrappers = {
 export const wraps = Object.keys(wrappers)
 
 /** Red, green, blue and alpha of { width, height, data }, bytes, at u, v. */
-export function sample({ width, height, data }, u, v, { filter = 'bilinear', wrap = 'clamp' } = {}) {
+export function sample(
+  { width, height, data },
+  u,
+  v,
+  { filter = 'bilinear', wrap = 'clamp' } = {},
+) {
   const [x, y] = [u * width - 0.5, v * height - 0.5]
   const sums = [0, 0, 0, 0]
   for (let row = Math.floor(y) - 2; row <= y + 2; row++)
