@@ -2,12 +2,13 @@
 import type { Compilation } from './compilation.js'
 import { withCompilation } from './compiled.js'
 import { type CpuWarp, type WarpProgram, createCpuWarp } from './cpu-warp.js'
-import type { OffsetFunction } from './types.js'
+import type { OffsetFunction, UniformValues } from './types.js'
 import {
   type BuiltWarp,
   type WarpOptions,
   type WarpText,
   buildWarp,
+  declareUniforms,
   operations,
   readOptions,
   turnTangent,
@@ -26,18 +27,22 @@ export interface CompiledWarp extends WarpText, CpuWarp {}
  * `WarpError` if the offset is no function, returns no vec3, or misuses an operation, and for wrong
  * options.
  */
-export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): CompiledWarp {
-  const settings = readOptions('compileWarp', offset, options)
+export function compileWarp<const Uniforms extends UniformValues = {}>(
+  given: OffsetFunction<NoInfer<Uniforms>>,
+  options: WarpOptions<Uniforms> = {},
+): CompiledWarp {
+  const settings = readOptions('compileWarp', given as OffsetFunction, options)
+  const { offset, declared } = declareUniforms('compileWarp', given as OffsetFunction, options)
   return withCompilation(settings.target, false, (compilation) => {
     const warp = buildWarp(compilation, 'compileWarp', offset, settings)
-    return { ...warp.text, ...createCpuWarp(programOf(compilation, warp)) }
+    return { ...warp.text, ...createCpuWarp({ declared, ...programOf(compilation, warp) }) }
   })
 }
 
 /** The tangent that the CPU turns, if the text turns none: a name that no sketch has. */
 const hiddenTangent = '_warpjetTangent'
 
-function programOf(compilation: Compilation, warp: BuiltWarp): WarpProgram {
+function programOf(compilation: Compilation, warp: BuiltWarp): Omit<WarpProgram, 'declared'> {
   const { inputs, offset, moved, turned } = warp
   const names = { tangent: hiddenTangent, ...warp.names }
   // In the order of numbersOf in cpu-warp.ts.

@@ -1,7 +1,5 @@
 // Loads the compiler. Nothing happens before the first warp.
-import factory from './generated/core.js'
-import base64 from './generated/core-wasm.js'
-import { instantiate } from './wasm.js'
+import { startCore } from './core-module.js'
 
 /** A compilation inside the wasm: an address, to be closed. */
 export type Session = number & { readonly session: unique symbol }
@@ -83,7 +81,7 @@ export const needsPartials = -2
 let core: Core | undefined
 
 export function getCore(): Core {
-  return (core ??= instantiate<Core>(factory, base64))
+  return (core ??= startCore<Core>())
 }
 
 /** How many bytes the compiler holds inside the wasm. Between two warps it is always the same. */

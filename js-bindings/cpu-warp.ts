@@ -5,6 +5,7 @@ import type { Program } from './evaluate.js'
 import { type Stream, boundProgram, inputsRead, runProgram } from './evaluation.js'
 import { type VertexInput, vertexInputs } from './inputs.js'
 import { checkOptions } from './options.js'
+import { type DeclaredUniforms, withDeclared } from './uniforms.js'
 import {
   type Box,
   type Range,
@@ -19,6 +20,8 @@ import {
 
 /** What is kept of a compilation. There is no program if the warp calls a `glsl.fn` or `glsl.texture`. */
 export interface WarpProgram {
+  /** The option `uniforms`. */
+  declared: DeclaredUniforms
   program: Program | undefined
   hasNormals: boolean
   /** By input of the warp, the variable of the program. */
@@ -65,6 +68,7 @@ export interface Foldover {
 /**
  * All throw a `WarpError` for arrays that do not fit, numbers that are not finite, a uniform or an attribute that the warp
  * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn` or `glsl.texture`, which only the GPU can run.
+ * A uniform that is not given has its value of the option `uniforms`, a function being asked then.
  * They compute in float32, as the GPU does, and change nothing that comes in. Where the offset function has no finite
  * value, such as the logarithm of a negative number, neither have the results.
  */
@@ -208,15 +212,17 @@ interface Origin {
 /** The program's inputs in order, the uniforms checked. */
 function originsOf(
   method: string,
-  { names }: WarpProgram,
+  { declared, names }: WarpProgram,
   program: Program,
   wanted: readonly number[],
-  uniforms: Uniforms | undefined,
+  given: Uniforms | undefined,
 ): Origin[] {
   const nameOf = (variable: Variable) =>
     Object.keys(names).find((name) => names[name] === variable.name)
   const parameters = program.inputs.filter((variable) => !nameOf(variable))
-  checkUniforms(method, uniforms, parameters)
+  const known = [...declared.keys(), ...parameters.map(({ name }) => name)]
+  checkUniforms(method, given, [...new Set(known)])
+  const uniforms = withDeclared(method, declared, given, parameters)
   const read = inputsRead(program, wanted)
   return program.inputs.map((variable, i) => {
     const isRead = read[i]!
@@ -225,9 +231,9 @@ function originsOf(
     const name = nameOf(variable) ?? variable.name
     if (nameOf(variable) && name in vertexInputs)
       return { input: name as VertexInput, isRead, values }
-    const given = uniforms?.[name]
-    if (given !== undefined)
-      return { isRead, values: readNumbers(`${method}: the uniform "${name}"`, given, size) }
+    const value = uniforms[name]
+    if (value !== undefined)
+      return { isRead, values: readNumbers(`${method}: the uniform "${name}"`, value, size) }
     if (!isRead) return { isRead, values }
     throw new WarpError(
       `${method}: the warp reads "${name}"; give it a value in the uniforms, as in { ${JSON.stringify(name)}: ${size === 1 ? 0 : `[${values}]`} }.`,

@@ -6,9 +6,15 @@ import { WarpError, describe, describeShape } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { type InputName, drawInputs, inputSizes, vertexInputs } from './inputs.js'
 import { checkCallback, checkOptions } from './options.js'
-import type { OffsetFunction, WarpInputs } from './types.js'
+import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from './types.js'
+import { type DeclaredUniforms, readDeclared, withUniforms } from './uniforms.js'
 
-export interface WarpOptions extends CompileOptions {
+export interface WarpOptions<
+  Uniforms extends UniformValues = UniformValues,
+> extends CompileOptions {
+  /** What the offset function reads as `uniforms`, with the values that count on the CPU unless others are given; your
+   * shader declares and sets them, under the same names. */
+  uniforms?: UniformOptions<Uniforms>
   /** The host shader's expression for each input; its name unless given. */
   names?: Partial<Record<InputName, string>>
   /** The names of the results: `warpedPosition`, `warpedNormal`, `warpedTangent` and `offset` unless given. */
@@ -29,12 +35,28 @@ export interface WarpText extends Compiled {
 }
 
 /** For the public function `method`: the text, and the sketch's own parameters. */
-export function compileWarpText(method: string, offset: OffsetFunction, options: WarpOptions) {
-  const settings = readOptions(method, offset, options)
+export function compileWarpText(method: string, given: OffsetFunction, options: WarpOptions) {
+  const settings = readOptions(method, given, options)
+  const { offset } = declareUniforms(method, given, options)
   return withCompilation(settings.target, false, (compilation) => {
     const { text, parameters } = buildWarp(compilation, method, offset, settings)
     return { text, parameters }
   })
+}
+
+/** Reads the option `uniforms`; gives them to the offset function. */
+export function declareUniforms(
+  method: string,
+  offset: OffsetFunction,
+  { uniforms, names = {} }: WarpOptions,
+): { offset: OffsetFunction; declared: DeclaredUniforms } {
+  const declared = readDeclared(method, uniforms)
+  for (const [input, name] of Object.entries(names))
+    if (declared.has(name))
+      throw new WarpError(
+        `${method}: the uniform "${name}" has the name that the option "names" gives to ${input}; rename one of them.`,
+      )
+  return { offset: withUniforms(method, offset, declared), declared }
 }
 
 type Settings = ReturnType<typeof readOptions>
@@ -42,7 +64,7 @@ type Settings = ReturnType<typeof readOptions>
 /** Checks what the caller hands in, and fills in what is left out. */
 export function readOptions(method: string, offset: OffsetFunction, options: WarpOptions) {
   checkCallback(method, offset)
-  checkOptions(method, options, ['target', 'names', 'outputs', 'normals', 'tangents'])
+  checkOptions(method, options, ['uniforms', 'target', 'names', 'outputs', 'normals', 'tangents'])
   checkOptions(`${method} names`, options.names, Object.keys(inputSizes))
   checkOptions(`${method} outputs`, options.outputs, ['position', 'normal', 'tangent', 'offset'])
   const { target, normals = true, tangents = false } = options

@@ -17,8 +17,10 @@ export async function emit(args: string[]): Promise<void> {
     throw wrong(`--target must be one of ${targets.join(', ')}, but is "${target}".`)
 
   const [file] = files as [string]
-  const offset = await readWarp(file)
-  const warp = await blame(file, () => compileWarp(offset, { target, tangents: values.tangents }))
+  const { offset, uniforms } = await readWarp(file)
+  const warp = await blame(file, () =>
+    compileWarp(offset, { uniforms, target, tangents: values.tangents }),
+  )
   const lines = [
     `// uniforms: ${warp.uniforms.join(', ') || 'none'}`,
     `// attributes: ${warp.attributes.join(', ') || 'none'}`,
