@@ -12,6 +12,7 @@
 
 #include "builder/builder.hpp"
 #include "noise/noise.hpp"
+#include "texture/texture.hpp"
 
 using namespace warpjet;
 
@@ -50,6 +51,10 @@ EMSCRIPTEN_KEEPALIVE int callFunction(Session* session, int function) {
 EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int octaves,
                                    int isMethod) {
   return session->builder.callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);
+}
+
+EMSCRIPTEN_KEEPALIVE int callTexture(Session* session, int filter, int wrap) {
+  return session->builder.callTexture({Filter(filter), Wrap(wrap)});
 }
 
 EMSCRIPTEN_KEEPALIVE int swizzle(Session* session, int handle, int count, int indices) {

@@ -20,6 +20,7 @@ export interface Core {
     octaves: number,
     isMethod: boolean,
   ): number
+  _callTexture(session: Session, filter: number, wrap: number): number
   _swizzle(session: Session, handle: number, count: number, indices: number): number
   _pendingCount(session: Session): number
   _pendingCall(session: Session, place: number): number

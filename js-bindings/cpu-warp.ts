@@ -19,7 +19,7 @@ import {
   readRanges,
 } from './vertices.js'
 
-/** What is kept of a compilation. There is no program if the warp calls a `glsl.fn`. */
+/** What is kept of a compilation. There is no program if the warp calls a `glsl.fn` or `glsl.texture`. */
 export interface WarpProgram {
   /** The option `uniforms`. */
   declared: DeclaredUniforms
@@ -72,7 +72,7 @@ export interface Foldover {
 
 /**
  * All throw a `WarpError` for arrays that do not fit, numbers that are not finite, a uniform or an attribute that the warp
- * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn`, which only the GPU can run.
+ * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn` or `glsl.texture`, which only the GPU can run.
  * A uniform that is not given has its value of the option `uniforms`, a function being asked then.
  * They compute in float32, as the GPU does, and change nothing that comes in. Where the offset function has no finite
  * value, such as the logarithm of a negative number, neither have the results.
@@ -206,7 +206,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
 function programOf(method: string, { program }: WarpProgram): Program {
   if (program) return program
   throw new WarpError(
-    `${method}: this warp calls a function of glsl.fn, which can only be computed by the GPU.`,
+    `${method}: this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.`,
   )
 }
 

@@ -2,7 +2,7 @@
 import { createBuilder, operationNumber } from './builder.js'
 import type { Compilation, Variable } from './compilation.js'
 import { type Compiled, type CompileOptions, withCompilation } from './compiled.js'
-import { WarpError, describe } from './errors.js'
+import { WarpError, describe, describeShape } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import {
   type InputName,
@@ -253,9 +253,8 @@ function checkOffset(compilation: Compilation, method: string, offset: unknown):
     throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
   toExpression(compilation, method, offset, 'the offset')
   const [columns, rows] = compilation.shapeOf(offset)
-  const size = columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'
   if (columns !== 1 || rows !== 3)
-    throw new WarpError(`${method}: ${expected}, but returned ${size}.`)
+    throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)
   // A condition becomes 0 or 1 here, as it does in any sum.
   return operations(compilation)('add', offset, compilation.constant(0, method))
 }

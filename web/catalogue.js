@@ -230,4 +230,23 @@ export const sections = [
       },
     ],
   },
+  {
+    title: 'Images as functions',
+    source:
+      'Interpolants of Keys, 1981, and of Sigg and Hadwiger, 2005; domain warping by Inigo Quilez, 2002',
+    examples: [
+      {
+        name: 'raked-sand',
+        figure: 'Heights',
+        title: 'Raked sand',
+        text: 'The sketch draws furrows into an image of 120 × 120 pixels, and the sand takes its grey for its height. The warp reads it as a cubic B-spline and differentiates just that, so the light glides over the ridges and shows no pixels.',
+      },
+      {
+        name: 'marbled-paper',
+        figure: 'Image',
+        title: 'Marbled paper',
+        text: 'Stripes of paint, stirred: each pixel looks up its colour where fractal noise has moved it, and that noise was moved by noise before. All of it happens in the fragment shader.',
+      },
+    ],
+  },
 ]

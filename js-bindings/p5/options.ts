@@ -15,7 +15,7 @@ export type WarpSpace = 'local' | 'world' | 'camera'
 
 export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValues> {
   /**
-   * What the offset function reads as `uniforms`: a number, an array of 2 to 4, 9 or 16 numbers, a p5.Vector, a p5.Color, or
+   * What the offset function reads as `uniforms`: a number, an array of 2 to 4, 9 or 16 numbers, a p5.Vector, a p5.Color, an image, or
    * a function that gives one of them each time that the warp is put on. Lists are copied.
    */
   uniforms?: UniformOptions<Uniforms>

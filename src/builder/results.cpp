@@ -60,6 +60,9 @@ std::optional<Program> Builder::program() {
   for (const Value& value : operands_)
     nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
   operands_.clear();
+  for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
+    if (graph_.input(i).shape == oneImage) return std::nullopt;
+  }
   return warpjet::program(graph_, inlineCalls(graph_, library_, nodes));
 }
 

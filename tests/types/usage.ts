@@ -13,6 +13,7 @@ import {
   type OffsetFunction,
   type OwnFunction,
   type Scalar,
+  type TextureOptions,
   type Vec2,
   type Vec3,
   type Vec4,
@@ -276,6 +277,22 @@ compile((glsl) => {
   warp.bounds({ min: [0, 0, 0] })
   void [all, at, box, folded]
 }
+
+// Images.
+compile((glsl) => {
+  const [uv, p] = [glsl.vec2Param('uv'), glsl.vec3Param('p')]
+  const options: TextureOptions = { filter: 'bspline', wrap: 'mirror' }
+  const color: Vec4 = glsl.texture('heightMap', uv, options).add(glsl.texture('other', uv))
+  // @ts-expect-error a place has two coordinates
+  glsl.texture('heightMap', p)
+  // @ts-expect-error the name comes first
+  glsl.texture(uv, 'heightMap')
+  // @ts-expect-error no such filter
+  glsl.texture('heightMap', uv, { filter: 'linear' })
+  // @ts-expect-error no such option
+  glsl.texture('heightMap', uv, { lod: 1 })
+  return { color }
+})
 
 // Uniforms: their types come from the values.
 {
