@@ -20,12 +20,14 @@ export interface Core {
     octaves: number,
     isMethod: boolean,
   ): number
+  _callTexture(session: Session, filter: number, wrap: number): number
   _swizzle(session: Session, handle: number, count: number, indices: number): number
   _pendingCount(session: Session): number
   _pendingCall(session: Session, place: number): number
   _functionOfCall(session: Session, call: number): number
   _argumentOfCall(session: Session, call: number, i: number): number
   _setPartials(session: Session, call: number): number
+  _dependsOn(session: Session, handle: number, input: number): number
   _shapeOf(session: Session, handle: number): number
   _nodeCount(session: Session): number
   _operationCount(session: Session): number

@@ -10,6 +10,11 @@ export function describe(value: unknown): string {
   return `the ${typeof value} ${shorten(String(value))}`
 }
 
+/** What an expression of so many columns and rows is. */
+export function describeShape([columns, rows]: readonly [number, number]): string {
+  return columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'
+}
+
 /** A text from outside, on one line and not too long. */
 export function shorten(text: string): string {
   return text.slice(0, 60).replace(/\s+/g, ' ')

@@ -1,4 +1,4 @@
-export { describe, shorten } from './describe.js'
+export { describe, describeShape, shorten } from './describe.js'
 
 /** What a sketch did wrong, in one sentence: the method, the argument, what was expected, what came. */
 export class WarpError extends Error {

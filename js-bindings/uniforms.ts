@@ -1,10 +1,10 @@
 // The option `uniforms`: values that a sketch names once, where it makes its warp. Their types come from the values.
-import type { Compilation, Shape, Variable } from './compilation.js'
+import { type Compilation, type Shape, type Variable, imageShape } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import type { Expression } from './expression.js'
 import { inputSizes } from './inputs.js'
 import { isList } from './options.js'
-import type { OffsetFunction, UniformValue, WarpInputs } from './types.js'
+import type { ImageLike, OffsetFunction, UniformValue, WarpInputs } from './types.js'
 
 type Given = UniformValue | (() => UniformValue)
 
@@ -14,6 +14,8 @@ export interface DeclaredUniform {
   /** Its numbers now; a function is called. Throws if they are not of the same type any more. */
   numbers: (method: string) => number[]
   isFunction: boolean
+  /** Of an image, which has no numbers: what it is now. */
+  image?: (() => ImageLike) | undefined
 }
 
 /** By the sketch's name. */
@@ -30,12 +32,12 @@ const shapes: Record<number, Shape> = {
 
 /** GLSL's word for it. */
 export const typeOf = ([columns, rows]: Shape) =>
-  columns > 1 ? `mat${columns}` : rows > 1 ? `vec${rows}` : 'float'
+  columns === 0 ? 'sampler2D' : columns > 1 ? `mat${columns}` : rows > 1 ? `vec${rows}` : 'float'
 
 const example = '{ amount: 0.5, center: [0, 0, 0], follow: () => [mouseX, mouseY] }'
 
 const expected =
-  'a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a p5.Vector, a p5.Color, or a function that gives one of them'
+  'a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a p5.Vector, a p5.Color, an image, or a function that gives one of them'
 
 /** Checks the option. Lists are copied, and functions called once for their type. */
 export function readDeclared(method: string, option: unknown): DeclaredUniforms {
@@ -54,16 +56,24 @@ function declare(method: string, name: string, given: Given): DeclaredUniform {
     throw new WarpError(
       `${method}: the uniform "${name}" has the name of an input; give it another one, such as "my${name[0]!.toUpperCase()}${name.slice(1)}".`,
     )
-  const first = typeof given === 'function' ? given() : given
+  const isFunction = typeof given === 'function'
+  const first = isFunction ? given() : given
+  const place = `the uniform "${name}"`
+  if (isImage(first))
+    return {
+      shape: imageShape,
+      numbers: () => [],
+      isFunction,
+      image: () => (isFunction ? imageFor(`The warp's uniform "${name}"`, given()) : first),
+    }
   const numbers = numbersOf(first)
   const shape = numbers && shapes[numbers.length]
   if (!shape) {
-    const came = `${typeof given === 'function' ? 'its function gives' : 'is'} ${describe(first)}`
+    const came = `${isFunction ? 'its function gives' : 'is'} ${describe(first)}`
     throw new WarpError(`${method}: the uniform "${name}" must be ${expected}, but ${came}.`)
   }
-  const place = `the uniform "${name}"`
   checkFinite(`${method}: ${place}`, numbers)
-  if (typeof given !== 'function') return { shape, numbers: () => numbers, isFunction: false }
+  if (!isFunction) return { shape, numbers: () => numbers, isFunction: false }
   return {
     shape,
     numbers: (method) => numbersFor(`${method}: ${place}`, shape, given(), true),
@@ -89,6 +99,18 @@ export function numbersFor(place: string, shape: Shape, value: unknown, isOwn = 
   }
   checkFinite(place, numbers)
   return numbers
+}
+
+/** What has a width and a height: p5's images, graphics, framebuffers and videos, and those of the page. */
+const isImage = (value: unknown): value is ImageLike =>
+  typeof value === 'object' && value !== null && 'width' in value && 'height' in value
+
+/** A value for an image that is there already. */
+export function imageFor(place: string, value: unknown): ImageLike {
+  if (isImage(value)) return value
+  throw new WarpError(
+    `${place} must be an image, such as one of loadImage or createGraphics, but is ${describe(value)}.`,
+  )
 }
 
 /**
@@ -129,8 +151,8 @@ export function settled<Values extends object>(
 ): Values | undefined {
   if (!declared?.size || (given !== undefined && typeof given !== 'object')) return given
   const functions = [...declared].filter(
-    ([name, { isFunction }]) =>
-      isFunction && (given as Record<string, unknown>)?.[name] === undefined,
+    ([name, { isFunction, image }]) =>
+      isFunction && !image && (given as Record<string, unknown>)?.[name] === undefined,
   )
   const now = functions.map(([name, { numbers }]) => [name, unlisted(numbers(method))])
   return { ...given, ...Object.fromEntries(now) } as Values
@@ -152,7 +174,7 @@ export function withUniforms(
   }
 }
 
-/** An object of expressions, which says so where there is none of that name. */
+/** An object of expressions, and of images' names, which says so where there is none of that name. */
 function expressions(
   method: string,
   compilation: Compilation,
@@ -163,7 +185,10 @@ function expressions(
   for (const [name, { shape }] of declared)
     Object.defineProperty(known, name, {
       enumerable: true,
-      get: () => compilation.input(labelOf(name), shape, `${method} uniforms.${name}`),
+      get: () =>
+        shape === imageShape
+          ? labelOf(name)
+          : compilation.input(labelOf(name), shape, `${method} uniforms.${name}`),
     })
   return new Proxy(known, {
     get(target, name) {
@@ -193,7 +218,8 @@ export function withDeclared(
   for (const [name, uniform] of declared) {
     const value = given[name]
     const isRead = parameters.some((parameter) => parameter.name === name)
-    if (value !== undefined)
+    if (uniform.image) delete all[name]
+    else if (value !== undefined)
       all[name] = numbersFor(`${method}: the uniform "${name}"`, uniform.shape, value)
     else if (isRead) all[name] = uniform.numbers(method)
     if (!isRead) delete all[name]

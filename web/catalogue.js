@@ -91,6 +91,36 @@ export const sections = [
     ],
   },
   {
+    title: 'Domain warping',
+    source: 'Quilez, Domain warping, 2002',
+    examples: [
+      {
+        name: 'domain-warping-2d',
+        figure: 'f(g(p))',
+        title: 'Noise moved by noise',
+        text: 'Left a fractal noise, in the middle the same noise looked up where noise has moved the point, right where that noise was itself moved. Nothing else turns clouds into marble.',
+      },
+      {
+        name: 'domain-warping-colours',
+        figure: 'q and r',
+        title: 'Its insides as colours',
+        text: 'On the way to its value the warp passes two vectors, and they know more about the pattern than the value does. The length of the first lets in cream, a coordinate of the second the sea; time drifts through both.',
+      },
+      {
+        name: 'domain-warping-lit',
+        figure: 'Gradient',
+        title: 'The same in the light',
+        text: 'The value is a height now, and its exact gradient, through three fractal noises, one inside the other, turns the normal. Every pixel has its own, so the lamp at the mouse finds every crease.',
+      },
+      {
+        name: 'domain-warping-3d',
+        figure: 'Offset',
+        title: 'Three spheres of noise',
+        text: 'The three levels as the relief of a sphere. The deeper the noise is nested, the faster its slope changes, and the light still follows every fold, since the normals are exact at each vertex.',
+      },
+    ],
+  },
+  {
     title: 'Deformers',
     source:
       'From warpjet/deformers, ready made. Twist, taper, stretch and bend are those of Barr, Global and Local Deformations of Solid Primitives, 1984',
@@ -185,6 +215,37 @@ export const sections = [
         figure: 'chain, add, blend, mask, inSpace',
         title: 'Warps made of warps',
         text: 'To twist and then to bend is something else than to bend and then to twist; added, neither sees what the other did. All end up as one function, and its normals are as exact as those of its parts.',
+      },
+    ],
+  },
+  {
+    title: 'Beyond them',
+    source: 'what neither of them does',
+    examples: [
+      {
+        name: 'along-the-normal',
+        figure: 'New',
+        title: 'Along the normal',
+        text: 'Bumps along the normal, which turns as one goes around the ring. Left that turning is left out, as it usually is; right it counts, and highlights sit where the surface really faces the light.',
+      },
+    ],
+  },
+  {
+    title: 'Images as functions',
+    source:
+      'Interpolants of Keys, 1981, and of Sigg and Hadwiger, 2005; domain warping by Inigo Quilez, 2002',
+    examples: [
+      {
+        name: 'raked-sand',
+        figure: 'Heights',
+        title: 'Raked sand',
+        text: 'The sketch draws furrows into an image of 120 × 120 pixels, and the sand takes its grey for its height. The warp reads it as a cubic B-spline and differentiates just that, so the light glides over the ridges and shows no pixels.',
+      },
+      {
+        name: 'marbled-paper',
+        figure: 'Image',
+        title: 'Marbled paper',
+        text: 'Stripes of paint, stirred: each pixel looks up its colour where fractal noise has moved it, and that noise was moved by noise before. All of it happens in the fragment shader.',
       },
     ],
   },

@@ -1,7 +1,14 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
 import type { Variable } from '../compilation.js'
 import { WarpError, describe } from '../errors.js'
-import { type DeclaredUniforms, listed, numbersFor, typeOf, unlisted } from '../uniforms.js'
+import {
+  type DeclaredUniforms,
+  imageFor,
+  listed,
+  numbersFor,
+  typeOf,
+  unlisted,
+} from '../uniforms.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
 import type { WarpSettings } from './options.js'
 
@@ -57,7 +64,7 @@ export const labelsOf = (declared: DeclaredUniforms) =>
 
 /** Of those that the warp reads, which `parameters` tells. */
 export function declarationsOf(declared: DeclaredUniforms, parameters: readonly Variable[]) {
-  const labels = [...labelsOf(declared).values()]
+  const labels = [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`])
   return parameters
     .filter(({ name }) => labels.includes(name))
     .map(({ name, shape }) => `uniform ${typeOf(shape)} ${name};\n`)
@@ -88,7 +95,18 @@ export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
 /** Sets the uniforms of the option `uniforms` to their present values, or to what this call gives instead. */
 function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUniforms) {
   const labels = labelsOf(declared)
-  for (const [name, { shape, numbers }] of declared) {
+  for (const [name, { shape, numbers, image }] of declared) {
+    if (image) {
+      const own = given[name]
+      const label = labels.get(name)!
+      if (shader.uniforms[label])
+        setImage(
+          shader,
+          label,
+          own === undefined ? image() : imageFor(`The warp's uniform "${name}"`, own),
+        )
+      continue
+    }
     const own = Object.hasOwn(given, name)
       ? numbersFor(`The warp's uniform "${name}"`, shape, given[name])
       : undefined
@@ -98,6 +116,13 @@ function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUnif
     const values = own ?? numbers('The function that createWarp returned')
     shader.setUniform(label, unlisted(values))
   }
+}
+
+/** An image, and its size in texels where the warp is told it, in WebGL 1. */
+function setImage(shader: Shader, label: string, image: unknown) {
+  shader.setUniform(label, image)
+  const { width, height } = shader.uniforms[label]!.texture!
+  if (shader.uniforms[`${label}Size`]) shader.setUniform(`${label}Size`, [width, height])
 }
 
 /** Sets the sketch's own uniforms. One that `defs` declares but the warp never reads does not reach the shader. */
@@ -121,6 +146,7 @@ export function setUniforms(
 }
 
 const mat2 = 0x8b5a
+const sampler2D = 0x8b5e
 
 /** Of the matrices, by WebGL's number. */
 const matrixSizes: Record<number, number> = { [mat2]: 4, 0x8b5b: 9, 0x8b5c: 16 }
@@ -130,6 +156,7 @@ function readValue(name: string, value: unknown, { type, isArray: isList = false
     throw new WarpError(
       `The warp's uniform "${name}" is a mat2, which this p5 cannot set; declare a mat3, or use p5 2.`,
     )
+  if (type === sampler2D) return imageFor(`The warp's uniform "${name}"`, value)
   const wrong =
     value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
   if (wrong || (isList && typeof value !== 'object'))

@@ -1,6 +1,7 @@
 // Functions of ours that a text defines once, however often they are called, so that a value and
 // its derivatives share their work. Each is written once, as nodes: text, derivatives of every
-// order and evaluation on the CPU follow from those.
+// order and evaluation on the CPU follow from those. What nodes cannot say, such as to read an
+// image, is a function of a text.
 #pragma once
 
 #include <array>
@@ -47,17 +48,25 @@ struct Definition {
   Function function;
   Body body;
   // What `body` is told.
-  std::uint32_t settings;
+  std::uint32_t settings = 0;
   // What each value is known to lie between.
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 
+  // Instead of a body, the function in each language; one that has no derivatives.
+  const ops::Helpers* texts = nullptr;
+
   // The variables, then the other arguments, as far as there are any.
   static constexpr std::string_view variableNames[] = {"x", "y", "z", "w"};
-  static constexpr std::string_view parameterNames[] = {"seed", "lacunarity", "gain"};
+  static constexpr std::string_view noiseParameters[] = {"seed", "lacunarity", "gain"};
+  static constexpr std::string_view imageParameters[] = {"image", "width", "height"};
+  const std::string_view* parameters = noiseParameters;
 
   std::string_view argumentName(int i) const {
-    return i < function.variables ? variableNames[i] : parameterNames[i - function.variables];
+    return i < function.variables ? variableNames[i] : parameters[i - function.variables];
+  }
+  Shape argumentShape(int i) const {
+    return argumentName(i) == imageParameters[0] ? oneImage : oneNumber;
   }
 };
 

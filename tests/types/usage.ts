@@ -13,6 +13,7 @@ import {
   type OffsetFunction,
   type OwnFunction,
   type Scalar,
+  type TextureOptions,
   type Vec2,
   type Vec3,
   type Vec4,
@@ -42,6 +43,12 @@ compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {
 
 // @ts-expect-error an offset is a vec3
 compileWarp(({ uv }) => uv, { target: 'glsl100' })
+compileWarp(({ normal }) => normal, {
+  surfaceVariation: true,
+  names: { normalXGradient: 'aByX', uGradient: 'aU' },
+})
+// @ts-expect-error neither true nor false
+compileWarp(({ normal }) => normal, { surfaceVariation: 'yes' })
 // @ts-expect-error no such target
 compileWarp(({ position }) => position, { target: 'hlsl' })
 
@@ -271,6 +278,22 @@ compile((glsl) => {
   void [all, at, box, folded]
 }
 
+// Images.
+compile((glsl) => {
+  const [uv, p] = [glsl.vec2Param('uv'), glsl.vec3Param('p')]
+  const options: TextureOptions = { filter: 'bspline', wrap: 'mirror' }
+  const color: Vec4 = glsl.texture('heightMap', uv, options).add(glsl.texture('other', uv))
+  // @ts-expect-error a place has two coordinates
+  glsl.texture('heightMap', p)
+  // @ts-expect-error the name comes first
+  glsl.texture(uv, 'heightMap')
+  // @ts-expect-error no such filter
+  glsl.texture('heightMap', uv, { filter: 'linear' })
+  // @ts-expect-error no such option
+  glsl.texture('heightMap', uv, { lod: 1 })
+  return { color }
+})
+
 // Uniforms: their types come from the values.
 {
   const list: number[] = [1, 2, 3]
@@ -398,5 +421,8 @@ export async function load(sketch: Loading): Promise<number> {
   const model: WarpModel = await sketch.loadWarpModel('bunny.glb', { normalize: false })
   // @ts-expect-error no such option
   await sketch.loadWarpModel('bunny.glb', { size: 2 })
+  const told: WarpModel = await sketch.addSurfaceVariation(model)
+  // @ts-expect-error no shape
+  await sketch.addSurfaceVariation(told.vertices.length)
   return model.vertices.length + (model.texture ? 1 : 0) + model.warnings.length
 }
