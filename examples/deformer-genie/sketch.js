@@ -13,7 +13,7 @@ function setup() {
       center: [90, 215, 0],
       length: 400,
       neck: 0.06,
-      amount: ({ millis }) => millis.div(5000).fract().sub(0.5).abs().mult(-1.4).add(0.7),
+      amount: ({ millis }) => millis.div(5000).fract().sub(0.5).abs().mult(-1.2).add(0.6),
     }),
     { space: 'world' },
   )

@@ -5,7 +5,7 @@ let hand, inflate
 async function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  hand = await loadModel('hand.obj')
+  hand = await addSurfaceVariation(await loadModel('hand.obj'))
 
   inflate = createWarp(
     warpjet.inflate({

@@ -1,14 +1,13 @@
 // A sphere grows bumps along its normals, which become others as
 // time goes by.
-let noise
+let ball, noise
 
-function setup() {
+async function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
+  ball = await addSurfaceVariation(buildGeometry(() => sphere(125, 160, 110)))
 
-  noise = createWarp(warpjet.noiseDisplace({ amount: 55, scale: 75, speed: 0.4 }), {
-    space: 'world',
-  })
+  noise = createWarp(warpjet.noiseDisplace({ amount: 55, scale: 75, speed: 0.4 }))
 }
 
 function draw() {
@@ -22,5 +21,5 @@ function draw() {
   specularMaterial(110)
   shininess(40)
   noise()
-  sphere(125, 200, 140)
+  model(ball)
 }

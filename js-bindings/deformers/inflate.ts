@@ -11,9 +11,9 @@ export interface InflateOptions {
 
 /**
  * Moves points by direction · amount, along their normals unless told otherwise. How the normal varies over the surface
- * is not known from it alone, and counts as nothing: with one amount for all points, the normals stay as they are, which
- * is exact; with one that varies, its own slope counts and that of the normal does not, an error in proportion to amount ·
- * curvature. Throws a `WarpError` for unknown options and wrong values.
+ * counts where the mesh says it: `addSurfaceVariation(shape)` in p5, `surfaceVariation` of 'warpjet/mesh'. Otherwise it
+ * counts as constant, which is right where all points move by one amount; where the amount varies, its own slope still
+ * counts, and the error is in proportion to amount · curvature. Throws a `WarpError` for unknown options and wrong values.
  */
 export const inflate = (options?: InflateOptions): OffsetFunction =>
   deformer(

@@ -19,8 +19,8 @@ export interface NoiseDisplaceOptions {
 
 /**
  * Moves points by direction · amount · noise(d / scale, speed · t) with `glsl.noise`, where d leads to them from the centre
- * and t is in seconds after the sketch started. Along the normal, the slope of the noise counts, and how the normal varies
- * does not; see `inflate`. Throws a `WarpError` for unknown options and wrong values.
+ * and t is in seconds after the sketch started. How the normal varies counts as for `inflate`. Throws a `WarpError` for
+ * unknown options and wrong values.
  */
 export const noiseDisplace = (options?: NoiseDisplaceOptions): OffsetFunction =>
   deformer(

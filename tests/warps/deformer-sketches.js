@@ -101,7 +101,7 @@ export const deformerSketches = {
       center: [90, 215, 0],
       length: 400,
       neck: 0.06,
-      amount: 0.7 - 1.4 * Math.abs(((millis / 5000) % 1) - 0.5),
+      amount: 0.6 - 1.2 * Math.abs(((millis / 5000) % 1) - 0.5),
     })),
   },
   'deformer-spherify': {
