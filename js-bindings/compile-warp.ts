@@ -37,7 +37,9 @@ export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): 
 }
 
 function programOf(compilation: Compilation, warp: BuiltWarp): WarpProgram {
-  const { inputs, moved, deformation, text, names, varies, isAccepted } = warp
+  const { inputs, moved, deformation, text, varies, isAccepted } = warp
+  // The tangent is first, for a shader may carry it in the place of another attribute.
+  const names = { tangent: warp.names.tangent!, ...warp.names }
   // In the order of numbersOf in cpu-warp.ts.
   const results = [moved]
   // With a function of the host there is no program anyway.
