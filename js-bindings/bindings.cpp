@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "builder/builder.hpp"
+#include "noise/noise.hpp"
+#include "texture/texture.hpp"
 
 using namespace warpjet;
 
@@ -43,6 +45,16 @@ EMSCRIPTEN_KEEPALIVE int call(Session* session, int operation, int isMethod) {
 
 EMSCRIPTEN_KEEPALIVE int callFunction(Session* session, int function) {
   return session->builder.callFunction(function);
+}
+
+// Kinds by their number in noiseNames.
+EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int octaves,
+                                   int isMethod) {
+  return session->builder.callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);
+}
+
+EMSCRIPTEN_KEEPALIVE int callTexture(Session* session, int filter, int wrap) {
+  return session->builder.callTexture({Filter(filter), Wrap(wrap)});
 }
 
 EMSCRIPTEN_KEEPALIVE int swizzle(Session* session, int handle, int count, int indices) {
@@ -225,6 +237,9 @@ std::string outputLines(Address session) {
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(warpjet) {
+  // The only type that needs a conversion, in core-module.ts. Without libembind nobody else tells of it.
+  emscripten::internal::_embind_register_std_string(
+      emscripten::internal::TypeID<std::string>::get(), "std::string");
   emscripten::function("operationNames", &operationNames);
   emscripten::function("open", &open);
   emscripten::function("problem", &problem);

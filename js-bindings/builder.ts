@@ -5,6 +5,8 @@ import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './functions.js'
+import { callNoise, noiseKinds } from './noise.js'
+import { callTexture } from './texture.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>
 
@@ -52,6 +54,7 @@ export function createBuilder(compilation: Compilation): Builder {
       expectNoMore('val', others)
       return toExpression(compilation, 'val', value, 1)
     },
+    texture: (...operands) => callTexture(compilation, operands),
     fn: ((options: unknown) => declareFunction(compilation, options)) as never,
   }
   for (const [name, shape] of Object.entries(params))
@@ -69,6 +72,8 @@ export function createBuilder(compilation: Compilation): Builder {
         name,
         operands.map((operand, i) => toExpression(compilation, name, operand, i + 1)),
       )
+  for (const kind of noiseKinds)
+    builder[kind] = (...operands) => callNoise(compilation, kind, operands)
   return builder
 }
 
@@ -118,6 +123,10 @@ function installMethods() {
         const operands = given.map((operand, i) => toExpression(compilation, name, operand, i + 1))
         return compilation.call(number, name, [this, ...operands], true)
       })
+  for (const kind of noiseKinds)
+    define(kind, function (...operands) {
+      return callNoise(this.compilation, kind, [this, ...operands], true)
+    })
   for (const [name, method] of Object.entries(results)) define(name, method)
 }
 

@@ -2,12 +2,13 @@
 import type { Compilation } from './compilation.js'
 import { withCompilation } from './compiled.js'
 import { type CpuWarp, type WarpProgram, createCpuWarp } from './cpu-warp.js'
-import type { OffsetFunction } from './types.js'
+import type { OffsetFunction, UniformValues } from './types.js'
 import {
   type BuiltWarp,
   type WarpOptions,
   type WarpText,
   buildWarp,
+  declareUniforms,
   noteIfApproximate,
   operations,
   readOptions,
@@ -27,23 +28,26 @@ export interface CompiledWarp extends WarpText, CpuWarp {}
  * `WarpError` if the offset is no function, returns no vec3, or misuses an operation, and for wrong
  * options.
  */
-export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): CompiledWarp {
-  const settings = readOptions('compileWarp', offset, options)
+export function compileWarp<const Uniforms extends UniformValues = {}>(
+  given: OffsetFunction<NoInfer<Uniforms>>,
+  options: WarpOptions<Uniforms> = {},
+): CompiledWarp {
+  const settings = readOptions('compileWarp', given as OffsetFunction, options)
+  const { offset, declared } = declareUniforms('compileWarp', given as OffsetFunction, options)
   return withCompilation(settings.target, false, (compilation) => {
     const warp = buildWarp(compilation, 'compileWarp', offset, settings)
     noteIfApproximate(warp)
-    return { ...warp.text, ...createCpuWarp(programOf(compilation, warp)) }
+    return { ...warp.text, ...createCpuWarp({ declared, ...programOf(compilation, warp) }) }
   })
 }
 
-function programOf(compilation: Compilation, warp: BuiltWarp): WarpProgram {
-  const { inputs, moved, deformation, text, varies, isAccepted } = warp
+function programOf(compilation: Compilation, warp: BuiltWarp): Omit<WarpProgram, 'declared'> {
+  const { inputs, moved, deformation, varies, isAccepted } = warp
   // The tangent is first, for a shader may carry it in the place of another attribute.
   const names = { tangent: warp.names.tangent!, ...warp.names }
   // In the order of numbersOf in cpu-warp.ts.
   const results = [moved]
-  // With a function of the host there is no program anyway.
-  if (deformation && !text.declarations) {
+  if (deformation) {
     const operate = operations(compilation)
     const turned = operate('turnNormal', deformation, inputs.normal)
     results.push(turned, turnTangent(compilation, deformation, inputs.tangent!, turned))

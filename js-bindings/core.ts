@@ -1,7 +1,5 @@
 // Loads the compiler. Nothing happens before the first warp.
-import factory from './generated/core.js'
-import base64 from './generated/core-wasm.js'
-import { instantiate } from './wasm.js'
+import { startCore } from './core-module.js'
 
 /** A compilation inside the wasm: an address, to be closed. */
 export type Session = number & { readonly session: unique symbol }
@@ -15,6 +13,14 @@ export interface Core {
   _push(session: Session, handle: number): void
   _call(session: Session, operation: number, isMethod: boolean): number
   _callFunction(session: Session, hostFunction: number): number
+  _callNoise(
+    session: Session,
+    kind: number,
+    base: number,
+    octaves: number,
+    isMethod: boolean,
+  ): number
+  _callTexture(session: Session, filter: number, wrap: number): number
   _swizzle(session: Session, handle: number, count: number, indices: number): number
   _pendingCount(session: Session): number
   _pendingCall(session: Session, place: number): number
@@ -76,7 +82,7 @@ export const needsPartials = -2
 let core: Core | undefined
 
 export function getCore(): Core {
-  return (core ??= instantiate<Core>(factory, base64))
+  return (core ??= startCore<Core>())
 }
 
 /** How many bytes the compiler holds inside the wasm. Between two warps it is always the same. */

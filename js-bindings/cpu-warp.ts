@@ -6,6 +6,7 @@ import { type Stream, boundProgram, inputsRead, runProgram } from './evaluation.
 import { type VertexInput, variationInputs, vertexInputs } from './inputs.js'
 import { noteApproximation } from './notes.js'
 import { checkOptions } from './options.js'
+import { type DeclaredUniforms, withDeclared } from './uniforms.js'
 import {
   type Box,
   type Range,
@@ -18,8 +19,10 @@ import {
   readRanges,
 } from './vertices.js'
 
-/** What is kept of a compilation. There is no program if the warp calls a `glsl.fn`. */
+/** What is kept of a compilation. There is no program if the warp calls a `glsl.fn` or `glsl.texture`. */
 export interface WarpProgram {
+  /** The option `uniforms`. */
+  declared: DeclaredUniforms
   program: Program | undefined
   hasNormals: boolean
   /** Whether the turn depends on how normal and uv vary over the surface. */
@@ -69,7 +72,8 @@ export interface Foldover {
 
 /**
  * All throw a `WarpError` for arrays that do not fit, numbers that are not finite, a uniform or an attribute that the warp
- * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn`, which only the GPU can run.
+ * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn` or `glsl.texture`, which only the GPU can run.
+ * A uniform that is not given has its value of the option `uniforms`, a function being asked then.
  * They compute in float32, as the GPU does, and change nothing that comes in. Where the offset function has no finite
  * value, such as the logarithm of a negative number, neither have the results.
  */
@@ -202,7 +206,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
 function programOf(method: string, { program }: WarpProgram): Program {
   if (program) return program
   throw new WarpError(
-    `${method}: this warp calls a function of glsl.fn, which can only be computed by the GPU.`,
+    `${method}: this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.`,
   )
 }
 
@@ -219,15 +223,17 @@ interface Origin {
 /** The program's inputs in order, the uniforms checked. */
 function originsOf(
   method: string,
-  { names }: WarpProgram,
+  { declared, names }: WarpProgram,
   program: Program,
   wanted: readonly number[],
-  uniforms: Uniforms | undefined,
+  given: Uniforms | undefined,
 ): Origin[] {
   const nameOf = (variable: Variable) =>
     Object.keys(names).find((name) => names[name] === variable.name)
   const parameters = program.inputs.filter((variable) => !nameOf(variable))
-  checkUniforms(method, uniforms, parameters)
+  const known = [...declared.keys(), ...parameters.map(({ name }) => name)]
+  checkUniforms(method, given, [...new Set(known)])
+  const uniforms = withDeclared(method, declared, given, parameters)
   const read = inputsRead(program, wanted)
   return program.inputs.map((variable, i) => {
     const isRead = read[i]!
@@ -236,9 +242,9 @@ function originsOf(
     const name = nameOf(variable) ?? variable.name
     if (nameOf(variable) && name in vertexInputs)
       return { input: name as VertexInput, isRead, values }
-    const given = uniforms?.[name]
-    if (given !== undefined)
-      return { isRead, values: readNumbers(`${method}: the uniform "${name}"`, given, size) }
+    const value = uniforms[name]
+    if (value !== undefined)
+      return { isRead, values: readNumbers(`${method}: the uniform "${name}"`, value, size) }
     if (!isRead) return { isRead, values }
     throw new WarpError(
       `${method}: the warp reads "${name}"; give it a value in the uniforms, as in { ${JSON.stringify(name)}: ${size === 1 ? 0 : `[${values}]`} }.`,

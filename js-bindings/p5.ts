@@ -16,7 +16,7 @@ import {
 } from './p5/load-model.js'
 import type { CreateWarpOptions } from './p5/options.js'
 import { addSurfaceVariation } from './p5/variation.js'
-import type { OffsetFunction } from './types.js'
+import type { OffsetFunction, UniformValues } from './types.js'
 
 export type { Distort }
 export type { LoadModelOptions, WarpModel }
@@ -28,15 +28,18 @@ export type { WarpUniforms } from './p5/uniforms.js'
  * types are: write `p as p5 & Warping`, or use the function `createWarp` below.
  */
 export interface Warping {
-  createWarp(offset: OffsetFunction, options?: CreateWarpOptions): Distort
+  createWarp<const Uniforms extends UniformValues = {}>(
+    offset: OffsetFunction<NoInfer<Uniforms>>,
+    options?: CreateWarpOptions<Uniforms>,
+  ): Distort<Uniforms>
 }
 
 /** `sketch.createWarp(offset, options)` without registering anything; `canvas` is a sketch or a p5.Graphics. */
-export const createWarp = (
+export const createWarp = <const Uniforms extends UniformValues = {}>(
   canvas: object,
-  offset: OffsetFunction,
-  options?: CreateWarpOptions,
-): Distort => create(canvas as Canvas, offset, options)
+  offset: OffsetFunction<NoInfer<Uniforms>>,
+  options?: CreateWarpOptions<Uniforms>,
+): Distort<Uniforms> => create(canvas as Canvas, offset as OffsetFunction, options)
 
 /** What it adds to a sketch alone. */
 export interface Loading {

@@ -1,5 +1,4 @@
 // What a warp on the CPU is handed: arrays of vertices, uniforms, a box. Checked here, all in one sentence each.
-import type { Variable } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import { type VertexInput, drawInputs, vertexInputs } from './inputs.js'
 import { isList } from './options.js'
@@ -114,7 +113,7 @@ export function readNumbers(place: string, value: unknown, count: number): numbe
 }
 
 /** Refuses a uniform that is none of the inputs of a draw call and no parameter of the warp. */
-export function checkUniforms(method: string, uniforms: unknown, parameters: readonly Variable[]) {
+export function checkUniforms(method: string, uniforms: unknown, parameters: readonly string[]) {
   if (uniforms === undefined) return
   if (typeof uniforms !== 'object' || uniforms === null || isList(uniforms))
     throw new WarpError(
@@ -124,7 +123,7 @@ export function checkUniforms(method: string, uniforms: unknown, parameters: rea
     throw new WarpError(
       `${method}: the uniforms are to be given by themselves, as in { millis: 1200 }, not as { uniforms: … }.`,
     )
-  const known = [...Object.keys(drawInputs), ...parameters.map(({ name }) => name)]
+  const known = [...Object.keys(drawInputs), ...parameters]
   for (const name of Object.keys(uniforms))
     if (!known.includes(name))
       throw new WarpError(

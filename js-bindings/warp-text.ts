@@ -2,7 +2,7 @@
 import { createBuilder, operationNumber } from './builder.js'
 import type { Compilation, Variable } from './compilation.js'
 import { type Compiled, type CompileOptions, withCompilation } from './compiled.js'
-import { WarpError, describe } from './errors.js'
+import { WarpError, describe, describeShape } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import {
   type InputName,
@@ -14,9 +14,15 @@ import {
 } from './inputs.js'
 import { noteApproximation } from './notes.js'
 import { checkCallback, checkOptions } from './options.js'
-import type { OffsetFunction, WarpInputs } from './types.js'
+import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from './types.js'
+import { type DeclaredUniforms, readDeclared, withUniforms } from './uniforms.js'
 
-export interface WarpOptions extends CompileOptions {
+export interface WarpOptions<
+  Uniforms extends UniformValues = UniformValues,
+> extends CompileOptions {
+  /** What the offset function reads as `uniforms`, with the values that count on the CPU unless others are given; your
+   * shader declares and sets them, under the same names. */
+  uniforms?: UniformOptions<Uniforms>
   /** The host shader's expression for each input; its name unless given. */
   names?: Partial<Record<InputName, string>>
   /** The names of the results: `warpedPosition`, `warpedNormal`, `warpedTangent` and `offset` unless given. */
@@ -44,12 +50,28 @@ export interface WarpText extends Compiled {
 }
 
 /** For the public function `method`: the text, and the sketch's own parameters. */
-export function compileWarpText(method: string, offset: OffsetFunction, options: WarpOptions) {
-  const settings = readOptions(method, offset, options)
+export function compileWarpText(method: string, given: OffsetFunction, options: WarpOptions) {
+  const settings = readOptions(method, given, options)
+  const { offset } = declareUniforms(method, given, options)
   return withCompilation(settings.target, false, (compilation) => {
     const { text, parameters, isApproximate } = buildWarp(compilation, method, offset, settings)
     return { text, parameters, isApproximate }
   })
+}
+
+/** Reads the option `uniforms`; gives them to the offset function. */
+export function declareUniforms(
+  method: string,
+  offset: OffsetFunction,
+  { uniforms, names = {} }: WarpOptions,
+): { offset: OffsetFunction; declared: DeclaredUniforms } {
+  const declared = readDeclared(method, uniforms)
+  for (const [input, name] of Object.entries(names))
+    if (declared.has(name))
+      throw new WarpError(
+        `${method}: the uniform "${name}" has the name that the option "names" gives to ${input}; rename one of them.`,
+      )
+  return { offset: withUniforms(method, offset, declared), declared }
 }
 
 type Settings = ReturnType<typeof readOptions>
@@ -58,6 +80,7 @@ type Settings = ReturnType<typeof readOptions>
 export function readOptions(method: string, offset: OffsetFunction, options: WarpOptions) {
   checkCallback(method, offset)
   checkOptions(method, options, [
+    'uniforms',
     'target',
     'names',
     'outputs',
@@ -230,9 +253,8 @@ function checkOffset(compilation: Compilation, method: string, offset: unknown):
     throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
   toExpression(compilation, method, offset, 'the offset')
   const [columns, rows] = compilation.shapeOf(offset)
-  const size = columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'
   if (columns !== 1 || rows !== 3)
-    throw new WarpError(`${method}: ${expected}, but returned ${size}.`)
+    throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)
   // A condition becomes 0 or 1 here, as it does in any sum.
   return operations(compilation)('add', offset, compilation.constant(0, method))
 }

@@ -3,30 +3,36 @@
 // And it leaves the mouse wheel and vertical swipes to that page, so that nobody gets stuck in a sketch.
 {
   const recorded = (window.recordedCode = [])
-  const { compileWarp, gen } = warpjet
-  const keep = (maker, code) => {
+  const { compile, compileWarp, gen } = warpjet
+  const keep = (maker, { code: statements, declarations }) => {
+    const code = declarations ? `${statements}\n// Above main:\n${declarations}` : statements
     if (!recorded.some((record) => record.code === code)) recorded.push({ maker, code })
   }
 
   for (const methods of [p5.prototype, p5.Graphics.prototype]) {
     const { createWarp } = methods
     methods.createWarp = function (offset, ...options) {
-      const surfaceVariation = options[0]?.surfaceVariation ?? true
-      keep('createWarp', compileWarp(offset, { surfaceVariation }).code)
+      const { uniforms, surfaceVariation = true } = options[0] ?? {}
+      keep('createWarp', compileWarp(offset, { uniforms, surfaceVariation }))
       return createWarp.call(this, offset, ...options)
     }
   }
 
   window.warpjet = {
     ...warpjet,
+    compile(callback, options) {
+      const compiled = compile(callback, options)
+      keep('compile', compiled)
+      return compiled
+    },
     compileWarp(offset, options) {
       const compiled = compileWarp(offset, options)
-      keep('compileWarp', compiled.code)
+      keep('compileWarp', compiled)
       return compiled
     },
     gen(callback, settings) {
       const code = gen(callback, settings)
-      keep('gen', code)
+      keep('gen', { code })
       return code
     },
   }

@@ -34,10 +34,12 @@ export async function bake(args: string[]): Promise<void> {
     most === undefined ? undefined : readCount('max-triangles', most, mostTriangles, wrong)
 
   const progress = new Progress(values.quiet)
-  const offset = await readWarp(file)
+  const { offset, uniforms: declared } = await readWarp(file)
   // The text is not needed; baking finds out how the surface varies by itself.
-  const warp = await blame(file, () => compileWarp(offset, { surfaceVariation: true }))
-  checkUniforms(file, warp, uniforms)
+  const warp = await blame(file, () =>
+    compileWarp(offset, { uniforms: declared, surfaceVariation: true }),
+  )
+  checkUniforms(file, warp, { ...declared, ...uniforms })
 
   let mesh = writable(await loadMesh(model))
   for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
@@ -106,7 +108,7 @@ function readUniforms(settings: readonly string[], wrong: Wrong): Uniforms {
   )
 }
 
-function checkUniforms(file: string, warp: CompiledWarp, uniforms: Uniforms) {
+function checkUniforms(file: string, warp: CompiledWarp, uniforms: object) {
   const missing = warp.uniforms.find((name) => !Object.hasOwn(uniforms, name))
   if (missing !== undefined)
     throw new WarpError(`${file} reads ${missing}; add --set ${missing}=<number>.`)

@@ -18,9 +18,11 @@ export async function emit(args: string[]): Promise<void> {
     throw wrong(`--target must be one of ${targets.join(', ')}, but is "${target}".`)
 
   const [file] = files as [string]
-  const offset = await readWarp(file)
+  const { offset, uniforms } = await readWarp(file)
   const { tangents, 'surface-variation': surfaceVariation } = values
-  const warp = await blame(file, () => compileWarp(offset, { target, tangents, surfaceVariation }))
+  const warp = await blame(file, () =>
+    compileWarp(offset, { uniforms, target, tangents, surfaceVariation }),
+  )
   const lines = [
     `// uniforms: ${warp.uniforms.join(', ') || 'none'}`,
     `// attributes: ${warp.attributes.join(', ') || 'none'}`,

@@ -1,6 +1,8 @@
 // `subdivide`: more triangles, where a warp needs them.
+import { type CpuWarp, warpProgram } from '../cpu-warp.js'
 import { WarpError, describe } from '../errors.js'
 import { checkOptions } from '../options.js'
+import { settled } from '../uniforms.js'
 import type { Uniforms } from '../vertices.js'
 import { type Evaluates, asksForVariation, checkWarp, evaluateFor } from './bake.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
@@ -72,8 +74,10 @@ function uniformly({ levels }: UniformOptions, maxTriangles: number) {
 }
 
 function adaptively(options: AdaptiveOptions, maxTriangles: number) {
-  const { warp, uniforms, tolerance, angle = 0.17 } = options
+  const { warp, tolerance, angle = 0.17 } = options
   checkWarp('subdivide', warp)
+  const { declared } = (warp as Partial<CpuWarp>)[warpProgram] ?? {}
+  const uniforms = settled('subdivide', declared, options.uniforms)
   checkNumber('tolerance', tolerance, 'a number above 0', (value) => value > 0 && value < Infinity)
   checkNumber('angle', angle, 'a number above 0', (value) => value > 0)
   return (job: Job) => {

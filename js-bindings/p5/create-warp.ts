@@ -5,22 +5,35 @@ import { noteApproximation } from '../notes.js'
 import { hookStyleOf, namesFor, results, weave } from './hooks.js'
 import { type Canvas, type Shader, materialOf, webglOf } from './host.js'
 import { type CreateWarpOptions, type WarpSettings, type WarpType, readOptions } from './options.js'
-import type { OffsetFunction } from '../types.js'
+import { checkCallback } from '../options.js'
+import type { OffsetFunction, UniformOverrides } from '../types.js'
+import { withUniforms } from '../uniforms.js'
+import {
+  type WarpUniforms,
+  declarationsOf,
+  labelsOf,
+  refuseUndeclared,
+  setInputs,
+  setUniforms,
+} from './uniforms.js'
 import { noteUnlessUsed, readsVariation } from './variation.js'
-import { type WarpUniforms, refuseUndeclared, setInputs, setUniforms } from './uniforms.js'
 
-/** Puts the warp on what is drawn next, and turns strokes off, which p5 would draw unwarped. */
-export type Distort = (uniforms?: WarpUniforms) => void
+/**
+ * Puts the warp on what is drawn next, and turns strokes off, which p5 would draw unwarped. Values of the option `uniforms`
+ * may be replaced, for this call alone; those that `defs` declares keep what they are set to.
+ */
+export type Distort<Uniforms = {}> = (uniforms?: UniformOverrides<Uniforms> & WarpUniforms) => void
 
 /** For a shader that is in use: puts its warp on again, after the sketch changed the material. */
 const reapply = new WeakMap<Shader, () => void>()
 
 export function createWarp(
   canvas: Canvas,
-  offset: OffsetFunction,
+  given: OffsetFunction,
   options?: CreateWarpOptions,
 ): Distort {
   const settings = readOptions(options)
+  const offset = offsetFor(given, settings)
   if (!webglOf(canvas))
     throw new WarpError(
       'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
@@ -39,7 +52,7 @@ export function createWarp(
     canvas.shader(shader)
     canvas.noStroke()
     setInputs(shader, compiled.inputs, canvas)
-    setUniforms(shader, uniforms, settings.defs)
+    setUniforms(shader, uniforms, settings)
     reapply.set(shader, () => apply(uniforms))
   }
 
@@ -50,6 +63,13 @@ export function createWarp(
       )
     apply(uniforms)
   }
+}
+
+/** It reads its uniforms by the names that they have in the shader. */
+function offsetFor(given: OffsetFunction, { uniforms }: WarpSettings): OffsetFunction {
+  checkCallback('createWarp', given)
+  const labels = labelsOf(uniforms)
+  return withUniforms('createWarp', given, uniforms, (name) => labels.get(name)!)
 }
 
 /** The warp as shaders of the canvas's present renderer, one for each material, made when it is first drawn with. */
@@ -75,7 +95,8 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
     surfaceVariation: surfaceVariation ?? (style.hasVariation || undefined),
   })
   if (isApproximate) noteApproximation('createWarp', 'addSurfaceVariation(shape) on p5 2')
-  refuseUndeclared(parameters, material, settings.defs)
+  const woven = { ...settings, defs: declarationsOf(settings.uniforms, parameters) + settings.defs }
+  refuseUndeclared(parameters, material, woven)
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {
     renderer,
@@ -86,7 +107,7 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
         type === 'normal' ? canvas.baseNormalShader() : material,
         style,
         warp,
-        settings,
+        woven,
         type,
       )),
   }

@@ -35,7 +35,10 @@ interface HookStyle {
   hooks: (code: string, space: WarpSpace, type: WarpType) => Hooks
 }
 
-/** p5 2.x. Its normal shader normalizes at the end of main, hence the last word in `afterVertex`. */
+/**
+ * p5 2.x. Its normal shader normalizes at the end of main, hence the last word in `afterVertex`. Its lit shader does not
+ * before it interpolates, and where a scale differs by axis, as for `plane(400, 400)`, the longest normals would rule.
+ */
 const structHooks: HookStyle = {
   names: {
     position: 'warpjetInputs.position',
@@ -53,9 +56,10 @@ ${code}
   warpjetInputs.normal = warpjetTurned;
   return warpjetInputs;
 }`,
-    ...(type === 'normal' && {
-      'void afterVertex': '() { if (warpjetFlat) vVertexNormal = vec3(0.0); }',
-    }),
+    'void afterVertex':
+      type === 'normal'
+        ? '() { if (warpjetFlat) vVertexNormal = vec3(0.0); }'
+        : '() { vNormal = warpjetFlat ? vec3(0.0) : normalize(vNormal); }',
   }),
 }
 
@@ -82,7 +86,7 @@ const valueHooks: HookStyle = {
   // p5 gives its normal shader medium precision, too little for a warp where a phone takes that at its word.
   declarations: (space) => `precision highp float;
 vec3 warpjetNormal;${space === 'world' ? '\nuniform mat4 uModelMatrix;\nuniform mat4 uViewMatrix;' : ''}`,
-  hooks: (code, space, type) => {
+  hooks: (code, space) => {
     const { position, normal, viewPosition, viewNormal } = valueSpaces[space]
     return {
       'vec3 getWorldPosition': `(vec3 warpjetView) {
@@ -93,9 +97,7 @@ ${code}
   return ${viewPosition};
 }`,
       'vec3 getWorldNormal':
-        type === 'normal'
-          ? '(vec3 normal) { return warpjetNormal == vec3(0.0) ? warpjetNormal : normalize(warpjetNormal); }'
-          : '(vec3 normal) { return warpjetNormal; }',
+        '(vec3 normal) { return warpjetNormal == vec3(0.0) ? warpjetNormal : normalize(warpjetNormal); }',
     }
   },
 }

@@ -7,6 +7,8 @@ export interface Uniform {
   readonly isArray?: boolean
   /** WebGL's number of the type. */
   readonly type?: number
+  /** Of an image that was set: what p5 draws with. */
+  readonly texture?: { readonly width: number; readonly height: number }
 }
 
 export interface Shader {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "builder/sentences.hpp"
+#include "graph/multi_index.hpp"
 
 namespace warpjet {
 
@@ -24,8 +25,15 @@ int Builder::finish(std::optional<Value> value, std::size_t before, std::string_
 }
 
 // What a shader cannot compute: an operation on constants that folding left alone, since its result
-// is not a finite float32, or a division by a constant zero.
+// is not a finite float32, or a division by a constant zero; and derivatives of noise of so high an
+// order that their text would know no end.
 const std::string_view* Builder::impossible(NodeId id) const {
+  if (graph_.isResult(id)) {
+    const Function& function = graph_.function(graph_.operand(id, 0));
+    const int derivative = graph_.resultNumber(id) / function.values;
+    const bool isTooHigh = MultiIndices::orderOf(function.variables, derivative) > 3;
+    return isTooHigh ? &tooHighOrder : nullptr;
+  }
   if (!graph_.isOperation(id) || graph_.known(id)) return nullptr;
   if (graph_.is(id, ops::find("div")) || graph_.is(id, ops::find("mod"))) {
     const NodeId divisor = graph_.operand(id, 1);

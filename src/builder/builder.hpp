@@ -16,8 +16,12 @@
 #include "emit/dialect.hpp"
 #include "emit/emit.hpp"
 #include "eval/program.hpp"
+#include "functions/library.hpp"
 
 namespace warpjet {
+
+struct Noise;
+struct Sampling;
 
 // What a finished builder gives: `code` for the inside of a function, `declarations` for above it.
 struct Built {
@@ -50,6 +54,9 @@ class Builder {
   void push(int handle) { operands_.push_back(values_.get(graph_, handle)); }
   int call(int operation, bool isMethod);
   int callFunction(int function);
+  int callNoise(const Noise& noise, bool isMethod);
+  // The operands are a vec2, an image, and its width and height in texels, a vec2.
+  int callTexture(const Sampling& sampling);
 
   // Some components of a vector, two bits each, the first one lowest. A problem is told without the
   // method, which goes by three alphabets.
@@ -79,7 +86,8 @@ class Builder {
   bool dependsOn(int handle, int input);
 
   const std::vector<Output>& outputs() const { return outputs_; }
-  // The values pushed, for the CPU; nothing if a function of the host is called for them.
+  // The values pushed, for the CPU; nothing if a function or an image of the host is needed for
+  // them.
   std::optional<Program> program();
 
  private:
@@ -125,17 +133,14 @@ class Builder {
   [[gnu::noinline, gnu::cold]] std::nullopt_t refuse(std::string_view method, Parts parts);
   std::nullopt_t refuseShapes(Shape a, Shape b, const Site& site);
 
-  struct HostFunction {
-    std::string name, source;
-  };
-
   const Dialect& dialect_;
   Graph graph_;
   Differentiator differentiator_{graph_};
+  Library library_;
   Values values_;
   std::vector<Value> operands_;
   std::vector<Output> outputs_;
-  std::vector<HostFunction> functions_;
+  std::vector<std::string> sources_;  // by function of the host
   Comments comments_;
   std::size_t commented_ = 0;
   std::vector<NodeId> pendingCalls_;

@@ -89,11 +89,11 @@ int Builder::addFunction(std::string_view name, std::string_view source, int ari
     refuse("fn", {quotedShort(name), why, detail});
     return failed;
   };
-  for (std::size_t i = 0; i < functions_.size(); ++i) {
-    if (functions_[i].name != name) continue;
-    if (functions_[i].source == source &&
-        graph_.function(static_cast<std::uint32_t>(i)).arity == arity)
-      return static_cast<int>(i);
+  if (name.starts_with("warpjet"))
+    return refuseName(" cannot name a function: such names are warpjet's own; rename it.", "");
+  for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
+    if (graph_.function(i).name != name) continue;
+    if (sources_[i] == source && graph_.function(i).arity == arity) return static_cast<int>(i);
     return refuseName(" is the name of another function already; rename one");
   }
   if (arity < 1) return refuseName(" must have at least one argument");
@@ -101,17 +101,20 @@ int Builder::addFunction(std::string_view name, std::string_view source, int ari
     return refuseName(" cannot name a function: ", why + ".");
   if (!hasCall(source, name))
     return refuseName(" is not in the source, which must define a function of that name");
-  functions_.push_back({std::string(name), std::string(source)});
-  return static_cast<int>(graph_.addFunction(name, arity));
+  const std::uint32_t number = graph_.addFunction({std::string(name), arity});
+  sources_.resize(number);
+  sources_.emplace_back(source);
+  return static_cast<int>(number);
 }
 
 // Whether all calls that a value needs have their partials; if not, those that lack them are
 // pending.
 bool Builder::hasAllPartials(const Value& value) {
   pendingCalls_.clear();
-  if (functions_.empty()) return true;
+  if (sources_.empty()) return true;
   for (const NodeId id : reachable(graph_, value.nodes())) {
-    if (graph_.isCall(id) && !graph_.hasPartials(id)) pendingCalls_.push_back(id);
+    if (graph_.isCall(id) && !graph_.isOurCall(id) && !graph_.hasPartials(id))
+      pendingCalls_.push_back(id);
   }
   return pendingCalls_.empty();
 }

@@ -57,9 +57,10 @@ inline constexpr std::array aliases{
     Alias{"vecMin", "min"},   Alias{"vecMax", "max"}, Alias{"vecIfElse", "ifElse"},
 };
 
-// Conversions, which the graph inserts by itself, and the row behind `atan` of two operands.
+// Conversions, which the graph inserts by itself, and the rows behind `atan` of two operands and
+// behind noise.
 constexpr bool isHidden(std::string_view row) {
-  return row == "float" || row == "bool" || row == "atan2";
+  return row == "float" || row == "bool" || row == "atan2" || row == "hash";
 }
 
 using Source = Operation::Source;

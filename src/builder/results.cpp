@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "builder/builder.hpp"
+#include "builder/declarations.hpp"
 #include "builder/sentences.hpp"
 #include "emit/lower.hpp"
 #include "emit/names.hpp"
@@ -59,7 +60,10 @@ std::optional<Program> Builder::program() {
   for (const Value& value : operands_)
     nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
   operands_.clear();
-  return warpjet::program(graph_, nodes);
+  for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
+    if (graph_.input(i).shape == oneImage) return std::nullopt;
+  }
+  return warpjet::program(graph_, inlineCalls(graph_, library_, nodes));
 }
 
 std::optional<Built> Builder::build(std::optional<int> maxDepth) {
@@ -82,7 +86,10 @@ std::optional<Built> Builder::build(std::optional<int> maxDepth) {
   }
   Built built{emit(graph_, dialect_, outputs, options, comments), {}};
   for (const std::uint32_t function : built.emitted.functions)
-    built.declarations += functions_[function].source + '\n';
+    built.declarations += sources_[function] + '\n';
+  Declarations declarations(dialect_, library_);
+  declarations.add(graph_, built.emitted);
+  built.declarations += declarations.text();
   if (hidesWhatIsRead(built.emitted)) return std::nullopt;
   return built;
 }
@@ -117,7 +124,7 @@ bool Builder::hidesWhatIsRead(const Emitted& emitted) {
     }
   }
   for (const std::uint32_t i : emitted.functions) {
-    const std::string& name = functions_[i].name;
+    const std::string& name = graph_.function(i).name;
     if (refuses(name, name)) return true;
     for (const std::uint32_t input : emitted.inputs) {
       if (graph_.input(input).label != name) continue;

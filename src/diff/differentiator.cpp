@@ -5,6 +5,7 @@
 
 #include "diff/partials.hpp"
 #include "graph/expression.hpp"
+#include "graph/multi_index.hpp"
 #include "graph/reachable.hpp"
 
 namespace warpjet {
@@ -73,7 +74,8 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Tangents& tang
   for (int i = 0; i < graph_.arity(id); ++i) {
     const NodeId operand = graph_.operand(id, i);
     if (bits[index(operand)] == 0) continue;
-    if (graph_.isList(operand)) return {};  // the arguments of a call, each with a tangent
+    // The arguments of a call, each with a tangent.
+    if (graph_.isList(operand) || graph_.isResult(id)) return {};
     if (bits[index(operand)] != bits[index(id)]) return {};
     if (base && tangents.bases[index(operand)] != *base) return {};
     base = tangents.bases[index(operand)];
@@ -84,12 +86,24 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Tangents& tang
 void Differentiator::findTangent(NodeId id, Tangents& tangents, const Components& components) {
   NodeId& factor = tangents.factors[index(id)] = graph_.constant(1);
   NodeId& base = tangents.bases[index(id)] = graph_.constant(1);
-  if (graph_.isList(id)) return;  // not zero; the call asks for the tangent of each argument
+  // Not zero; who reads the call asks for the tangent of each argument.
+  if (graph_.isList(id) || graph_.isOurCall(id)) return;
   const auto common = commonBase(id, tangents, components);
   (common ? factor : base) = chainRule(id, [&](NodeId operand) {
     return common ? tangents.factors[index(operand)] : whole(operand, tangents);
   });
   if (common) base = *common;
+}
+
+// Again a result of the same call.
+NodeId Differentiator::derivativeOfResult(NodeId id, int variable) {
+  const NodeId call = graph_.operand(id, 0);
+  const Function& function = graph_.function(call);
+  const int derivative = graph_.resultNumber(id) / function.values;
+  const int value = graph_.resultNumber(id) % function.values;
+  MultiIndices indices(function.variables,
+                       MultiIndices::orderOf(function.variables, derivative) + 1);
+  return graph_.result(call, indices.derived(derivative, variable) * function.values + value);
 }
 
 template <class TangentOf>
@@ -100,6 +114,13 @@ NodeId Differentiator::chainRule(NodeId id, TangentOf tangent) {
     const std::vector<NodeId> arguments = graph_.arguments(id), partials = graph_.partials(id);
     for (std::size_t i = 0; i < arguments.size(); ++i)
       add(arguments[i], [&] { return partials[i]; });
+    return sum.total();
+  }
+  if (graph_.isResult(id)) {
+    const NodeId call = graph_.operand(id, 0);
+    const std::vector<NodeId> arguments = graph_.arguments(call);
+    for (int i = 0; i < graph_.function(call).variables; ++i)
+      add(arguments[i], [&] { return derivativeOfResult(id, i); });
     return sum.total();
   }
   const int arity = graph_.arity(id);

@@ -27,6 +27,8 @@ class Emitter {
   Emitted run() {
     constexpr std::size_t usualLength = 24;
     statements_.reserve(nodes_.size() * usualLength);
+    findOrders();
+    findHelped();
     reserveNames();
     bindInputs();
     writeStatements();
@@ -38,7 +40,9 @@ class Emitter {
   }
 
  private:
-  bool computes(NodeId id) const { return !graph_.isLeaf(id) && !graph_.isList(id); }
+  bool computes(NodeId id) const {
+    return !graph_.isLeaf(id) && !graph_.isList(id) && !graph_.isResult(id);
+  }
 
   static std::vector<NodeId> roots(std::span<const Output> outputs) {
     std::vector<NodeId> roots;
@@ -49,11 +53,37 @@ class Emitter {
     return roots;
   }
 
+  // How many derivatives each call of a function of ours has to give.
+  void findOrders() {
+    for (const NodeId id : nodes_) {
+      if (graph_.isResult(id)) writer_.need(graph_.operand(id, 0), graph_.resultNumber(id));
+    }
+    for (const NodeId id : nodes_) {
+      if (!graph_.isOurCall(id)) continue;
+      const OurFunction called{graph_.node(id).operands[1], writer_.orderOf(id)};
+      if (std::find(result_.ourFunctions.begin(), result_.ourFunctions.end(), called) ==
+          result_.ourFunctions.end())
+        result_.ourFunctions.push_back(called);
+    }
+  }
+
+  void findHelped() {
+    std::vector<bool> isUsed(ops::count);
+    for (const NodeId id : nodes_) {
+      if (graph_.isOperation(id)) isUsed[index(graph_.node(id).op)] = true;
+    }
+    for (std::size_t i = 0; i < ops::count; ++i) {
+      const Op op{static_cast<std::uint8_t>(i)};
+      if (isUsed[i] && !ops::info(op).helpers[static_cast<std::size_t>(dialect_.language)].empty())
+        result_.helped.push_back(op);
+    }
+  }
+
   void reserveNames() {
     std::vector<bool> used(graph_.inputCount()), called(graph_.functionCount());
     for (const NodeId id : nodes_) {
       if (graph_.isInput(id)) used[graph_.node(id).operands[0]] = true;
-      if (graph_.isCall(id)) called[graph_.node(id).operands[1]] = true;
+      if (graph_.isCall(id) && !graph_.isOurCall(id)) called[graph_.node(id).operands[1]] = true;
     }
     for (const Output& output : outputs_) {
       if (output.sum) used[output.sum->input] = true;
@@ -111,7 +141,7 @@ class Emitter {
     if (output) {
       statements_ += "  " + name + " = ";
     } else {
-      define(dialect_.typeName(graph_.type(id), oneNumber), name);
+      define(writer_.typeOf(id), name);
       ++result_.temporaries;
     }
     writer_.writeOperation(statements_, id);

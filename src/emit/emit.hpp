@@ -43,12 +43,22 @@ struct EmitOptions {
   static constexpr std::uint32_t mostReads = 64;
 };
 
+// A function of ours, with its derivatives up to an order.
+struct OurFunction {
+  std::uint32_t number;
+  int order;
+
+  bool operator==(const OurFunction&) const = default;
+};
+
 struct Emitted {
   std::string code;
-  std::vector<std::uint32_t> inputs;     // the inputs that the statements read, ascending
-  std::vector<std::uint32_t> functions;  // the functions of the host that they call, ascending
-  std::size_t nodes = 0;                 // graph nodes that the outputs need, leaves included
-  std::size_t operations = 0;            // those of them that compute something
+  std::vector<std::uint32_t> inputs;      // the inputs that the statements read, ascending
+  std::vector<std::uint32_t> functions;   // the functions of the host that they call, ascending
+  std::vector<OurFunction> ourFunctions;  // those of ours, each once
+  std::vector<Op> helped;                 // the operations that call helpers, each once
+  std::size_t nodes = 0;                  // graph nodes that the outputs need, leaves included
+  std::size_t operations = 0;             // those of them that compute something
   std::size_t temporaries = 0;
 };
 

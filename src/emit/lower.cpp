@@ -57,7 +57,7 @@ class Lowering {
   void visit(NodeId id) {
     if (graph_.isLeaf(id) || graph_.isList(id)) return;
     const NodeId first = end();
-    lowered_[index(id)] = graph_.isCall(id) ? visitCall(id) : visitOperation(id);
+    lowered_[index(id)] = replacement(id);
     const Comments::Range* comment = comments_.find(id);
     if (comment && first != end()) comments_.ranges.push_back({first, end(), comment->text});
   }
@@ -65,6 +65,13 @@ class Lowering {
   NodeId lowered(NodeId id) const { return graph_.isLeaf(id) ? id : lowered_[index(id)]; }
 
  private:
+  NodeId replacement(NodeId id) {
+    if (graph_.isCall(id)) return visitCall(id);
+    if (graph_.isResult(id))
+      return graph_.result(lowered(graph_.operand(id, 0)), graph_.resultNumber(id));
+    return visitOperation(id);
+  }
+
   NodeId visitOperation(NodeId id) {
     Operands operands{};
     bool changed = false;

@@ -69,13 +69,15 @@ class Maker {
       if (operand.statement == none) it.depth = std::max(it.depth, operand.depth);
     }
     if (graph_.isList(id)) return;
+    if (graph_.isOurCall(id)) return makeStatement(id);
     ++it.depth;
     const bool isShared = it.uses > 1 && !isCheap(id);
     if (isShared || it.output || it.depth >= options_.maxDepth) makeStatement(id);
   }
 
-  // Not worth a temporary: the negative of a variable.
+  // Not worth a temporary: the negative of a variable, and one of several results.
   bool isCheap(NodeId id) const {
+    if (graph_.isResult(id)) return true;
     return graph_.is(id, ops::find("neg")) && graph_.isLeaf(graph_.operand(id, 0));
   }
 

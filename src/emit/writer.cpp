@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "emit/bundle.hpp"
 #include "emit/literal.hpp"
+#include "graph/multi_index.hpp"
 
 namespace warpjet {
 
 namespace {
 
-constexpr ops::Spelling list{"$0, $1"};
+constexpr ops::Spelling listSpelling{"$0, $1"}, callSpelling{"$0"};
 
 }  // namespace
 
@@ -17,18 +19,44 @@ Writer::Writer(const Graph& graph, const Dialect& dialect)
     : graph_(graph),
       dialect_(dialect),
       names_(graph.size(), unnamed),
-      inputNames_(graph.inputCount()) {
-  callTexts_.reserve(graph.functionCount());
-  for (std::uint32_t i = 0; i < graph.functionCount(); ++i) {
-    callTexts_.push_back(graph.function(i).name + "($0)");
-    callSpellings_.push_back({callTexts_.back()});
-  }
-}
+      inputNames_(graph.inputCount()) {}
 
 const ops::Spelling& Writer::spellingOf(NodeId id) const {
-  if (graph_.isList(id)) return list;
-  if (graph_.isCall(id)) return callSpellings_[graph_.node(id).operands[1]];
+  if (graph_.isList(id)) return listSpelling;
+  if (graph_.isCall(id)) return callSpelling;
   return ops::info(graph_.node(id).op).spellings.in(dialect_.language);
+}
+
+void Writer::need(NodeId call, int result) {
+  const Function& function = graph_.function(call);
+  const int needed = MultiIndices::orderOf(function.variables, result / function.values);
+  orders_.resize(graph_.size());
+  orders_[index(call)] = std::max(orders_[index(call)], static_cast<std::uint8_t>(needed));
+}
+
+std::string Writer::typeOf(NodeId id) const {
+  if (graph_.isOurCall(id)) return Bundle(graph_.function(id), orderOf(id)).type(dialect_);
+  return dialect_.typeName(graph_.type(id), oneNumber);
+}
+
+std::string_view Writer::textOf(NodeId id) {
+  return graph_.isCall(id) ? callText(id) : spellingOf(id).text;
+}
+
+// With the name of the function.
+std::string_view Writer::callText(NodeId id) {
+  const Function& function = graph_.function(id);
+  const std::string name =
+      function.isOurs() ? nameWithDerivatives(function, orderOf(id)) : function.name;
+  const std::string text = name + "($0)";
+  const auto known = std::find(callTexts_.begin(), callTexts_.end(), text);
+  return known != callTexts_.end() ? *known : callTexts_.emplace_back(text);
+}
+
+void Writer::writeResult(std::string& text, NodeId id) const {
+  const NodeId call = graph_.operand(id, 0);
+  const Bundle bundle(graph_.function(call), orderOf(call));
+  text += nameOf(call) + bundle.member(graph_.resultNumber(id));
 }
 
 void Writer::name(NodeId id, std::string name) {
@@ -48,7 +76,7 @@ void Writer::writeLeaf(std::string& text, NodeId id) {
   const Shape shape = graph_.input(input).shape;
   text += inputNames_[input];
   if (shape.isMatrix()) text += '[' + std::to_string(component / shape.rows) + ']';
-  if (!shape.isNumber()) text += {'.', "xyzw"[component % shape.rows]};
+  if (shape.size() > 1) text += {'.', "xyzw"[component % shape.rows]};
 }
 
 void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
@@ -56,11 +84,13 @@ void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
     text += nameOf(id);
   } else if (graph_.isLeaf(id)) {
     writeLeaf(text, id);
+  } else if (graph_.isResult(id)) {
+    writeResult(text, id);
   } else {
     const ops::Spelling& spelling = spellingOf(id);
     const bool parenthesized = spelling.result < loosest;
     if (parenthesized) text += '(';
-    frames_.push_back({id, spelling.text, parenthesized});
+    frames_.push_back({id, textOf(id), parenthesized});
   }
 }
 
@@ -88,7 +118,8 @@ void Writer::write(std::string& text, NodeId id) {
 }
 
 void Writer::writeOperation(std::string& text, NodeId id) {
-  frames_.push_back({id, spellingOf(id).text, false});
+  if (graph_.isResult(id)) return writeResult(text, id);
+  frames_.push_back({id, textOf(id), false});
   finish(text);
 }
 

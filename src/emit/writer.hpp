@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,12 @@ class Writer {
   // From now on the node, or the input, is written as this variable.
   void name(NodeId id, std::string name);
   void nameInput(std::uint32_t input, std::string name) { inputNames_[input] = std::move(name); }
+
+  // That this result of a call of a function of ours is needed, hence all of its order.
+  void need(NodeId call, int result);
+  int orderOf(NodeId call) const { return orders_[index(call)]; }
+  // Of the variable that holds the node.
+  std::string typeOf(NodeId id) const;
 
   bool isNamed(NodeId id) const { return names_[index(id)] != unnamed; }
   const std::string& nameOf(NodeId id) const { return texts_[names_[index(id)]]; }
@@ -47,6 +54,9 @@ class Writer {
   void writeLeaf(std::string& text, NodeId id);
   void finish(std::string& text);
   const ops::Spelling& spellingOf(NodeId id) const;
+  std::string_view textOf(NodeId id);
+  [[gnu::noinline, gnu::cold]] std::string_view callText(NodeId id);
+  void writeResult(std::string& text, NodeId id) const;
   bool isWholeInput(Shape shape, std::span<const NodeId> components) const;
 
   const Graph& graph_;
@@ -54,8 +64,8 @@ class Writer {
   std::vector<std::uint32_t> names_;  // by node index, an index into texts_
   std::vector<std::string> texts_;
   std::vector<std::string> inputNames_;
-  std::vector<std::string> callTexts_;        // by function of the host: `noise($0)`
-  std::vector<ops::Spelling> callSpellings_;  // with those texts
+  std::vector<std::uint8_t> orders_;  // by node, of calls of functions of ours
+  std::list<std::string> callTexts_;  // such as `bump($0)`, each once
   std::vector<Frame> frames_;
 };
 

@@ -91,6 +91,7 @@ Interval min(const Interval& x, const Interval& y);
 Interval max(const Interval& x, const Interval& y);
 Interval mix(const Interval& x, const Interval& y, const Interval& amount);
 Interval step(const Interval& edge, const Interval& x);
+Interval hash(const Interval& h, const Interval& i);
 
 Truth lt(const Interval& x, const Interval& y);
 Truth le(const Interval& x, const Interval& y);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "eval/lanes.hpp"
+#include "ops/scalar.hpp"
 
 namespace warpjet {
 
@@ -20,6 +21,8 @@ inline Lanes step(Lanes edge, Lanes x) { return ifElse(lt(x, edge), 0.0, 1.0); }
 inline Lanes mix(Lanes x, Lanes y, Lanes t) { return x * (1.0 - t) + y * t; }
 inline Lanes min(Lanes x, Lanes y) { return ifElse(lt(y, x), y, x); }
 inline Lanes max(Lanes x, Lanes y) { return ifElse(lt(x, y), y, x); }
+
+inline Lanes hash(Lanes h, Lanes i) { return ops::hashOf(h, i); }
 
 inline Lanes sqrt(Lanes x) { return simd::sqrt(x.floats); }
 inline Lanes inversesqrt(Lanes x) { return 1.0 / sqrt(x); }

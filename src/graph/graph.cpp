@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "graph/simplify.hpp"
 
@@ -95,8 +96,8 @@ NodeId Graph::component(std::uint32_t input, int component) {
   return intern(Node{{input, static_cast<std::uint32_t>(component)}, inputOp});
 }
 
-std::uint32_t Graph::addFunction(std::string_view name, int arity) {
-  functions_.push_back({std::string(name), arity});
+std::uint32_t Graph::addFunction(Function function) {
+  functions_.push_back(std::move(function));
   return static_cast<std::uint32_t>(functions_.size() - 1);
 }
 
@@ -104,6 +105,10 @@ NodeId Graph::call(std::uint32_t function, std::span<const NodeId> arguments) {
   std::vector<NodeId> floats;
   for (const NodeId argument : arguments) floats.push_back(convert(argument, ops::Type::Float));
   return intern(Node{{index(makeList(floats)), function}, callOp});
+}
+
+NodeId Graph::result(NodeId call, int number) {
+  return intern(Node{{index(call), static_cast<std::uint32_t>(number)}, resultOp});
 }
 
 NodeId Graph::makeList(std::span<const NodeId> items) {

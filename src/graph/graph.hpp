@@ -25,26 +25,29 @@ enum class NodeId : std::uint32_t {};
 constexpr std::uint32_t index(NodeId id) { return static_cast<std::uint32_t>(id); }
 constexpr std::size_t index(Op op) { return static_cast<std::size_t>(op); }
 
-// The kinds of nodes that are no rows of the table, numbered after them: two kinds of leaves, and a
-// call of a function of the host, whose arguments are a list.
+// The kinds of nodes that are no rows of the table, numbered after them: two kinds of leaves, a
+// call of a function, whose arguments are a list, and one result of a call that has several.
 inline constexpr Op constantOp{static_cast<std::uint8_t>(ops::count)};
 inline constexpr Op inputOp{static_cast<std::uint8_t>(ops::count + 1)};
 inline constexpr Op callOp{static_cast<std::uint8_t>(ops::count + 2)};
 inline constexpr Op listOp{static_cast<std::uint8_t>(ops::count + 3)};
+inline constexpr Op resultOp{static_cast<std::uint8_t>(ops::count + 4)};
 
 // How many operands are nodes, by operation.
 inline constexpr auto arities = [] {
-  std::array<std::uint8_t, ops::count + 4> all{};
+  std::array<std::uint8_t, ops::count + 5> all{};
   for (std::size_t i = 0; i < ops::count; ++i)
     all[i] = static_cast<std::uint8_t>(ops::infos[i].arity);
   all[index(callOp)] = 1;
   all[index(listOp)] = 2;
+  all[index(resultOp)] = 1;
   return all;
 }();
 
 // Sixteen bytes. A constant keeps the bits of its double in the first two operands, an input its
 // number and its component. A call has its arguments first and then the number of its function;
-// several arguments are a list of all but the last, and the last.
+// several arguments are a list of all but the last, and the last. A result has its call, and its
+// number there.
 struct Node {
   std::array<std::uint32_t, ops::maxArity> operands{};
   Op op{};
@@ -58,10 +61,15 @@ struct Input {
   Shape shape;
 };
 
-// A function of the host from floats to a float.
+// A function that is called by name. One of the host goes from floats to a float. One of ours gives
+// `values` numbers, and as many of their derivatives by its first `variables` arguments as results
+// are asked for: result number i * values + k is derivative i of value k; see multi_index.hpp.
 struct Function {
   std::string name;
   int arity;
+  int values = 0, variables = 0;
+
+  bool isOurs() const { return values > 0; }
 };
 
 using Operands = std::array<NodeId, ops::maxArity>;
@@ -83,9 +91,11 @@ class Graph {
   std::uint32_t input(std::string_view label, Shape shape);
   NodeId component(std::uint32_t input, int component);
 
-  std::uint32_t addFunction(std::string_view name, int arity);
+  std::uint32_t addFunction(Function function);
   NodeId call(std::uint32_t function, std::span<const NodeId> arguments);
-  // What the derivatives of a call by its arguments are, one node each.
+  // Of a call of a function of ours.
+  NodeId result(NodeId call, int number);
+  // What the derivatives of a call by its arguments are, one node each; for functions of the host.
   void setPartials(NodeId call, std::span<const NodeId> partials);
   bool hasPartials(NodeId call) const;
   std::vector<NodeId> partials(NodeId call) const { return list(partials_[index(call)]); }
@@ -111,6 +121,10 @@ class Graph {
   bool isLeaf(NodeId id) const { return isConstant(id) || isInput(id); }
   bool isCall(NodeId id) const { return node(id).op == callOp; }
   bool isList(NodeId id) const { return node(id).op == listOp; }
+  bool isResult(NodeId id) const { return node(id).op == resultOp; }
+  // A call of a function of ours, which is no number: its results are.
+  bool isOurCall(NodeId id) const { return isCall(id) && function(id).isOurs(); }
+  int resultNumber(NodeId id) const { return static_cast<int>(node(id).operands[1]); }
   bool isOperation(NodeId id) const { return index(node(id).op) < ops::count; }
   bool is(NodeId id, Op op) const { return node(id).op == op; }
   double value(NodeId constant) const;

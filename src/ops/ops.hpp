@@ -22,11 +22,13 @@ struct Info {
   int arity;
   Signature signature;
   Spellings spellings;
+  Helpers helpers;
 };
 
 inline constexpr auto infos = std::apply(
     [](const auto&... row) {
-      return std::array{Info{row.title.name, row.arity, row.signature, row.spellings}...};
+      return std::array{
+          Info{row.title.name, row.arity, row.signature, row.spellings, row.helpers}...};
     },
     table);
 

@@ -127,6 +127,9 @@ struct Title {
 // The formula of an operation that every language has.
 struct NoFormula {};
 
+// Functions that an operation's spelling calls and that stand above it, by language.
+using Helpers = std::array<std::string_view, languageCount>;
+
 // `value` maps operands to the result. `partials` holds one function an operand, from the operands
 // and the result to the partial derivative; an operation without partials is locally constant.
 // `lowered` says the operation by others, for languages that lack it.
@@ -140,6 +143,13 @@ struct Row {
   Value value;
   std::tuple<Partials...> partials;
   Lowered lowered;
+  Helpers helpers = {};
+
+  constexpr Row helpedBy(const Helpers& texts) const {
+    Row row = *this;
+    row.helpers = texts;
+    return row;
+  }
 
   template <class Formula>
   constexpr Row<Value, Formula, Partials...> loweredTo(Formula formula) const {

@@ -43,4 +43,27 @@ inline bool logicalNot(bool x) { return !x; }
 
 inline double ifElse(bool condition, double yes, double no) { return condition ? yes : no; }
 
+// A whole number from 0 to 4090 that looks random, from another such number and any whole number.
+//
+// The cube is a permutation of the numbers modulo a prime that is 2 modulo 3, as unlike a line as
+// one can be: differentially 2-uniform (Nyberg, "Differentially uniform mappings for cryptography",
+// 1994). No product here reaches 2^24, so that float has every step exactly, as integers do.
+inline constexpr double hashPrime = 4091, hashFactor = 1597, hashSummand = 823;
+
+template <class Scalar>
+Scalar hashRemainder(Scalar x) {
+  const Scalar prime = hashPrime, r = x - prime * floor(x / prime);
+  // Where float rounds x / prime to the next whole number.
+  return ifElse(lt(r, Scalar(0.0)), r + prime, ifElse(ge(r, prime), r - prime, r));
+}
+
+template <class Scalar>
+Scalar hashOf(Scalar h, Scalar i) {
+  const Scalar factor = hashFactor, summand = hashSummand;
+  const Scalar x = hashRemainder(factor * (floor(h) + hashRemainder(floor(i))) + summand);
+  return hashRemainder(hashRemainder(x * x) * x);
+}
+
+inline double hash(double h, double i) { return hashOf(h, i); }
+
 }  // namespace warpjet::ops

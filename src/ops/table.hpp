@@ -37,6 +37,29 @@ inline constexpr auto inversesqrtOrZero = [](auto x) {
 using enum Precedence;
 using enum Language;
 
+// hashOf of scalar.hpp; in whole numbers where the language has them. 4091 * 262144 keeps a
+// negative `i` above zero, where GLSL's % is defined.
+inline constexpr Helpers hashHelpers{
+    R"(highp float warpjetHash(highp float h, highp float i) {
+  highp uint n = (1597u * (uint(h) + uint(int(floor(i)) + 1072431104) % 4091u) + 823u) % 4091u;
+  return float(n * n % 4091u * n % 4091u);
+}
+)",
+    R"(highp float warpjetRemainder(highp float x) {
+  highp float r = x - 4091.0 * floor(x / 4091.0);
+  return r < 0.0 ? r + 4091.0 : r < 4091.0 ? r : r - 4091.0;
+}
+highp float warpjetHash(highp float h, highp float i) {
+  highp float n = warpjetRemainder(1597.0 * (floor(h) + warpjetRemainder(floor(i))) + 823.0);
+  return warpjetRemainder(warpjetRemainder(n * n) * n);
+}
+)",
+    R"(fn warpjetHash(h: f32, i: f32) -> f32 {
+  let n = (1597u * (u32(h) + u32(i32(floor(i)) + 1072431104) % 4091u) + 823u) % 4091u;
+  return f32(n * n % 4091u * n % 4091u);
+}
+)"};
+
 inline constexpr std::tuple table{
     // arithmetic
     unary(
@@ -245,6 +268,12 @@ inline constexpr std::tuple table{
         [](auto condition, auto yes, auto no) { return ifElse(condition, yes, no); }, zero,
         [](auto condition, auto, auto, auto) { return ifElse(condition, 1.0, 0.0); },
         [](auto condition, auto, auto, auto) { return ifElse(condition, 0.0, 1.0); }),
+
+    // noise
+    binary({"hash", "h, i", "A whole number from 0 to 4090 that looks random."}, floats,
+           call("warpjetHash($0, $1)"), {positive, anywhere, {}},
+           [](auto h, auto i) { return hash(h, i); })
+        .helpedBy(hashHelpers),
 
     // conversions, inserted where a condition is used as a number or a number as a condition
     unary({"float", "x", "1 or 0."}, toFloat, call("float($0)").with(Wgsl, "f32($0)"), everywhere,

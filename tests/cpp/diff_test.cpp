@@ -86,7 +86,7 @@ TEST_F(DiffTest, TheBranchNotTakenDoesNotCount) {
 
 // f(u, v) with df/du = v and df/dv = 3: the chain rule adds u' v + 3 v'.
 TEST_F(DiffTest, ACallFollowsTheChainRuleByItsPartials) {
-  const std::uint32_t f = graph.addFunction("f", 2);
+  const std::uint32_t f = graph.addFunction({"f", 2});
   const Expression u = sin(x), v = x * y;
   const NodeId call = graph.call(f, std::vector{u.id, v.id});
   graph.setPartials(call, std::vector{v.id, graph.constant(3)});
@@ -97,7 +97,7 @@ TEST_F(DiffTest, ACallFollowsTheChainRuleByItsPartials) {
 }
 
 TEST_F(DiffTest, ACallThatDoesNotDependOnTheInputHasNoDerivative) {
-  const std::uint32_t f = graph.addFunction("f", 1);
+  const std::uint32_t f = graph.addFunction({"f", 1});
   const NodeId call = graph.call(f, std::vector{y.id});
   graph.setPartials(call, std::vector{y.id});
   EXPECT_TRUE(graph.isConstant(derivative({&graph, call}, x).id, 0));
@@ -105,7 +105,7 @@ TEST_F(DiffTest, ACallThatDoesNotDependOnTheInputHasNoDerivative) {
 
 // A partial that is infinite where its argument does not move must not make the sum NaN.
 TEST_F(DiffTest, APartialByAnArgumentThatDoesNotMoveDoesNotCount) {
-  const std::uint32_t f = graph.addFunction("f", 2);
+  const std::uint32_t f = graph.addFunction({"f", 2});
   const NodeId call = graph.call(f, std::vector{x.id, y.id});
   graph.setPartials(call, std::vector{graph.constant(2), log(x).id});
   EXPECT_EQ(at(derivative({&graph, call}, x), 0, 0), 2);

@@ -195,7 +195,8 @@ TEST_F(EmitTest, ASumOfAnInputAndAnEarlierResultIsWrittenAsThat) {
 }
 
 TEST_F(EmitTest, AFunctionOfTheHostIsCalledWithItsArgumentsInOrder) {
-  const std::uint32_t noise = graph.addFunction("noise", 3), unused = graph.addFunction("other", 1);
+  const std::uint32_t noise = graph.addFunction({"noise", 3}),
+                      unused = graph.addFunction({"other", 1});
   const NodeId arguments[] = {(x + y).id, ifElse(lt(x, y), x, 1.0).id, lt(x, y).id};
   const Expression called{&graph, graph.call(noise, arguments)};
   EXPECT_EQ(body(-(called * 2.0)), "-noise(x + y, t0 ? x : 1.0, float(t0)) * 2.0");
@@ -206,7 +207,7 @@ TEST_F(EmitTest, AFunctionOfTheHostIsCalledWithItsArgumentsInOrder) {
 }
 
 TEST_F(EmitTest, ACallThatIsUsedTwiceIsMadeOnce) {
-  const std::uint32_t noise = graph.addFunction("noise", 2);
+  const std::uint32_t noise = graph.addFunction({"noise", 2});
   const NodeId arguments[] = {x.id, y.id};
   const Expression called{&graph, graph.call(noise, arguments)};
   EXPECT_EQ(code(called * called),
@@ -249,7 +250,7 @@ TEST_F(EmitTest, CountsWhatTheResultsNeed) {
 }
 
 TEST_F(EmitTest, CallsWithinCallsAreBoundedInDepthToo) {
-  const std::uint32_t noise = graph.addFunction("noise", 2);
+  const std::uint32_t noise = graph.addFunction({"noise", 2});
   Expression v = x;
   for (int i = 0; i < 9; ++i) {
     const NodeId arguments[] = {v.id, y.id};

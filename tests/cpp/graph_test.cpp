@@ -108,7 +108,8 @@ TEST_F(GraphTest, InputsOfOtherShapesAreOthers) {
 }
 
 TEST_F(GraphTest, CallsKeepTheirArgumentsInOrder) {
-  const std::uint32_t noise = graph.addFunction("noise", 3), other = graph.addFunction("other", 3);
+  const std::uint32_t noise = graph.addFunction({"noise", 3}),
+                      other = graph.addFunction({"other", 3});
   const std::vector<NodeId> arguments{y.id, x.id, y.id};
   const NodeId call = graph.call(noise, arguments);
   EXPECT_EQ(graph.arguments(call), arguments);
@@ -120,25 +121,25 @@ TEST_F(GraphTest, CallsKeepTheirArgumentsInOrder) {
 }
 
 TEST_F(GraphTest, ACallOfOneArgumentHasNoList) {
-  const std::uint32_t bump = graph.addFunction("bump", 1);
+  const std::uint32_t bump = graph.addFunction({"bump", 1});
   const NodeId call = graph.call(bump, std::vector{x.id});
   EXPECT_EQ(graph.arguments(call), std::vector{x.id});
   EXPECT_EQ(graph.arguments(graph.call(bump, std::vector{call})), std::vector{call});
 }
 
 TEST_F(GraphTest, AConditionAsAnArgumentIsANumber) {
-  const std::uint32_t bump = graph.addFunction("bump", 1);
+  const std::uint32_t bump = graph.addFunction({"bump", 1});
   const NodeId argument = graph.arguments(graph.call(bump, std::vector{lt(x, y).id}))[0];
   EXPECT_EQ(graph.type(argument), ops::Type::Float);
 }
 
 TEST_F(GraphTest, ACallIsNeverFolded) {
-  const std::uint32_t bump = graph.addFunction("bump", 1);
+  const std::uint32_t bump = graph.addFunction({"bump", 1});
   EXPECT_TRUE(graph.isCall(graph.call(bump, std::vector{graph.constant(1)})));
 }
 
 TEST_F(GraphTest, PartialsBelongToOneCall) {
-  const std::uint32_t noise = graph.addFunction("noise", 2);
+  const std::uint32_t noise = graph.addFunction({"noise", 2});
   const NodeId call = graph.call(noise, std::vector{x.id, y.id}),
                swapped = graph.call(noise, std::vector{y.id, x.id});
   EXPECT_FALSE(graph.hasPartials(call));

@@ -105,7 +105,7 @@ TEST_F(LowerTest, OneThatIsMissingInsideOfAnotherIsLoweredToo) {
 }
 
 TEST_F(LowerTest, CallsAreKeptWithLoweredArguments) {
-  const std::uint32_t noise = graph.addFunction("noise", 2);
+  const std::uint32_t noise = graph.addFunction({"noise", 2});
   const NodeId arguments[] = {apply("trunc").id, v[1].id};
   const Expression f = sin(Expression{&graph, graph.call(noise, arguments)});
   const Expression low = lowered(f, Language::Glsl100);
@@ -115,7 +115,7 @@ TEST_F(LowerTest, CallsAreKeptWithLoweredArguments) {
 }
 
 TEST_F(LowerTest, ACallWithNothingToLowerStaysTheSameNode) {
-  const std::uint32_t noise = graph.addFunction("noise", 1);
+  const std::uint32_t noise = graph.addFunction({"noise", 1});
   const Expression call{&graph, graph.call(noise, std::vector{v[0].id})};
   EXPECT_EQ(lowered(call, Language::Glsl100).id, call.id);
 }

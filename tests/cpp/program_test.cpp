@@ -69,7 +69,7 @@ TEST_F(ProgramTest, HasOneInstructionForEachNode) {
 }
 
 TEST_F(ProgramTest, WithACallThereIsNone) {
-  const std::uint32_t noise = graph.addFunction("noise", 2);
+  const std::uint32_t noise = graph.addFunction({"noise", 2});
   const NodeId arguments[] = {p[0].id, p[1].id};
   const Expression call{&graph, graph.call(noise, arguments)};
   EXPECT_FALSE(program(graph, std::array{(call * 2.0).id}));
@@ -78,7 +78,7 @@ TEST_F(ProgramTest, WithACallThereIsNone) {
 
 // A derivative of a call by a number that the host gives needs the partial, not the call.
 TEST_F(ProgramTest, ADerivativeThatNeedsNoCallHasOne) {
-  const std::uint32_t linear = graph.addFunction("linear", 1);
+  const std::uint32_t linear = graph.addFunction({"linear", 1});
   const NodeId call = graph.call(linear, std::array{p[0].id});
   graph.setPartials(call, std::array{(p[0] * 3.0).id});
   Differentiator differentiator(graph);

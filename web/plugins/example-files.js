@@ -10,7 +10,11 @@ import { models, toOBJ } from '../models/index.js'
 const root = new URL('../../', import.meta.url)
 const read = (path) => readFile(new URL(path, root))
 
-const libraries = ['dist/p5.warpjet.min.js', 'node_modules/p5/lib/p5.min.js']
+const libraries = [
+  'dist/p5.warpjet.min.js',
+  'dist/warpjet.deformers.min.js',
+  'node_modules/p5/lib/p5.min.js',
+]
 /** What the script fetches from beside it, for the sketches that make it do so. */
 const fetched = /^dist\/(mesh|shared-[\w-]+)\.js$/
 const fonts = {

@@ -1,0 +1,78 @@
+// The noise functions as a sketch sees them. They are in src/noise, where their sources are named.
+//
+// A coordinate counts cells: noise has one bump a cell or so, hence `position.mult(0.01).noise()` one
+// every 100 pixels. It repeats after 4,091 cells along each axis (simplex: of its pressed grid), and
+// is exact in a shader up to a few thousand cells from the origin. The same point and seed give the
+// same number in every language and on the CPU. In a fragment shader it needs `precision highp float`.
+// Derivatives of any kind can be taken three times. All throw a `WarpError` for unknown or wrong options.
+import type { Operand, Scalar, Vec2, Vec3, Vec4 } from './types.js'
+
+export interface NoiseOptions {
+  /** Which of the fields: a whole number from -8,388,608 to 8,388,608; 0 unless given. Unlike seeds give fields that have
+   * nothing to do with each other. */
+  seed?: number
+}
+
+/** A noise that others are made of. */
+export type BaseNoise = 'noise' | 'simplex' | 'valueNoise'
+
+export interface CurlOptions extends NoiseOptions {
+  /** What the field is the curl of; `'noise'` unless given. */
+  noise?: BaseNoise
+}
+
+export interface FractalOptions extends NoiseOptions {
+  /** How many noises are added, from 1 to 16; 5 unless given. */
+  octaves?: number
+  /** How many times as fine as the one before an octave is, above 0; 2 unless given. An expression will do, such as a
+   * uniform; then all octaves stand in the text. */
+  lacunarity?: Operand
+  /** How many times as strong as the one before an octave is, above 0; 0.5 unless given. An expression will do. */
+  gain?: Operand
+  /** What an octave is; `'noise'` unless given. */
+  noise?: BaseNoise
+}
+
+/** A point of one to four dimensions. Three and one more for time make a field that moves. */
+type Point = Operand | Vec2 | Vec3 | Vec4
+
+export interface NoiseFunctions {
+  /** Gradient noise from -1 to 1, most of it within half of that: smooth bumps, 0 at whole coordinates. Its first and second
+   * derivatives have no jumps. */
+  noise(point: Point, options?: NoiseOptions): Scalar
+  /** Simplex noise from -1 to 1: bumps that favour no axis. Its first three derivatives have no jumps. */
+  simplex(point: Point, options?: NoiseOptions): Scalar
+  /** Value noise from -1 to 1: random numbers at whole coordinates, blended. Its first and second derivatives have no
+   * jumps. */
+  valueNoise(point: Point, options?: NoiseOptions): Scalar
+  /** The distances to the nearest and to the second nearest of random points, one a cell: from 0 to about 1 and 1.5, in
+   * cells. They have no jumps; their slopes do where another point becomes the nearest. */
+  worley(point: Operand | Vec2 | Vec3, options?: NoiseOptions): Vec2
+  /** A field of vectors without sources or sinks, as a fluid flows: the curl of three noises, about 1 to 2 long. Of a vec4, the
+   * last number is time. */
+  curl(point: Vec3 | Vec4, options?: CurlOptions): Vec3
+  /** Octaves of noise, each finer and weaker than the one before, from -1 to 1; most of it within a third of that. */
+  fbm(point: Point, options?: FractalOptions): Scalar
+  /** The same of sharp ridges, from 0 to 1. Its slope jumps on them. */
+  ridged(point: Point, options?: FractalOptions): Scalar
+  /** The same of noise without its sign, from 0 to 1: billows. Its slope jumps where the noise is 0. */
+  turbulence(point: Point, options?: FractalOptions): Scalar
+}
+
+/** `p.noise(options)` for `glsl.noise(p, options)`, and so with all others. */
+export interface FieldMethods {
+  noise(options?: NoiseOptions): Scalar
+  simplex(options?: NoiseOptions): Scalar
+  valueNoise(options?: NoiseOptions): Scalar
+  fbm(options?: FractalOptions): Scalar
+  ridged(options?: FractalOptions): Scalar
+  turbulence(options?: FractalOptions): Scalar
+}
+
+export interface NoiseMethods extends FieldMethods {
+  worley(options?: NoiseOptions): Vec2
+}
+
+export interface CurlMethod {
+  curl(options?: CurlOptions): Vec3
+}

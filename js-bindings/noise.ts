@@ -1,0 +1,102 @@
+// `glsl.noise` and its kin. The functions themselves are in src/noise; here their options are read.
+import type { Compilation } from './compilation.js'
+import { WarpError, describe } from './errors.js'
+import { type Expression, toExpression } from './expression.js'
+import { checkOptions } from './options.js'
+
+/** In the order of their numbers in the wasm, `noiseNames`. */
+export const noiseKinds = [
+  'noise',
+  'simplex',
+  'valueNoise',
+  'worley',
+  'curl',
+  'fbm',
+  'ridged',
+  'turbulence',
+] as const
+
+type NoiseKind = (typeof noiseKinds)[number]
+
+/** What the others may be made of. */
+const bases = noiseKinds.slice(0, 3)
+
+const fractalOptions = ['octaves', 'lacunarity', 'gain', 'noise', 'seed']
+
+const optionsOf: Record<NoiseKind, string[]> = {
+  noise: ['seed'],
+  simplex: ['seed'],
+  valueNoise: ['seed'],
+  worley: ['seed'],
+  curl: ['noise', 'seed'],
+  fbm: fractalOptions,
+  ridged: fractalOptions,
+  turbulence: fractalOptions,
+}
+
+export function callNoise(
+  compilation: Compilation,
+  kind: NoiseKind,
+  [point, options, ...others]: readonly unknown[],
+  isMethod = false,
+): Expression {
+  const operand = toExpression(compilation, kind, point, 1)
+  if (others.length > 0)
+    throw new WarpError(
+      `${kind}: it takes ${isMethod ? 'options' : 'a point and options'}; ${describe(others[0])} is too many.`,
+    )
+  const known = optionsOf[kind]
+  checkOptions(kind, options, known)
+  const {
+    octaves = 5,
+    lacunarity = 2,
+    gain = 0.5,
+    noise = 'noise',
+    seed = 0,
+  } = (options ?? {}) as Record<string, unknown>
+  const base = bases.indexOf(noise as never)
+  if (base < 0)
+    throw new WarpError(
+      `${kind}: the option "noise" must be one of ${bases.join(', ')}, but is ${describe(noise)}.`,
+    )
+  checkWhole(kind, 'octaves', octaves, 1, 16)
+  checkWhole(kind, 'seed', seed, -mostSeed, mostSeed)
+  const operands = [operand, toExpression(compilation, kind, seed, 'the option "seed"')]
+  if (known === fractalOptions)
+    operands.push(
+      factor(compilation, kind, 'lacunarity', lacunarity),
+      factor(compilation, kind, 'gain', gain),
+    )
+  return compilation.callNoise(
+    noiseKinds.indexOf(kind),
+    base,
+    octaves as number,
+    kind,
+    operands,
+    isMethod,
+  )
+}
+
+/** Whole numbers up to here are exact in a float of the shader. */
+const mostSeed = 2 ** 23
+
+function checkWhole(kind: string, option: string, value: unknown, least: number, most: number) {
+  if (!(Number.isInteger(value) && (value as number) >= least && (value as number) <= most))
+    throw new WarpError(
+      `${kind}: the option "${option}" must be a whole number from ${least} to ${most}, but is ${describe(value)}.`,
+    )
+}
+
+/** What an octave differs from the one before by. */
+function factor(compilation: Compilation, kind: string, option: string, value: unknown) {
+  if (typeof value === 'number' && !(value > 0))
+    throw new WarpError(
+      `${kind}: the option "${option}" must be above 0, but is ${describe(value)}.`,
+    )
+  const expression = toExpression(compilation, kind, value, `the option "${option}"`)
+  if (compilation.shapeOf(expression).some((size) => size > 1))
+    throw new WarpError(
+      `${kind}: the option "${option}" must be a number, but is a vector or a matrix.`,
+    )
+  return expression
+}

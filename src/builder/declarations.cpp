@@ -1,0 +1,82 @@
+#include "builder/declarations.hpp"
+
+#include <algorithm>
+
+#include "emit/bundle.hpp"
+#include "emit/lower.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// The results as one variable, or as one for each part of a struct.
+std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
+                              const std::vector<NodeId>& results) {
+  if (!bundle.isStruct()) return {{"result", vectorOf(bundle.count), results}};
+  std::vector<Output> parts;
+  for (int i = 0; i < bundle.count; ++i) {
+    if (i % Bundle::perPart == 0)
+      parts.push_back({Bundle::partName(i / Bundle::perPart), vectorOf(Bundle::perPart), {}});
+    parts.back().components.push_back(results[i]);
+  }
+  parts.back().components.resize(Bundle::perPart, graph.constant(0));
+  return parts;
+}
+
+}  // namespace
+
+void Declarations::add(const Graph& graph, const Emitted& emitted) {
+  for (const Op op : emitted.helped) {
+    const ops::Info& info = ops::info(op);
+    define(info.name, textIn(info.helpers));
+  }
+  for (const auto& [number, order] : emitted.ourFunctions) define(graph.function(number), order);
+}
+
+bool Declarations::isDefined(std::string_view name) const {
+  return std::find(defined_.begin(), defined_.end(), name) != defined_.end();
+}
+
+void Declarations::define(std::string_view name, const std::string& text) {
+  if (isDefined(name)) return;
+  defined_.emplace_back(name);
+  text_ += text;
+}
+
+void Declarations::define(const Function& function, int order) {
+  const Bundle bundle(function, order);
+  if (isDefined(bundle.function)) return;
+  Body& body = library_.withResults(function.name, order);
+  if (const auto* texts = body.definition.texts) return define(bundle.function, textIn(*texts));
+  Comments none;
+  std::vector<NodeId> results(body.results.begin(), body.results.begin() + bundle.count);
+  results = lower(body.graph, results, dialect_.language, none);
+  const std::vector<Output> outputs = outputsOf(body.graph, bundle, results);
+  const Emitted emitted = emit(body.graph, dialect_, outputs);
+  add(body.graph, emitted);
+
+  const std::string type = bundle.type(dialect_);
+  std::string result = outputs[0].name;
+  if (bundle.isStruct()) {
+    result = type + '(' + result;
+    for (std::size_t i = 1; i < outputs.size(); ++i) result += ", " + outputs[i].name;
+    result += ')';
+  }
+  define(bundle.function, bundle.definition(dialect_) + header(type, bundle.function, body) +
+                              emitted.code + "return " + result + ";\n}\n");
+}
+
+std::string Declarations::header(const std::string& type, const std::string& name,
+                                 const Body& body) const {
+  const bool isWgsl = dialect_.declaresWithVar;
+  std::string text = (isWgsl ? "fn " : type + ' ') + name + '(';
+  for (int i = 0; i < body.definition.function.arity; ++i) {
+    if (i > 0) text += ", ";
+    const std::string argument(body.definition.argumentName(i));
+    const std::string kind = dialect_.typeName(ops::Type::Float, body.definition.argumentShape(i));
+    text += isWgsl ? argument + ": " + kind : kind + ' ' + argument;
+  }
+  return text + (isWgsl ? ") -> " + type : ")") + " {\n";
+}
+
+}  // namespace warpjet

@@ -1,0 +1,37 @@
+// The text of functions of ours: those that statements call, and those that these call.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "emit/emit.hpp"
+#include "functions/library.hpp"
+
+namespace warpjet {
+
+class Declarations {
+ public:
+  Declarations(const Dialect& dialect, Library& library) : dialect_(dialect), library_(library) {}
+
+  // What these statements of this graph call, callees first, and each function once.
+  void add(const Graph& graph, const Emitted& emitted);
+
+  const std::string& text() const { return text_; }
+
+ private:
+  bool isDefined(std::string_view name) const;
+  void define(const Function& function, int order);
+  void define(std::string_view name, const std::string& text);
+  std::string textIn(const ops::Helpers& texts) const {
+    return std::string(texts[static_cast<std::size_t>(dialect_.language)]);
+  }
+  std::string header(const std::string& type, const std::string& name, const Body& body) const;
+
+  const Dialect& dialect_;
+  Library& library_;
+  std::vector<std::string> defined_;
+  std::string text_;
+};
+
+}  // namespace warpjet

@@ -1,0 +1,48 @@
+#include "emit/bundle.hpp"
+
+#include "graph/multi_index.hpp"
+
+namespace warpjet {
+
+int resultCount(const Function& function, int order) {
+  return function.values * MultiIndices::countUpTo(function.variables, order);
+}
+
+std::string nameWithDerivatives(const Function& function, int order) {
+  switch (order) {
+    case 0:
+      return function.name;
+    case 1:
+      return function.name + "Gradient";
+    case 2:
+      return function.name + "Hessian";
+    default:
+      return function.name + "Order" + std::to_string(order);
+  }
+}
+
+std::string Bundle::partName(int part) { return "part" + std::to_string(part); }
+
+std::string Bundle::type(const Dialect& dialect) const {
+  if (isStruct()) return function + "Results";
+  return dialect.typeName(ops::Type::Float, vectorOf(count));
+}
+
+std::string Bundle::member(int i) const {
+  const std::string component{'.', "xyzw"[i % perPart]};
+  if (isStruct()) return '.' + partName(i / perPart) + component;
+  return count == 1 ? "" : component;
+}
+
+std::string Bundle::definition(const Dialect& dialect) const {
+  if (!isStruct()) return {};
+  const std::string vec4 = dialect.typeName(ops::Type::Float, vectorOf(perPart));
+  std::string text = "struct " + type(dialect) + " {";
+  for (int part = 0; part < parts(); ++part) {
+    text += dialect.declaresWithVar ? ' ' + partName(part) + ": " + vec4 + ','
+                                    : ' ' + vec4 + ' ' + partName(part) + ';';
+  }
+  return text + (dialect.declaresWithVar ? " }\n" : " };\n");
+}
+
+}  // namespace warpjet

@@ -1,0 +1,47 @@
+// The functions of ours that the graphs of one builder call, and what is in them.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "diff/differentiator.hpp"
+#include "functions/definition.hpp"
+
+namespace warpjet {
+
+// A function's own graph, whose inputs are its arguments.
+struct Body {
+  explicit Body(Definition given) : definition(std::move(given)) {}
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  Definition definition;
+  Graph graph;
+  Differentiator differentiator{graph};
+  Numbers arguments;
+  // As many as were asked for, numbered as Function says; and the same without calls.
+  std::vector<NodeId> results, withoutCalls;
+};
+
+class Library {
+ public:
+  // The values of a call, in the graph of the arguments.
+  Numbers call(const Definition& definition, const Numbers& arguments);
+
+  // With all results up to that order of derivatives, or with as many, free of calls; with none if
+  // the function is a text.
+  Body& withResults(std::string_view name, int order);
+  Body& withoutCalls(std::string_view name, int order);
+
+ private:
+  Body* find(std::string_view name);
+
+  std::vector<std::unique_ptr<Body>> bodies_;
+};
+
+// The same nodes with the bodies of our functions in the place of calls, in the same graph.
+std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots);
+
+}  // namespace warpjet

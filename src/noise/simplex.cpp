@@ -1,0 +1,104 @@
+#include <cmath>
+
+#include "noise/bodies.hpp"
+#include "noise/random.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// One over the largest value that directions of length 1 can give, by dimensions: the maximum of
+// the sum of (reach - d²)⁴ d over a simplex, d being the distances from its corners.
+constexpr double scales[] = {0, 3.16049, 99.2043, 107.6534, 108.5678};
+
+Expression sum(const Numbers& x) {
+  Expression total = x[0];
+  for (std::size_t i = 1; i < x.size(); ++i) total = total + x[i];
+  return total;
+}
+
+// How many coordinates each is at least as large as; of equal ones the first is the largest.
+Numbers ranks(const Numbers& x) {
+  Graph& graph = *x[0].graph;
+  Numbers all;
+  for (std::size_t i = 0; i < x.size(); ++i) all.push_back({&graph, graph.constant(0)});
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t k = i + 1; k < x.size(); ++k) {
+      const Expression wins = step(x[k], x[i]);
+      all[i] = all[i] + wins;
+      all[k] = all[k] + (1.0 - wins);
+    }
+  }
+  return all;
+}
+
+// Whether the way to a corner, counted from 0 to n, has gone along the coordinate of this rank: 1
+// or 0.
+Expression isTaken(Expression rank, int corner, int n) {
+  if (corner == 0 || corner == n) return {rank.graph, rank.graph->constant(corner / n)};
+  return step(static_cast<double>(n - corner), rank);
+}
+
+// A point in a grid of cubes, which its diagonal is pressed along until the simplices of each cube
+// are regular; of one dimension, the grid as it is. Large numbers cancel beforehand, so that a
+// point far away is as exact as one nearby: with cells P + f of the point, skew S of their sum, and
+// S = s + s' of a whole number and a fraction, p - (cell - unskew * sum(cell)) is a sum of
+// fractions.
+struct Skewed {
+  Numbers whole, inside, step;
+  Expression shift, fraction;
+
+  Skewed(const Numbers& p, double skew)
+      : shift{p[0].graph, p[0].graph->constant(0)}, fraction(shift) {
+    for (const Expression x : p) {
+      whole.push_back(floor(x));
+      inside.push_back(fract(x));
+    }
+    // A product of this and of a whole number of up to 4096 is exact in float.
+    const double coarse = std::round(skew * 4096) / 4096;
+    const Expression cells = sum(whole), product = cells * coarse;
+    shift = floor(product);
+    fraction = fract(product) + cells * (skew - coarse);
+    const Expression move = fraction + sum(inside) * skew;
+    for (const Expression x : inside) step.push_back(floor(x + move));
+  }
+
+  Expression cell(int i) const { return whole[i] + shift + step[i]; }
+};
+
+}  // namespace
+
+Expression simplexNoise(Library& library, const Numbers& p, Expression seed) {
+  const int n = static_cast<int>(p.size());
+  const double root = std::sqrt(n + 1.0);
+  const double skew = n == 1 ? 0 : (root - 1) / n, unskew = n == 1 ? 0 : (1 - 1 / root) / n;
+  const Skewed skewed(p, skew);
+  // Where the point lies, seen from the first corner of its simplex.
+  const Expression moved =
+      skewed.fraction * (n == 1 ? 0 : unskew / skew) + sum(skewed.step) * unskew;
+  Numbers first;
+  for (int i = 0; i < n; ++i) first.push_back(skewed.inside[i] - skewed.step[i] + moved);
+
+  // From one corner of the simplex to the next goes a step along the largest coordinate that is
+  // left.
+  const Numbers rank = ranks(first);
+  Expression total{seed.graph, seed.graph->constant(0)};
+  for (int corner = 0; corner <= n; ++corner) {
+    Expression cellHash = seed;
+    Numbers offset;
+    for (int i = 0; i < n; ++i) {
+      const Expression taken = isTaken(rank[i], corner, n);
+      cellHash = hash(cellHash, skewed.cell(i) + taken);
+      offset.push_back(first[i] - taken + corner * unskew);
+    }
+    // The square of the height of such a simplex, whatever its dimension; of one dimension, its
+    // own.
+    const double reach = n == 1 ? 1 : 0.5;
+    const Expression near = max(reach - dot(offset, offset), 0.0);
+    total =
+        total + near * near * (near * near) * dot(randomDirection(library, cellHash, n), offset);
+  }
+  return total * scales[n];
+}
+
+}  // namespace warpjet

@@ -1,0 +1,176 @@
+// The noise of src/noise in plain numbers, in double: written from the papers and from what the comments there say, with
+// none of its code. Points are arrays of 1 to 4 numbers, worley's of 1 to 3.
+//
+// Each base sums over the corners around a point, instead of blending axis by axis, and so has a gradient by the product rule.
+
+const modulo = (x, n) => x - n * Math.floor(x / n)
+const sum = (numbers) => numbers.reduce((total, x) => total + x, 0)
+const dot = (a, b) => a.reduce((total, x, i) => total + x * b[i], 0)
+
+const prime = 4091
+
+/** A whole number below 4091 from one and any whole number: the cube of a linear function modulo 4091. */
+export function hash(h, i) {
+  const n = modulo(1597 * (h + modulo(i, prime)) + 823, prime)
+  return (n * n * n) % prime
+}
+
+const hashOfCell = (cell, seed) => cell.reduce(hash, seed)
+const hashOfSeed = (seed) => hash(0, seed)
+
+const factors = { 1: [1], 2: [1, 2531], 3: [1, 3091, 2333] }
+
+/** `count` numbers in [0, 1). */
+const randoms = (h, count) => factors[count].map((factor) => ((h * factor) % 4096) / 4096)
+
+const known = new Map()
+
+/** What `make(h, n)` gives, made once. */
+const remembered = (make) => (h, n) => {
+  const key = prime * n + h
+  if (!known.has(key)) known.set(key, make(h, n))
+  return known.get(key)
+}
+
+/** A unit vector: a cube folded onto the polytope |x| + |y| + … = constant (McEwan and others 2012, section 5). */
+const direction = remembered((h, n) => {
+  if (n === 1) return [2 * randoms(h, 1)[0] - 1]
+  const cube = randoms(h, n - 1).map((x) => 2 * x - 1)
+  const last = (n - 1) / 2 - sum(cube.map(Math.abs))
+  const folded = [...cube.map((x) => (last < 0 ? x - Math.sign(x) : x)), last]
+  return folded.map((x) => x / Math.hypot(...folded))
+})
+
+/** All lists of `n` of the `choices`. */
+const lists = (choices, n) =>
+  n === 0 ? [[]] : lists(choices, n - 1).flatMap((list) => choices.map((c) => [...list, c]))
+
+const fade = (t) => t ** 3 * (6 * t ** 2 - 15 * t + 10)
+const fadeSlope = (t) => 30 * t ** 2 * (t - 1) ** 2
+
+const product = (numbers) => numbers.reduce((total, x) => total * x, 1)
+
+const cornersOf = [0, 1, 2, 3, 4].map((n) => lists([0, 1], n))
+
+/** Adds up values with gradients, { value, gradient }. */
+const total = (parts, scale = 1) => ({
+  value: scale * sum(parts.map(({ value }) => value)),
+  gradient: parts[0].gradient.map((_, i) => scale * sum(parts.map(({ gradient }) => gradient[i]))),
+})
+
+/**
+ * Values at the corners of a grid, each with the weight Π b(t) or 1 - b(t) → { value, gradient }. `corner` has the value
+ * at a corner, from its hash and from where the point lies seen from there, and the gradient of that.
+ */
+function lattice(p, seed, corner) {
+  const cell = p.map(Math.floor)
+  const inside = p.map((x, i) => x - cell[i])
+  const blends = inside.map(fade)
+
+  /** The sum of weight(factors, step) times what `term` gives, over the corners. Called millions of times. */
+  function sumOver(weight, term) {
+    const [factors, offset] = [[...p], [...p]]
+    let total = 0
+    for (const step of cornersOf[p.length]) {
+      let h = seed
+      for (let i = 0; i < p.length; i++) {
+        h = hash(h, cell[i] + step[i])
+        factors[i] = step[i] ? blends[i] : 1 - blends[i]
+        offset[i] = inside[i] - step[i]
+      }
+      total += weight(factors, step) * term(h, offset)
+    }
+    return total
+  }
+
+  return {
+    get value() {
+      return sumOver(product, corner.value)
+    },
+    get gradient() {
+      return inside.map((t, axis) => {
+        const slope = (factors, step) =>
+          product(factors.with(axis, (step[axis] ? 1 : -1) * fadeSlope(t)))
+        return sumOver(slope, corner.value) + sumOver(product, (h) => corner.gradient(h)[axis])
+      })
+    },
+  }
+}
+
+const bases = {
+  /** Perlin 2002, with directions of length 1, scaled to reach 1. */
+  noise(p, seed) {
+    const scale = 2 / Math.sqrt(p.length)
+    return lattice(p, seed, {
+      value: (h, offset) => scale * dot(direction(h, p.length), offset),
+      gradient: (h) => direction(h, p.length).map((x) => scale * x),
+    })
+  },
+
+  valueNoise: (p, seed) =>
+    lattice(p, seed, { value: (h) => (2 * h) / (prime - 1) - 1, gradient: () => p.map(() => 0) }),
+
+  /** Perlin 2001, Gustavson 2005; kernels (reach - d²)⁴, scaled to reach 1. */
+  simplex(p, seed) {
+    const n = p.length
+    const skew = n === 1 ? 0 : (Math.sqrt(n + 1) - 1) / n
+    const unskew = n === 1 ? 0 : (1 - 1 / Math.sqrt(n + 1)) / n
+    const cell = p.map((x) => Math.floor(x + skew * sum(p)))
+    const place = (corner) => corner.map((c) => c - unskew * sum(corner))
+    const offsetFrom = (corner) => place(corner).map((x, i) => p[i] - x)
+    // The largest coordinate first; of equal ones the first.
+    const first = offsetFrom(cell)
+    const order = [...p.keys()].sort((a, b) => first[b] - first[a])
+    const parts = Array.from({ length: n + 1 }, (_, steps) => {
+      const corner = cell.map((c, i) => c + (order.indexOf(i) < steps ? 1 : 0))
+      const offset = offsetFrom(corner)
+      const near = Math.max((n === 1 ? 1 : 0.5) - dot(offset, offset), 0)
+      const g = direction(hashOfCell(corner, seed), n)
+      const along = dot(g, offset)
+      return {
+        value: near ** 4 * along,
+        gradient: g.map((x, i) => near ** 4 * x - 8 * near ** 3 * offset[i] * along),
+      }
+    })
+    return total(parts, [0, 3.16049, 99.2043, 107.6534, 108.5678][n])
+  },
+}
+
+export const noise = (p, { seed = 0 } = {}) => bases.noise(p, hashOfSeed(seed)).value
+export const valueNoise = (p, { seed = 0 } = {}) => bases.valueNoise(p, hashOfSeed(seed)).value
+export const simplex = (p, { seed = 0 } = {}) => bases.simplex(p, hashOfSeed(seed)).value
+
+/** The distances to the two nearest of points strewn one a cell, [F1, F2] (Worley 1996). */
+export function worley(p, { seed = 0 } = {}) {
+  const home = p.map(Math.floor)
+  const distances = lists([-3, -2, -1, 0, 1, 2, 3], p.length).map((step) => {
+    const cell = home.map((c, i) => c + step[i])
+    const point = randoms(hashOfCell(cell, hashOfSeed(seed)), p.length)
+    return Math.hypot(...p.map((x, i) => cell[i] + point[i] - x))
+  })
+  return distances.sort((a, b) => a - b).slice(0, 2)
+}
+
+const shifts = [0.6180339887498949, 0.7548776662466927, 0.8191725133961645, 0.8566748838545029]
+
+const fractal =
+  (shape) =>
+  (p, { octaves = 5, lacunarity = 2, gain = 0.5, noise: base = 'noise', seed = 0 } = {}) => {
+    const strengths = Array.from({ length: octaves }, (_, k) => gain ** k)
+    const values = strengths.map((strength, k) => {
+      const point = p.map((x, i) => x * lacunarity ** k + k * shifts[i])
+      const first = hashOfSeed(seed)
+      return strength * shape(bases[base](point, k === 0 ? first : hash(first, k)).value)
+    })
+    return sum(values) / sum(strengths)
+  }
+
+export const fbm = fractal((x) => x)
+export const turbulence = fractal(Math.abs)
+export const ridged = fractal((x) => (1 - Math.abs(x)) ** 2)
+
+/** The curl of three noises (Bridson and others 2007, equation 1). */
+export function curl(p, { noise: base = 'noise', seed = 0 } = {}) {
+  const [x, y, z] = [1, 2, 3].map((i) => bases[base](p, hash(hashOfSeed(seed), i)).gradient)
+  return [z[1] - y[2], x[2] - z[0], y[0] - x[1]]
+}
