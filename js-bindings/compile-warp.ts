@@ -42,7 +42,9 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
 }
 
 function programOf(compilation: Compilation, warp: BuiltWarp): Omit<WarpProgram, 'declared'> {
-  const { inputs, moved, deformation, names, varies, isAccepted } = warp
+  const { inputs, moved, deformation, varies, isAccepted } = warp
+  // The tangent is first, for a shader may carry it in the place of another attribute.
+  const names = { tangent: warp.names.tangent!, ...warp.names }
   // In the order of numbersOf in cpu-warp.ts.
   const results = [moved]
   if (deformation) {
