@@ -12,7 +12,7 @@ set_source_files_properties(
   src/algebra/derivatives.cpp src/algebra/matrices.cpp src/algebra/vectors.cpp src/builder/call.cpp src/builder/construct.cpp
   src/builder/host.cpp src/builder/results.cpp src/builder/sentences.cpp src/diff/partials.cpp src/emit/dialect.cpp src/emit/emit.cpp src/emit/literal.cpp src/emit/lower.cpp src/emit/bundle.cpp src/emit/names.cpp src/emit/statements.cpp src/functions/library.cpp src/functions/inline_calls.cpp
   src/builder/declarations.cpp src/builder/noise.cpp src/builder/texture.cpp src/texture/texture.cpp src/noise/curl.cpp src/noise/fractal.cpp src/noise/lattice.cpp src/noise/noise.cpp
-  src/noise/random.cpp src/noise/simplex.cpp src/noise/worley.cpp src/graph/multi_index.cpp src/graph/schedule.cpp
+  src/noise/random.cpp src/noise/simplex.cpp src/noise/worley.cpp src/graph/functions.cpp src/graph/multi_index.cpp src/graph/schedule.cpp
   src/emit/syntax.cpp src/eval/program.cpp src/ops/ops.cpp src/warp/warp.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
 

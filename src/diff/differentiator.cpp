@@ -5,7 +5,6 @@
 
 #include "diff/partials.hpp"
 #include "graph/expression.hpp"
-#include "graph/multi_index.hpp"
 #include "graph/reachable.hpp"
 
 namespace warpjet {
@@ -95,32 +94,13 @@ void Differentiator::findTangent(NodeId id, Tangents& tangents, const Components
   if (common) base = *common;
 }
 
-// Again a result of the same call.
-NodeId Differentiator::derivativeOfResult(NodeId id, int variable) {
-  const NodeId call = graph_.operand(id, 0);
-  const Function& function = graph_.function(call);
-  const int derivative = graph_.resultNumber(id) / function.values;
-  const int value = graph_.resultNumber(id) % function.values;
-  MultiIndices indices(function.variables,
-                       MultiIndices::orderOf(function.variables, derivative) + 1);
-  return graph_.result(call, indices.derived(derivative, variable) * function.values + value);
-}
-
 template <class TangentOf>
 NodeId Differentiator::chainRule(NodeId id, TangentOf tangent) {
   Sum sum(graph_);
   const auto add = [&](NodeId operand, auto partial) { sum.add(tangent(operand), partial); };
-  if (graph_.isCall(id)) {
-    const std::vector<NodeId> arguments = graph_.arguments(id), partials = graph_.partials(id);
-    for (std::size_t i = 0; i < arguments.size(); ++i)
-      add(arguments[i], [&] { return partials[i]; });
-    return sum.total();
-  }
-  if (graph_.isResult(id)) {
-    const NodeId call = graph_.operand(id, 0);
-    const std::vector<NodeId> arguments = graph_.arguments(call);
-    for (int i = 0; i < graph_.function(call).variables; ++i)
-      add(arguments[i], [&] { return derivativeOfResult(id, i); });
+  if (graph_.isCall(id) || graph_.isResult(id)) {
+    for (const auto& [argument, partial] : slopesOf(graph_, id))
+      add(argument, [&by = partial] { return by; });
     return sum.total();
   }
   const int arity = graph_.arity(id);

@@ -39,7 +39,6 @@ class Differentiator {
   void findTangent(NodeId id, Tangents& tangents, const Components& components);
   std::optional<NodeId> commonBase(NodeId id, const Tangents& tangents,
                                    const Components& components) const;
-  [[gnu::noinline, gnu::cold]] NodeId derivativeOfResult(NodeId id, int variable);
   template <class TangentOf>
   NodeId chainRule(NodeId id, TangentOf tangent);
   NodeId whole(NodeId id, const Tangents& tangents);

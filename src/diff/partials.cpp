@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "graph/multi_index.hpp"
+
 namespace warpjet {
 
 namespace {
@@ -27,5 +29,24 @@ constexpr auto partials = []<std::size_t... Row>(std::index_sequence<Row...>) {
 }  // namespace
 
 const Partials& partialsOf(Op op) { return partials[index(op)]; }
+
+std::vector<Slope> slopesOf(Graph& graph, NodeId id) {
+  std::vector<Slope> slopes;
+  if (graph.isCall(id)) {
+    const std::vector<NodeId> arguments = graph.arguments(id), given = graph.partials(id);
+    for (std::size_t i = 0; i < arguments.size(); ++i) slopes.push_back({arguments[i], given[i]});
+    return slopes;
+  }
+  const NodeId call = graph.operand(id, 0);
+  const int values = graph.function(call).values, variables = graph.function(call).variables;
+  const std::vector<NodeId> arguments = graph.arguments(call);
+  const int derivative = graph.resultNumber(id) / values, value = graph.resultNumber(id) % values;
+  MultiIndices indices(variables, MultiIndices::orderOf(variables, derivative) + 1);
+  for (int i = 0; i < variables; ++i) {
+    const int number = indices.derived(derivative, i) * values + value;
+    slopes.push_back({arguments[i], graph.result(call, number)});
+  }
+  return slopes;
+}
 
 }  // namespace warpjet

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "graph/expression.hpp"
 
@@ -15,5 +16,14 @@ using Partial = NodeId (*)(Graph&, const Arguments&, Expression);
 using Partials = std::array<Partial, ops::maxArity>;
 
 const Partials& partialsOf(Op op);
+
+// An argument of a call, and the partial derivative by it.
+struct Slope {
+  NodeId argument, partial;
+};
+
+// Of a call of a function of the host, or of a result of one of ours, by the arguments that it has
+// derivatives by.
+std::vector<Slope> slopesOf(Graph& graph, NodeId id);
 
 }  // namespace warpjet

@@ -3,15 +3,12 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <utility>
 
 #include "graph/simplify.hpp"
 
 namespace warpjet {
 
 namespace {
-
-constexpr NodeId none{~std::uint32_t{0}};
 
 // Enough for most warps, so that they never rehash; 16 KB.
 constexpr std::size_t initialTableSize = 4096;
@@ -84,53 +81,8 @@ bool Graph::isConstant(NodeId id, double value) const {
   return isConstant(id) && this->value(id) == value;
 }
 
-std::uint32_t Graph::input(std::string_view label, Shape shape) {
-  for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
-    if (inputs_[i].label == label && inputs_[i].shape == shape) return i;
-  }
-  inputs_.push_back({std::string(label), shape});
-  return static_cast<std::uint32_t>(inputs_.size() - 1);
-}
-
 NodeId Graph::component(std::uint32_t input, int component) {
   return intern(Node{{input, static_cast<std::uint32_t>(component)}, inputOp});
-}
-
-std::uint32_t Graph::addFunction(Function function) {
-  functions_.push_back(std::move(function));
-  return static_cast<std::uint32_t>(functions_.size() - 1);
-}
-
-NodeId Graph::call(std::uint32_t function, std::span<const NodeId> arguments) {
-  std::vector<NodeId> floats;
-  for (const NodeId argument : arguments) floats.push_back(convert(argument, ops::Type::Float));
-  return intern(Node{{index(makeList(floats)), function}, callOp});
-}
-
-NodeId Graph::result(NodeId call, int number) {
-  return intern(Node{{index(call), static_cast<std::uint32_t>(number)}, resultOp});
-}
-
-NodeId Graph::makeList(std::span<const NodeId> items) {
-  NodeId all = items[0];
-  for (const NodeId item : items.subspan(1)) all = intern(Node{{index(all), index(item)}, listOp});
-  return all;
-}
-
-std::vector<NodeId> Graph::list(NodeId id) const {
-  std::vector<NodeId> items;
-  for (; isList(id); id = operand(id, 0)) items.push_back(operand(id, 1));
-  items.push_back(id);
-  return {items.rbegin(), items.rend()};
-}
-
-void Graph::setPartials(NodeId call, std::span<const NodeId> partials) {
-  if (partials_.size() <= index(call)) partials_.resize(index(call) + 1, none);
-  partials_[index(call)] = makeList(partials);
-}
-
-bool Graph::hasPartials(NodeId call) const {
-  return index(call) < partials_.size() && partials_[index(call)] != none;
 }
 
 ops::Type Graph::type(NodeId id) const {

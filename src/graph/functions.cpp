@@ -1,0 +1,60 @@
+// What a graph has once a name: inputs, functions and their calls. Apart from graph.cpp, so that it
+// can be compiled for size.
+#include <utility>
+
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr NodeId none{~std::uint32_t{0}};
+
+}  // namespace
+
+std::uint32_t Graph::input(std::string_view label, Shape shape) {
+  for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
+    if (inputs_[i].label == label && inputs_[i].shape == shape) return i;
+  }
+  inputs_.push_back({std::string(label), shape});
+  return static_cast<std::uint32_t>(inputs_.size() - 1);
+}
+
+std::uint32_t Graph::addFunction(Function function) {
+  functions_.push_back(std::move(function));
+  return static_cast<std::uint32_t>(functions_.size() - 1);
+}
+
+NodeId Graph::call(std::uint32_t function, std::span<const NodeId> arguments) {
+  std::vector<NodeId> floats;
+  for (const NodeId argument : arguments) floats.push_back(convert(argument, ops::Type::Float));
+  return intern(Node{{index(makeList(floats)), function}, callOp});
+}
+
+NodeId Graph::result(NodeId call, int number) {
+  return intern(Node{{index(call), static_cast<std::uint32_t>(number)}, resultOp});
+}
+
+NodeId Graph::makeList(std::span<const NodeId> items) {
+  NodeId all = items[0];
+  for (const NodeId item : items.subspan(1)) all = intern(Node{{index(all), index(item)}, listOp});
+  return all;
+}
+
+std::vector<NodeId> Graph::list(NodeId id) const {
+  std::vector<NodeId> items;
+  for (; isList(id); id = operand(id, 0)) items.push_back(operand(id, 1));
+  items.push_back(id);
+  return {items.rbegin(), items.rend()};
+}
+
+void Graph::setPartials(NodeId call, std::span<const NodeId> partials) {
+  if (partials_.size() <= index(call)) partials_.resize(index(call) + 1, none);
+  partials_[index(call)] = makeList(partials);
+}
+
+bool Graph::hasPartials(NodeId call) const {
+  return index(call) < partials_.size() && partials_[index(call)] != none;
+}
+
+}  // namespace warpjet
