@@ -47,15 +47,17 @@ const sources = {
     warps.drawn.end()`,
 }
 
-const setup = `
+const setupOf = (...chosen) => `
   const fillPixels = (target) => {
     target.loadPixels()
     const bytes = ${JSON.stringify(image.data)}
     bytes.forEach((byte, i) => (target.pixels[i] = byte))
     target.updatePixels()
   }
-  ${Object.values(sources).join('\n')}
+  ${chosen.join('\n')}
   ortho()`
+
+const setup = setupOf(...Object.values(sources))
 
 const grid = (count) =>
   Array.from({ length: count * count }, (_, i) => [
@@ -131,6 +133,22 @@ for (const [version, p5] of Object.entries(p5Versions)) {
       for (const [name, picture] of Object.entries(others))
         assert.equal(differingPixels(picture, byName, 1), 0, name)
       assert.ok(differingPixels(flat, byName, 30) > 5000, 'the image shows')
+    })
+
+    test('in WebGL 1 the warp is told the size of an image among its uniforms', async () => {
+      const displaced = `warps.displace = createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
+        .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bicubic' }).r()
+        .mult(${height})), { type: 'normal', uniforms: { heights: () => warps.image } })`
+      const scenes = { shown: `warps.displace(); plane(${side}, ${side}, 60, 60)` }
+      const [first, second] = [
+        // p5 warns of framebuffers there.
+        await draw({
+          setup: `setAttributes({ version: 1 })\nif (webglVersion !== 'webgl') throw new Error('no WebGL 1')\n${setupOf(sources.image)}\n${displaced}`,
+          scenes,
+        }),
+        await draw({ setup: `${setup}\n${displaced}`, scenes }),
+      ]
+      assert.ok(differingPixels(first.shown, second.shown, 2) < 40)
     })
 
     // plane(160, 160) is a plane of 1 by 1 that is scaled in two directions and not in the third.
