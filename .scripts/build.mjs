@@ -22,10 +22,11 @@ const compiled = [
   ...[...packed, 'unpack'].map((name) => `.build/wasm/${name}.wasm`),
 ]
 
-const bundles = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'cli', 'p5.warpjet.min'].map(
+const shared = ['p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
+const bundles = ['warpjet', ...shared, 'p5.warpjet.min', 'warpjet.deformers.min'].map(
   (name) => `dist/${name}.js`,
 )
-const entries = ['index', 'p5', 'p5.browser', 'autodiff', 'mesh', 'cli', 'p5.global'].map(
+const entries = ['index', ...shared, 'p5.global', 'deformers.global'].map(
   (name) => `js-bindings/${name}.ts`,
 )
 
@@ -70,7 +71,9 @@ async function buildAll() {
 
   await step('Types', {
     inputs: [...inputs, '.scripts/tsconfig.types.json'],
-    outputs: ['index', 'p5', 'autodiff', 'mesh'].map((name) => `dist/types/${name}.d.ts`),
+    outputs: ['index', 'p5', 'autodiff', 'mesh', 'deformers'].map(
+      (name) => `dist/types/${name}.d.ts`,
+    ),
     work: declareTypes,
   })
 
@@ -110,10 +113,10 @@ const writeGenerated = (name, text) => writeFileSync(path(generated, name), text
 
 async function bundle() {
   const vite = await import('vite')
-  const { modules, script } = await import('./vite.library.mjs')
+  const { modules, scripts } = await import('./vite.library.mjs')
   for (const file of walk('dist', /\.js$/)) rmSync(path(file))
   await vite.build(modules)
-  await vite.build(script)
+  for (const script of scripts) await vite.build(script)
 }
 
 async function declareTypes() {

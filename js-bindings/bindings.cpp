@@ -82,6 +82,10 @@ EMSCRIPTEN_KEEPALIVE int setPartials(Session* session, int call) {
   return session->builder.setPartials(toNode(call));
 }
 
+EMSCRIPTEN_KEEPALIVE int dependsOn(Session* session, int handle, int input) {
+  return session->builder.dependsOn(handle, input);
+}
+
 // Columns and rows, four bits each.
 EMSCRIPTEN_KEEPALIVE int shapeOf(Session* session, int handle) {
   const Shape shape = session->builder.shape(handle);

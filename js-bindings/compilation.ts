@@ -88,6 +88,11 @@ export class Compilation {
     return [shape >> 4, shape & 15]
   }
 
+  /** Whether a value is computed from an input. */
+  dependsOn(value: Expression, input: Expression): boolean {
+    return !!this.core._dependsOn(this.open('dependsOn'), value.handle, input.handle)
+  }
+
   /** A number that float32 can hold; see `toExpression`. */
   constant(value: number, method: string): Expression {
     return this.expression(this.core._constant(this.open(method), value))

@@ -27,6 +27,7 @@ export interface Core {
   _functionOfCall(session: Session, call: number): number
   _argumentOfCall(session: Session, call: number, i: number): number
   _setPartials(session: Session, call: number): number
+  _dependsOn(session: Session, handle: number, input: number): number
   _shapeOf(session: Session, handle: number): number
   _nodeCount(session: Session): number
   _operationCount(session: Session): number

@@ -9,7 +9,7 @@ import { WarpError } from './errors.js'
 import { version } from './generated/version.js'
 import { registerGlobally } from './p5.js'
 import type { OffsetFunction, UniformValues } from './types.js'
-import { type WarpOptions, compileWarpText } from './warp-text.js'
+import { type WarpOptions, compileWarpText, noteIfApproximate } from './warp-text.js'
 
 export { compile, gen } from './compile.js'
 export { WarpError } from './errors.js'
@@ -20,8 +20,9 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   offset: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): CompiledWarp {
-  const { text } = compileWarpText('compileWarp', offset as OffsetFunction, options)
-  return { ...text, ...onlyInThePackage }
+  const warp = compileWarpText('compileWarp', offset as OffsetFunction, options)
+  noteIfApproximate(warp)
+  return { ...warp.text, ...onlyInThePackage }
 }
 
 const onlyInThePackage = Object.fromEntries(

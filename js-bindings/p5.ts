@@ -15,6 +15,7 @@ import {
   fillModel,
 } from './p5/load-model.js'
 import type { CreateWarpOptions } from './p5/options.js'
+import { addSurfaceVariation } from './p5/variation.js'
 import type { OffsetFunction, UniformValues } from './types.js'
 
 export type { Distort }
@@ -47,6 +48,12 @@ export interface Loading {
    * `preload()` as `loadModel` is, or awaited.
    */
   loadWarpModel(url: string | URL, options?: LoadModelOptions): Promise<WarpModel>
+  /**
+   * Finds out how normals and uvs vary over a p5.Geometry, for warps that depend on them, and keeps it with the geometry,
+   * which comes back: `bumpy = await addSurfaceVariation(buildGeometry(() => sphere(100)))`. To be called again after its
+   * vertices have changed. Needs p5 2. Throws a `WarpError`.
+   */
+  addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
 }
 
 interface P5 extends Makers {
@@ -99,6 +106,7 @@ function addLoading(p5: P5, preloads: boolean) {
     const filling = fillModel(model, p5, url, options)
     return preloads ? awaitable(model, filling, this) : filling.then(() => model)
   }
+  p5.prototype.addSurfaceVariation = addSurfaceVariation
   p5.prototype.registerPreloadMethod?.('loadWarpModel', p5.prototype)
 }
 

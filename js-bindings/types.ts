@@ -6,6 +6,7 @@
 // What derivatives are at kinks is said at the top of src/ops/table.hpp, and for artists in web/docs/operations.md.
 import type {
   Functions,
+  Mat3Methods,
   MatrixMethods,
   ScalarMethods,
   SquareMethods,
@@ -56,7 +57,7 @@ export interface Matrix<Columns extends Size, Rows extends Size>
 }
 
 export interface Mat2 extends Matrix<2, 2>, SquareMethods<Mat2> {}
-export interface Mat3 extends Matrix<3, 3>, SquareMethods<Mat3> {}
+export interface Mat3 extends Matrix<3, 3>, SquareMethods<Mat3>, Mat3Methods {}
 export interface Mat4 extends Matrix<4, 4>, SquareMethods<Mat4> {}
 
 export type Vector = Vec2 | Vec3 | Vec4
@@ -268,8 +269,8 @@ export interface WarpInputs<Uniforms extends UniformValues = {}> {
   glsl: Glsl
   /** The vertex, in the space of the warp. */
   position: Vec3
-  /** The vertex's normal as the mesh has it, usually of length 1. Its derivative counts as 0, as do
-   * those of `uv` and `color`. */
+  /** The vertex's normal as the mesh has it, usually of length 1. That it varies over the surface, as `uv` does, counts
+   * where the mesh says how (`surfaceVariation` of 'warpjet/mesh'); `color` counts as constant. */
   normal: Vec3
   /** Texture coordinates. */
   uv: Vec2

@@ -15,6 +15,13 @@ export interface Vertices {
   colors?: ArrayLike<number>
   /** Four, as in glTF: a direction, and 1 or -1 for the side of the bitangent. */
   tangents?: ArrayLike<number>
+  /** Three each: how normals and uvs vary over the surface, as `surfaceVariation` of 'warpjet/mesh' gives it. An offset that
+   * depends on them needs it for right normals; what is missing counts as 0. */
+  normalXGradients?: ArrayLike<number>
+  normalYGradients?: ArrayLike<number>
+  normalZGradients?: ArrayLike<number>
+  uGradients?: ArrayLike<number>
+  vGradients?: ArrayLike<number>
 }
 
 /** By name: a number, or the numbers of a vector or, column by column, of a matrix. */
@@ -35,6 +42,11 @@ export const arrayNames: Record<VertexInput, keyof Vertices> = {
   uv: 'uvs',
   color: 'colors',
   tangent: 'tangents',
+  normalXGradient: 'normalXGradients',
+  normalYGradient: 'normalYGradients',
+  normalZGradient: 'normalZGradients',
+  uGradient: 'uGradients',
+  vGradient: 'vGradients',
 }
 
 /** The place of the first that is no number, or none that a float32 can hold; -1 if all are well. */

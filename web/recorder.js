@@ -4,14 +4,16 @@
 {
   const recorded = (window.recordedCode = [])
   const { compile, compileWarp, gen } = warpjet
-  const keep = (maker, code) => {
+  const keep = (maker, { code: statements, declarations }) => {
+    const code = declarations ? `${statements}\n// Above main:\n${declarations}` : statements
     if (!recorded.some((record) => record.code === code)) recorded.push({ maker, code })
   }
 
   for (const methods of [p5.prototype, p5.Graphics.prototype]) {
     const { createWarp } = methods
     methods.createWarp = function (offset, ...options) {
-      keep('createWarp', compileWarp(offset).code)
+      const { uniforms, surfaceVariation = true } = options[0] ?? {}
+      keep('createWarp', compileWarp(offset, { uniforms, surfaceVariation }))
       return createWarp.call(this, offset, ...options)
     }
   }
@@ -20,17 +22,17 @@
     ...warpjet,
     compile(callback, options) {
       const compiled = compile(callback, options)
-      keep('compile', compiled.declarations + compiled.code)
+      keep('compile', compiled)
       return compiled
     },
     compileWarp(offset, options) {
       const compiled = compileWarp(offset, options)
-      keep('compileWarp', compiled.code)
+      keep('compileWarp', compiled)
       return compiled
     },
     gen(callback, settings) {
       const code = gen(callback, settings)
-      keep('gen', code)
+      keep('gen', { code })
       return code
     },
   }

@@ -35,7 +35,10 @@ export async function bake(args: string[]): Promise<void> {
 
   const progress = new Progress(values.quiet)
   const { offset, uniforms: declared } = await readWarp(file)
-  const warp = await blame(file, () => compileWarp(offset, { uniforms: declared }))
+  // The text is not needed; baking finds out how the surface varies by itself.
+  const warp = await blame(file, () =>
+    compileWarp(offset, { uniforms: declared, surfaceVariation: true }),
+  )
   checkUniforms(file, warp, { ...declared, ...uniforms })
 
   let mesh = writable(await loadMesh(model))

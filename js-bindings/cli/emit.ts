@@ -10,6 +10,7 @@ export async function emit(args: string[]): Promise<void> {
   const { values, files, wrong } = readArguments('emit', args, ['a warp.js'], {
     target: { type: 'string', default: 'glsl300' },
     tangents: { type: 'boolean', default: false },
+    'surface-variation': { type: 'boolean' },
     output: { type: 'string', short: 'o' },
   })
   const target = values.target as Target
@@ -18,8 +19,9 @@ export async function emit(args: string[]): Promise<void> {
 
   const [file] = files as [string]
   const { offset, uniforms } = await readWarp(file)
+  const { tangents, 'surface-variation': surfaceVariation } = values
   const warp = await blame(file, () =>
-    compileWarp(offset, { uniforms, target, tangents: values.tangents }),
+    compileWarp(offset, { uniforms, target, tangents, surfaceVariation }),
   )
   const lines = [
     `// uniforms: ${warp.uniforms.join(', ') || 'none'}`,

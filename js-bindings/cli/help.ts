@@ -27,6 +27,8 @@ comments above name what they read, which your shader declares.
 
   --target <language>   glsl300 for WebGL 2 (default), glsl100 for WebGL 1, wgsl for WebGPU
   --tangents            also turns tangents: declares warpedTangent
+  --surface-variation   for an offset that depends on normal or uv: reads how they vary over the surface from attributes,
+                        normalXGradient, normalYGradient, normalZGradient, uGradient and vGradient
   -o, --output <file>   writes a file instead`,
 
   bake: `npx warpjet bake <model> <warp.js> -o <out.glb> [options]

@@ -1,6 +1,7 @@
 /** `createWarp` itself: compiles the offset once for the canvas, and makes the function that a sketch calls to draw with it. */
 import { compileWarpText } from '../warp-text.js'
 import { WarpError, describe } from '../errors.js'
+import { noteApproximation } from '../notes.js'
 import { hookStyleOf, namesFor, results, weave } from './hooks.js'
 import { type Canvas, type Shader, materialOf, webglOf } from './host.js'
 import { type CreateWarpOptions, type WarpSettings, type WarpType, readOptions } from './options.js'
@@ -15,6 +16,7 @@ import {
   setInputs,
   setUniforms,
 } from './uniforms.js'
+import { noteUnlessUsed, readsVariation } from './variation.js'
 
 /**
  * Puts the warp on what is drawn next, and turns strokes off, which p5 would draw unwarped. Values of the option `uniforms`
@@ -46,6 +48,7 @@ export function createWarp(
 
     const followed = materialOf(renderer)._useNormalMaterial ? 'normal' : 'specular'
     const shader = compiled.shaderFor(settings.type ?? followed)
+    if (compiled.varies && settings.surfaceVariation === undefined) noteUnlessUsed()
     canvas.shader(shader)
     canvas.noStroke()
     setInputs(shader, compiled.inputs, canvas)
@@ -78,17 +81,27 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
 
   const renderer = webglOf(canvas)
   const target = renderer?.webglVersion === 'webgl' ? 'glsl100' : 'glsl300'
-  const { text: warp, parameters } = compileWarpText('createWarp', offset, {
+  const { surfaceVariation } = settings
+  if (surfaceVariation && !style.hasVariation)
+    throw new WarpError('createWarp: surfaceVariation needs p5 2; leave it out.')
+  const {
+    text: warp,
+    parameters,
+    isApproximate,
+  } = compileWarpText('createWarp', offset, {
     target,
     names: namesFor(style),
     outputs: results,
+    surfaceVariation: surfaceVariation ?? (style.hasVariation || undefined),
   })
+  if (isApproximate) noteApproximation('createWarp', 'addSurfaceVariation(shape) on p5 2')
   const woven = { ...settings, defs: declarationsOf(settings.uniforms, parameters) + settings.defs }
   refuseUndeclared(parameters, material, woven)
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {
     renderer,
     inputs: warp.uniforms,
+    varies: readsVariation(warp),
     shaderFor: (type: WarpType) =>
       (shaders[type] ??= weave(
         type === 'normal' ? canvas.baseNormalShader() : material,

@@ -14,6 +14,12 @@ export interface Uniform {
 export interface Shader {
   readonly hooks: { readonly vertex: Record<string, string> }
   readonly uniforms: Record<string, Uniform | undefined>
+  /** On 2.x. */
+  readonly _renderer?: {
+    readonly GL: { disableVertexAttribArray(location: number): void }
+    readonly registerEnabled: Set<number>
+  }
+  bindShader?: (...args: unknown[]) => void
   vertSrc(): string
   modify(hooks: Record<string, string>): Shader
   setUniform(name: string, value: unknown): unknown

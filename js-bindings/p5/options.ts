@@ -25,6 +25,12 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   space?: WarpSpace
   /** GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. */
   defs?: string
+  /**
+   * How normal and uv vary over the surface, for an offset that depends on them: left out, it counts for shapes that
+   * `addSurfaceVariation` told it of, and a note says so if there are none; `false`: they count as constant. p5 1.11
+   * knows nothing else.
+   */
+  surfaceVariation?: boolean
 }
 
 export interface WarpSettings {
@@ -32,14 +38,15 @@ export interface WarpSettings {
   readonly type: WarpType | undefined
   readonly space: WarpSpace
   readonly defs: string
+  readonly surfaceVariation: boolean | undefined
 }
 
 const types = ['specular', 'normal']
 const spaces = ['local', 'world', 'camera']
 
 export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
-  checkOptions('createWarp', options, ['uniforms', 'type', 'space', 'defs'])
-  const { type, space = 'local', defs = '' } = options
+  checkOptions('createWarp', options, ['uniforms', 'type', 'space', 'defs', 'surfaceVariation'])
+  const { type, space = 'local', defs = '', surfaceVariation } = options
   if (type !== undefined) mustBeOneOf('type', types, type)
   mustBeOneOf('space', spaces, space)
   if (typeof defs !== 'string')
@@ -52,7 +59,7 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       throw new WarpError(
         `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
       )
-  return { uniforms, type, space, defs }
+  return { uniforms, type, space, defs, surfaceVariation }
 }
 
 /** Whether GLSL such as `uniform float size, amount;` has a uniform of that name. */

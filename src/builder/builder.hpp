@@ -82,6 +82,9 @@ class Builder {
   // of a node that is used once, and what it reads only far above what a person writes.
   std::optional<Built> build(std::optional<int> maxDepth = {});
 
+  // Whether a value is computed from an input.
+  bool dependsOn(int handle, int input);
+
   const std::vector<Output>& outputs() const { return outputs_; }
   // The values pushed, for the CPU; nothing if a function or an image of the host is needed for
   // them.

@@ -1,4 +1,6 @@
 // The results that the host is given: as text, or as a program for the CPU.
+#include <algorithm>
+
 #include "builder/builder.hpp"
 #include "builder/declarations.hpp"
 #include "builder/sentences.hpp"
@@ -43,6 +45,14 @@ std::vector<NodeId> Builder::roots() const {
   for (const Output& output : outputs_)
     nodes.insert(nodes.end(), output.components.begin(), output.components.end());
   return nodes;
+}
+
+bool Builder::dependsOn(int handle, int input) {
+  const Value value = values_.get(graph_, handle), from = values_.get(graph_, input);
+  const auto inputs = from.nodes();
+  const std::vector<NodeId> nodes = reachable(graph_, value.nodes());
+  return std::find_first_of(nodes.begin(), nodes.end(), inputs.begin(), inputs.end()) !=
+         nodes.end();
 }
 
 std::optional<Program> Builder::program() {

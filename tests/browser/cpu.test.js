@@ -1,7 +1,7 @@
 // A bake equals the screen: what `evaluate` computes against what a vertex shader computes, for every warp of the gallery
 // on every mesh of the gallery, and for all other warps on one that has everything.
 //
-// Positions agree to 1e-5 of the numbers in the formula, normals to 0.02°, with an accurate sine in GLSL in place of the
+// Positions agree to 1e-5 of the numbers in the formula, normals to 0.02° or what the warp says, with an accurate sine in GLSL in place of the
 // built-in one. At `millis` 98,765, where angles reach 1,000 and float32 is no finer than 6e-5, positions agree to 2e-5, as
 // they do with the oracle in double. SwiftShader's own sine is 2e-4 off, and with it positions agree to 1e-3. Left out are vertices where the oracle finds a
 // kink nearby, on whose sides two roundings may differ, and those where the surface has all but collapsed.
@@ -48,8 +48,9 @@ const cases = warps
   .map((warp) => ({ ...warp, compiled: warp.compile('glsl300') }))
   .filter(({ compiled }) => compiled.evaluate)
 
-for (const { name, compiled, offset, size, reach, params, kept } of cases) {
-  const meshes = { 'sphere, cube and oddities': () => denseMesh(size) }
+for (const warp of cases) {
+  const { name, compiled, offset, size, step, degrees, every, reach, params, kept } = warp
+  const meshes = { 'sphere, cube and oddities': () => denseMesh(size, every) }
   if (kept)
     for (const [model, make] of Object.entries(models)) meshes[model] = () => modelMesh(make, size)
 
@@ -76,7 +77,7 @@ for (const { name, compiled, offset, size, reach, params, kept } of cases) {
             const angle = bothZero ? 0 : angleBetween(normal, shownNormal)
             const distance = distanceBetween(position, shownPosition) / scale
             if (angle > degrees || distance > bound) {
-              const truth = warpVertex(offset, vertex, uniforms, size / 1000)
+              const truth = warpVertex(offset, vertex, uniforms, step)
               if (!truth.normal?.some(Boolean) || truth.sensitivity > mostSensitive)
                 return worst.leftOut++
             }

@@ -55,7 +55,10 @@ describe('the gallery of npm start', () => {
         assertPicture(await statistics(frame))
         assert.match(await card.locator('code').textContent(), /^\/\/ /)
         await card.getByRole('button', { name: 'GLSL' }).click()
-        assert.match(await card.locator('code').textContent(), /\b(vec3 offset|float height|vec4 color)\b/)
+        assert.match(
+          await card.locator('code').textContent(),
+          /\b(vec3 offset|float height|float value|vec4 color)\b/,
+        )
 
         await page.screenshot({ path: `${screenshots}/${name}.png` })
         const running = await page.locator('iframe').count()

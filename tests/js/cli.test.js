@@ -8,7 +8,7 @@ import { after, describe, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import validator from 'gltf-validator'
 import { compileWarp, targets, version } from 'warpjet'
-import { exportGLB, loadMesh } from 'warpjet/mesh'
+import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import { readGlb, writeGlb } from './support/glb.js'
 import { sphere } from './support/meshes.js'
 import { png } from './support/png.js'
@@ -26,6 +26,10 @@ write(
 write(
   'named.js',
   'export const speed = 2\nexport function bend({ glsl, position }) { return glsl.vec3(position.y().sin(), 0, 0) }',
+)
+write(
+  'bumps.js',
+  'export default ({ normal, position }) => normal.mult(position.x().mult(5).sin().mult(0.1))',
 )
 write('mouse.js', 'export default ({ glsl, mouse }) => glsl.vec3(mouse, 0)')
 const material = {
@@ -350,4 +354,19 @@ describe('info', () => {
     await refuses(['info', 'wave.js'], /loadMesh: /)
     await refuses(['info', 'gone.glb'], /does not exist/)
   })
+})
+
+test('a warp along the normal is baked with how the normal varies, and its text reads that on request', async () => {
+  const { stderr } = await works('bake', 'model.glb', 'bumps.js', '-o', 'bumps.glb')
+  assert.doesNotMatch(stderr, /constant/)
+  const { default: bumps } = await import(join(folder, 'bumps.js'))
+  const warp = compileWarp(bumps, { surfaceVariation: true })
+  const loaded = await loadMesh(join(folder, 'model.glb'))
+  const baked = await loadMesh(join(folder, 'bumps.glb'))
+  assert.deepEqual(baked.normals, (await loadMesh(exportGLB(bakeWarp(loaded, warp)))).normals)
+  const { stdout } = await works('emit', 'bumps.js', '--surface-variation')
+  assert.match(
+    stdout,
+    /attributes: position, normal, normalXGradient, normalYGradient, normalZGradient/,
+  )
 })

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { WarpError, compileWarp, evaluationMemoryInUse } from '../../dist/warpjet.js'
-import { compare, degrees, moments } from '../browser/support/compare.js'
+import { compare, moments } from '../browser/support/compare.js'
 import { arraysOf, denseMesh, interleaved, vertices } from '../browser/support/dense-mesh.js'
 import { warpVertex } from '../browser/support/oracle.js'
 import { warps } from '../warps/index.js'
@@ -11,20 +11,21 @@ import { warps } from '../warps/index.js'
 const hasNoTinyPart = ({ normal }) => normal.every((x) => x === 0 || Math.abs(x) > 1e-15)
 
 describe('positions and normals are right:', () => {
-  for (const { name, compile, offset, size, reach, params, collapses } of warps) {
-    const warp = compile('glsl300')
+  for (const warp of warps) {
+    const { name, offset, size, step, degrees, every, reach, params, collapses } = warp
+    const compiled = warp.compile('glsl300')
     // The text of `gen` that two sketches splice into their own shaders is no warp.
-    if (!warp.evaluate) continue
+    if (!compiled.evaluate) continue
     test(name, () => {
-      const points = vertices(denseMesh(size)).filter(hasNoTinyPart)
+      const points = vertices(denseMesh(size, every)).filter(hasNoTinyPart)
       const draws = moments.map((moment) => ({ ...moment, ...params }))
       const results = draws.map((uniforms) =>
-        interleaved(warp.evaluate({ ...arraysOf(points), uniforms })),
+        interleaved(compiled.evaluate({ ...arraysOf(points), uniforms })),
       )
       const expected = draws.map((inputs) =>
-        points.map((vertex) => warpVertex(offset, vertex, inputs, size / 1000)),
+        points.map((vertex) => warpVertex(offset, vertex, inputs, step)),
       )
-      const found = compare(results, expected, reach)
+      const found = compare(results, expected, reach, degrees)
       assert.equal(found.notFinite, 0, 'NaN or infinite')
       if (collapses) assert.equal(found.notZero, 0, 'normals that should be zero')
       assert.ok(found.length < 1e-6, `normals are ${found.length} off length 1`)

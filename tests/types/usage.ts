@@ -43,6 +43,12 @@ compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {
 
 // @ts-expect-error an offset is a vec3
 compileWarp(({ uv }) => uv, { target: 'glsl100' })
+compileWarp(({ normal }) => normal, {
+  surfaceVariation: true,
+  names: { normalXGradient: 'aByX', uGradient: 'aU' },
+})
+// @ts-expect-error neither true nor false
+compileWarp(({ normal }) => normal, { surfaceVariation: 'yes' })
 // @ts-expect-error no such target
 compileWarp(({ position }) => position, { target: 'hlsl' })
 
@@ -436,5 +442,8 @@ export async function load(sketch: Loading): Promise<number> {
   const model: WarpModel = await sketch.loadWarpModel('bunny.glb', { normalize: false })
   // @ts-expect-error no such option
   await sketch.loadWarpModel('bunny.glb', { size: 2 })
+  const told: WarpModel = await sketch.addSurfaceVariation(model)
+  // @ts-expect-error no shape
+  await sketch.addSurfaceVariation(told.vertices.length)
   return model.vertices.length + (model.texture ? 1 : 0) + model.warnings.length
 }

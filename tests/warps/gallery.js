@@ -1,5 +1,7 @@
 // The warps of the gallery as plain functions of numbers, by the names that sketches.js gives them. The sketches have the
 // other half. See stress.js.
+import { deformerSketches } from './deformer-sketches.js'
+import { fbm } from '../js/support/noise.js'
 import { clamp } from './plain.js'
 
 const { sin, cos, exp, sqrt, hypot } = Math
@@ -18,7 +20,42 @@ const sinesByAxis =
   ([x, y, z], { millis }) =>
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
 
+/** Both warps of the sketch; what differs is whether they are told how the normal varies. */
+const bumpsAlongTheNormal = {
+  size: 100,
+  offset: ([x, y, z], { normal, millis }) => {
+    const wave = (value) => sin(0.1 * value + millis / 900)
+    const height = 4.5 * (wave(x) + wave(y) + wave(z))
+    return normal.map((n) => (n * height) / (hypot(...normal) || 1))
+  },
+}
+const add = (p, shift) => p.map((x, i) => x + shift[i])
+
+/**
+ * The relief of domain-warping-3d. Its slope changes so fast that differences need small steps, and that at the third
+ * level the rounding of a point to float32 turns the normal by 0.01° in places.
+ */
+const relief = (level) => ({
+  size: 1,
+  step: 1e-5,
+  degrees: level < 2 ? 0.02 : 0.05,
+  every: 5,
+  offset(point, { millis }) {
+    const f = (p, ...shift) => 0.5 + fbm(add(p, shift), { octaves: 3 }) / 2
+    const p = point.map((x) => 0.5 * x + millis / 30000)
+    const movedBy = (vector) => p.map((x, i) => x + 4 * vector[i])
+    let at = p
+    if (level > 0) at = movedBy([f(p, 0, 0, 0), f(p, 5.2, 1.3, 2.8), f(p, 1.7, 9.2, 4.1)])
+    if (level > 1) at = movedBy([f(at, 1.7, 9.2, 0), f(at, 8.3, 2.8, 5.1), f(at, 3.9, 6.4, 2.2)])
+    return point.map((x) => 0.9 * x * (f(at, 0, 0, 0) - 0.5))
+  },
+})
+
 export const gallery = {
+  ...deformerSketches,
+  'along-the-normal-rough': bumpsAlongTheNormal,
+  'along-the-normal-exact': bumpsAlongTheNormal,
+
   'airplane-twist': {
     size: 100,
     offset(p, { millis }) {
@@ -62,6 +99,10 @@ export const gallery = {
       return [0, 0, ripples + 0.05 * sin(5 * x + time) * cos(4 * y) - z]
     },
   },
+
+  'domain-warping-3d-plain': relief(0),
+  'domain-warping-3d-warped': relief(1),
+  'domain-warping-3d-twice': relief(2),
 
   fingers: {
     size: 180,

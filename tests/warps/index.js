@@ -1,4 +1,5 @@
 import { compileWarp } from '../../dist/warpjet.js'
+import { degrees } from '../browser/support/compare.js'
 import { gallery } from './gallery.js'
 import { inputs } from './inputs.js'
 import { operations } from './operations.js'
@@ -28,10 +29,13 @@ const sketches = (await sketchWarps())
   }))
 
 /**
- * All warps, [{ name, compile, offset, size, reach, params, collapses, kept }].
+ * All warps, [{ name, compile, offset, size, step, degrees, every, reach, params, collapses, kept }].
  * - `compile(target)` gives the statements;
  * - `offset([x, y, z], inputs)` is the same offset in plain numbers;
  * - `size` is the mesh's, from its middle to its faces;
+ * - `step` is how wide the oracle's differences are;
+ * - `degrees` is how far off its normals may be;
+ * - `every` takes only each so many-th vertex, where the oracle is slow;
  * - `reach` is how large the numbers in the formulas get, for rounding errors are in proportion to it;
  * - `params` are values of the warp's own parameters;
  * - `collapses`: where the moved surface has no normal, its derivatives are exactly zero in float32 too;
@@ -39,6 +43,9 @@ const sketches = (await sketchWarps())
  */
 export const warps = [...stress, ...sketches, ...operations, ...pieces, ...inputs].map((warp) => ({
   compile: (target) => compileWarp(warp.warp, { target }),
+  step: warp.size / 1000,
+  degrees,
+  every: 1,
   reach: warp.size,
   params: {},
   ...warp,

@@ -1,7 +1,7 @@
 // How far warped vertices are from what they must be.
 import { angleBetween, distanceBetween } from './oracle.js'
 
-/** So far off may a normal be. */
+/** So far off may a normal be, unless its warp says otherwise. */
 export const degrees = 0.02
 
 /** Beyond this a surface has all but collapsed, and float32 cannot tell its direction. */
@@ -16,9 +16,10 @@ export const moments = [0, 1234, 98765].map((millis) => ({
 
 /**
  * The greatest differences of `results`, for each moment six numbers a vertex, from `expected`, for each moment and vertex
- * what `warpVertex` gives. Of vertices with a kink nearby, only whether the result is finite.
+ * what `warpVertex` gives. Of vertices with a kink nearby, only whether the result is finite. `beyond` counts the normals
+ * that are more than `bound` degrees off.
  */
-export function compare(results, expected, reach) {
+export function compare(results, expected, reach, bound = degrees) {
   const worst = { position: 0, angle: 0, relativeAngle: 0, length: 0 }
   const counts = {
     count: 0,
@@ -47,7 +48,7 @@ export function compare(results, expected, reach) {
       }
       if (sensitivity > mostSensitive) return counts.collapsing++
       const angle = angleBetween(turned, normal)
-      if (!(angle <= degrees)) counts.beyond++
+      if (!(angle <= bound)) counts.beyond++
       raise('angle', angle)
       raise('relativeAngle', angle / sensitivity)
     }),

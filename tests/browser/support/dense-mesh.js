@@ -49,9 +49,10 @@ function oddities() {
 
 const color = ([x, y, z]) => [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5 - 0.4 * z, 0.6 + 0.3 * x * y]
 
-/** A sphere and a cube, `size` from the middle to the faces, and oddities. */
-export function denseMesh(size) {
-  const points = [...sphere(1200), ...cube(13), ...oddities()]
+/** Of a sphere and a cube, `size` from the middle to the faces, and of oddities, each `every`th vertex. */
+export function denseMesh(size, every = 1) {
+  const all = [...sphere(1200), ...cube(13), ...oddities()]
+  const points = all.filter((_, i) => i % every === 0)
   return Float32Array.from(
     points.flatMap(({ position, normal, uv }) => [
       ...position.map((x) => size * x),

@@ -56,6 +56,20 @@ export async function openPipeline(browser, contextName = 'webgl2') {
 function prepare({ contextName, layout, stride }) {
   const gl = document.createElement('canvas').getContext(contextName)
   let vertexCount
+  // The last two: a warp is often run on many meshes, with and without an accurate sine, and compiling takes long.
+  const programs = new Map()
+
+  function programOf(source) {
+    const program = programs.get(source) ?? link(source)
+    programs.delete(source)
+    programs.set(source, program)
+    if (programs.size > 2) {
+      const [oldest] = programs.keys()
+      gl.deleteProgram(programs.get(oldest))
+      programs.delete(oldest)
+    }
+    return program
+  }
 
   function compile(type, source) {
     const shader = gl.createShader(type)
@@ -100,7 +114,7 @@ function prepare({ contextName, layout, stride }) {
   }
 
   function run(source, draws) {
-    const program = link(source)
+    const program = programOf(source)
     gl.useProgram(program)
     let offset = 0
     for (const [name, size] of Object.entries(layout)) {
@@ -124,7 +138,6 @@ function prepare({ contextName, layout, stride }) {
       gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, bytes)
       return toBase64(bytes)
     })
-    gl.deleteProgram(program)
     return results
   }
 

@@ -5,14 +5,14 @@
 
 const modulo = (x, n) => x - n * Math.floor(x / n)
 const sum = (numbers) => numbers.reduce((total, x) => total + x, 0)
-const dot = (a, b) => sum(a.map((x, i) => x * b[i]))
+const dot = (a, b) => a.reduce((total, x, i) => total + x * b[i], 0)
 
 const prime = 4091
 
 /** A whole number below 4091 from one and any whole number: the cube of a linear function modulo 4091. */
 export function hash(h, i) {
   const n = modulo(1597 * (h + modulo(i, prime)) + 823, prime)
-  return n ** 3 % prime
+  return (n * n * n) % prime
 }
 
 const hashOfCell = (cell, seed) => cell.reduce(hash, seed)
@@ -23,14 +23,23 @@ const factors = { 1: [1], 2: [1, 2531], 3: [1, 3091, 2333] }
 /** `count` numbers in [0, 1). */
 const randoms = (h, count) => factors[count].map((factor) => ((h * factor) % 4096) / 4096)
 
+const known = new Map()
+
+/** What `make(h, n)` gives, made once. */
+const remembered = (make) => (h, n) => {
+  const key = prime * n + h
+  if (!known.has(key)) known.set(key, make(h, n))
+  return known.get(key)
+}
+
 /** A unit vector: a cube folded onto the polytope |x| + |y| + … = constant (McEwan and others 2012, section 5). */
-function direction(h, n) {
+const direction = remembered((h, n) => {
   if (n === 1) return [2 * randoms(h, 1)[0] - 1]
   const cube = randoms(h, n - 1).map((x) => 2 * x - 1)
   const last = (n - 1) / 2 - sum(cube.map(Math.abs))
   const folded = [...cube.map((x) => (last < 0 ? x - Math.sign(x) : x)), last]
   return folded.map((x) => x / Math.hypot(...folded))
-}
+})
 
 /** All lists of `n` of the `choices`. */
 const lists = (choices, n) =>
@@ -39,49 +48,67 @@ const lists = (choices, n) =>
 const fade = (t) => t ** 3 * (6 * t ** 2 - 15 * t + 10)
 const fadeSlope = (t) => 30 * t ** 2 * (t - 1) ** 2
 
+const product = (numbers) => numbers.reduce((total, x) => total * x, 1)
+
+const cornersOf = [0, 1, 2, 3, 4].map((n) => lists([0, 1], n))
+
 /** Adds up values with gradients, { value, gradient }. */
 const total = (parts, scale = 1) => ({
   value: scale * sum(parts.map(({ value }) => value)),
   gradient: parts[0].gradient.map((_, i) => scale * sum(parts.map(({ gradient }) => gradient[i]))),
 })
 
-/** Values at the corners of a grid, `corner(hash, offset)`, each with the weight Π b(t) or 1 - b(t). */
+/**
+ * Values at the corners of a grid, each with the weight Π b(t) or 1 - b(t) → { value, gradient }. `corner` has the value
+ * at a corner, from its hash and from where the point lies seen from there, and the gradient of that.
+ */
 function lattice(p, seed, corner) {
   const cell = p.map(Math.floor)
   const inside = p.map((x, i) => x - cell[i])
-  const parts = lists([0, 1], p.length).map((step) => {
-    const weights = inside.map((t, i) => (step[i] ? fade(t) : 1 - fade(t)))
-    const offset = inside.map((t, i) => t - step[i])
-    const h = hashOfCell(
-      cell.map((c, i) => c + step[i]),
-      seed,
-    )
-    const { value, gradient } = corner(h, offset)
-    const product = (list) => list.reduce((a, b) => a * b, 1)
-    const weight = product(weights)
-    return {
-      value: weight * value,
-      gradient: inside.map((t, i) => {
-        const slope = (step[i] ? 1 : -1) * fadeSlope(t)
-        return slope * product(weights.toSpliced(i, 1)) * value + weight * gradient[i]
-      }),
+  const blends = inside.map(fade)
+
+  /** The sum of weight(factors, step) times what `term` gives, over the corners. Called millions of times. */
+  function sumOver(weight, term) {
+    const [factors, offset] = [[...p], [...p]]
+    let total = 0
+    for (const step of cornersOf[p.length]) {
+      let h = seed
+      for (let i = 0; i < p.length; i++) {
+        h = hash(h, cell[i] + step[i])
+        factors[i] = step[i] ? blends[i] : 1 - blends[i]
+        offset[i] = inside[i] - step[i]
+      }
+      total += weight(factors, step) * term(h, offset)
     }
-  })
-  return total(parts)
+    return total
+  }
+
+  return {
+    get value() {
+      return sumOver(product, corner.value)
+    },
+    get gradient() {
+      return inside.map((t, axis) => {
+        const slope = (factors, step) =>
+          product(factors.with(axis, (step[axis] ? 1 : -1) * fadeSlope(t)))
+        return sumOver(slope, corner.value) + sumOver(product, (h) => corner.gradient(h)[axis])
+      })
+    },
+  }
 }
 
 const bases = {
   /** Perlin 2002, with directions of length 1, scaled to reach 1. */
   noise(p, seed) {
-    const found = lattice(p, seed, (h, offset) => {
-      const gradient = direction(h, p.length)
-      return { value: dot(gradient, offset), gradient }
+    const scale = 2 / Math.sqrt(p.length)
+    return lattice(p, seed, {
+      value: (h, offset) => scale * dot(direction(h, p.length), offset),
+      gradient: (h) => direction(h, p.length).map((x) => scale * x),
     })
-    return total([found], 2 / Math.sqrt(p.length))
   },
 
   valueNoise: (p, seed) =>
-    lattice(p, seed, (h) => ({ value: (2 * h) / (prime - 1) - 1, gradient: p.map(() => 0) })),
+    lattice(p, seed, { value: (h) => (2 * h) / (prime - 1) - 1, gradient: () => p.map(() => 0) }),
 
   /** Perlin 2001, Gustavson 2005; kernels (reach - d²)⁴, scaled to reach 1. */
   simplex(p, seed) {

@@ -1,0 +1,56 @@
+// Domain warping: noise whose point is moved by noise before it is looked up, and again.
+// Left f(p), then f(p + fbm(p)), then f(p + fbm(p + fbm(p))), all of the same noise.
+// After Inigo Quilez, Domain warping, 2002.
+let panels
+
+// The noise at p, from 0 to 1, after p was moved `level` times.
+function warped({ vec2, fbm }, p, level) {
+  const f = (point, x, y) =>
+    fbm(point.add(vec2(x, y)))
+      .mult(0.5)
+      .add(0.5)
+  if (level === 0) return f(p, 0, 0)
+  const q = vec2(f(p, 0, 0), f(p, 5.2, 1.3))
+  const at = p.add(q.mult(4))
+  if (level === 1) return f(at, 0, 0)
+  const r = vec2(f(at, 1.7, 9.2), f(at, 8.3, 2.8))
+  return f(p.add(r.mult(4)), 0, 0)
+}
+
+function setup() {
+  createCanvas(640, 480, WEBGL)
+  pixelDensity(1)
+  noStroke()
+  panels = [0, 1, 2].map((level) => {
+    const { code, declarations } = warpjet.compile((glsl) => {
+      const p = glsl.vec2Param('p')
+      const value = warped(glsl, p, level)
+      const dark = glsl.vec3(0.05, 0.04, 0.1)
+      const warm = glsl.vec3(0.85, 0.3, 0.16)
+      const light = glsl.vec3(1, 0.9, 0.72)
+      const shade = dark.mix(warm, glsl.smoothstep(0.3, 0.55, value))
+      return { value, shade: shade.mix(light, glsl.smoothstep(0.48, 0.72, value)) }
+    })
+    return baseMaterialShader().modify({
+      uniforms: { 'float time': () => millis() / 1000 },
+      fragmentDeclarations: declarations,
+      'Inputs getPixelInputs': `(Inputs inputs) {
+        vec2 p = inputs.texCoord * vec2(1.0, 2.25) * 1.6 + 0.03 * time;
+        ${code}
+        inputs.color = vec4(shade, 1.0);
+        return inputs;
+      }`,
+    })
+  })
+}
+
+function draw() {
+  background('#151823')
+  panels.forEach((panel, i) => {
+    push()
+    translate(212 * (i - 1), 0)
+    shader(panel)
+    plane(200, 450)
+    pop()
+  })
+}

@@ -1,0 +1,35 @@
+vec3 offset, warpedPosition, warpedNormal;
+{
+  float t0 = millis / 30000.0;
+  vec4 t1 = warpjetFbm3Noise3Gradient(position.x * 0.5 + t0, position.y * 0.5 + t0, position.z * 0.5 + t0, 2107.0, 2.0, 0.5);
+  float t2 = t1.x * 0.45;
+  float t3 = t1.y * 0.225;
+  float t4 = t1.z * 0.225;
+  float t5 = t1.w * 0.225;
+  float t6 = position.y * t3;
+  float t7 = position.z * t3;
+  float t8 = t2 + position.x * t3 + 1.0;
+  float t9 = position.x * t4;
+  float t10 = position.z * t4;
+  float t11 = t2 + position.y * t4 + 1.0;
+  float t12 = position.x * t5;
+  float t13 = position.y * t5;
+  float t14 = t2 + position.z * t5 + 1.0;
+  offset = vec3(position.x * t2, position.y * t2, position.z * t2);
+  float t15 = (t11 * t14 - t10 * t13) * normal.x;
+  float t16 = (t13 * t7 - t14 * t6) * normal.y;
+  float t17 = (t10 * t12 - t9 * t14) * normal.x;
+  float t18 = (t14 * t8 - t12 * t7) * normal.y;
+  float t19 = (t9 * t13 - t11 * t12) * normal.x;
+  float t20 = (t12 * t6 - t13 * t8) * normal.y;
+  float t21 = (t6 * t10 - t7 * t11) * normal.z;
+  float t22 = t15 + t16 + t21;
+  float t23 = (t7 * t9 - t8 * t10) * normal.z;
+  float t24 = (t8 * t11 - t6 * t9) * normal.z;
+  float t25 = t17 + t18 + t23;
+  float t26 = t19 + t20 + t24;
+  float t27 = t22 * t22 + t25 * t25 + t26 * t26;
+  float t28 = t27 > 0.0 ? inversesqrt(t27) : 0.0;
+  warpedNormal = vec3(t22 * t28, t25 * t28, t26 * t28);
+  warpedPosition = position + offset;
+}
