@@ -122,6 +122,23 @@ bump(position) // by component, as built-in functions go
 it takes, 1 to 16. \`derivatives\` has one entry for each: a number, an expression, or a function of all arguments. It can be left
 out if nothing is derived; a warp's normal needs it.
 
+## Images
+
+\`glsl.texture(image, uv, { filter, wrap })\` is the colour of an image at \`uv\`, a vec4: (0, 0) is its top left corner and (1, 1) its
+bottom right one. \`image\` is one of the option \`uniforms\`, or the name of the shader's \`sampler2D\`. It may displace a surface, by
+\`glsl.texture(uniforms.heights, position.xy().add(0.5)).r()\`, and its derivatives are exactly those of what it gives, since it reads
+texels and mixes them itself, whatever filter the image has.
+
+| filter | between the texels |
+| ------ | ------------------ |
+| \`'bilinear'\`, unless given | the mix of four; its slope, and so light, jumps at every row and column of texels |
+| \`'bicubic'\` | a smooth curve through the texels (Keys, 1981: Catmull-Rom), a little beyond them beside edges |
+| \`'bspline'\` | a cubic B-spline, smooth up to its second derivatives, which blurs the image by about a texel; best for heights |
+
+Beyond 0 and 1, \`wrap\` is \`'clamp'\` unless given, \`'repeat'\` or \`'mirror'\`. A transparent image's colours are as the host keeps them:
+p5 multiplies them by alpha. WebGL 1 must be told the size: \`uniform vec2 heightsSize\` beside \`uniform sampler2D heights\`.
+The CPU cannot read images.
+
 ## At kinks and edges
 
 Where a function has no derivative, it still gets one that lighting can live with.

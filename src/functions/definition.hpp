@@ -46,7 +46,7 @@ struct Definition {
 
   // Equal names are equal functions.
   Function function;
-  Body body;
+  Body body = nullptr;
   // What `body` is told.
   std::uint32_t settings = 0;
   // What each value is known to lie between.

@@ -6,7 +6,7 @@ import { compile } from '../../dist/warpjet.js'
 import { randomImage, sample } from '../operations/textures.js'
 import { launchBrowser } from './support/browser.js'
 import { normalize } from './support/matrix.js'
-import { colorAt } from './support/pixels.js'
+import { colorAt, differingPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
 import { drawScenes, p5Versions, runSketch } from './support/sketch.js'
 
@@ -47,15 +47,17 @@ const sources = {
     warps.drawn.end()`,
 }
 
-const setup = `
+const setupOf = (...chosen) => `
   const fillPixels = (target) => {
     target.loadPixels()
     const bytes = ${JSON.stringify(image.data)}
     bytes.forEach((byte, i) => (target.pixels[i] = byte))
     target.updatePixels()
   }
-  ${Object.values(sources).join('\n')}
+  ${chosen.join('\n')}
   ortho()`
+
+const setup = setupOf(...Object.values(sources))
 
 const grid = (count) =>
   Array.from({ length: count * count }, (_, i) => [
@@ -104,6 +106,68 @@ for (const [version, p5] of Object.entries(p5Versions)) {
             assertColor(picture, [u, v], wanted, 4, name)
           }
       })
+
+    test('an image is a uniform like others: a value, a function, another one for a call', async () => {
+      const offset = `({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
+        .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bspline' }).r()
+        .mult(uniforms.amount))`
+      const pictures = await draw({
+        setup: `${setup}
+          const flat = createImage(1, 1)
+          const uniforms = (heights) => ({ type: 'normal', uniforms: { amount: ${height}, heights } })
+          warps.value = createWarp(${offset}, uniforms(warps.image))
+          warps.follow = createWarp(${offset}, uniforms(() => warps.graphics))
+          warps.other = createWarp(${offset}, uniforms(flat))
+          warps.byName = createWarp(({ glsl, position }) => glsl.vec3(0, 0, glsl
+            .texture('heights', position.xy().add(0.5), { filter: 'bspline' }).r()
+            .mult(${height})), { type: 'normal', defs: 'uniform sampler2D heights;' })`,
+        scenes: {
+          byName: `warps.byName({ heights: warps.image }); plane(${side}, ${side}, 160, 160)`,
+          value: `warps.value(); plane(${side}, ${side}, 160, 160)`,
+          follow: `warps.follow(); plane(${side}, ${side}, 160, 160)`,
+          other: `warps.other({ heights: warps.image }); plane(${side}, ${side}, 160, 160)`,
+          flat: `warps.other(); plane(${side}, ${side}, 160, 160)`,
+        },
+      })
+      const { byName, flat, ...others } = pictures
+      for (const [name, picture] of Object.entries(others))
+        assert.equal(differingPixels(picture, byName, 1), 0, name)
+      assert.ok(differingPixels(flat, byName, 30) > 5000, 'the image shows')
+    })
+
+    test('in WebGL 1 the warp is told the size of an image among its uniforms', async () => {
+      const displaced = `warps.displace = createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
+        .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bicubic' }).r()
+        .mult(${height})), { type: 'normal', uniforms: { heights: () => warps.image } })`
+      const scenes = { shown: `warps.displace(); plane(${side}, ${side}, 60, 60)` }
+      const [first, second] = [
+        // p5 warns of framebuffers there.
+        await draw({
+          setup: `setAttributes({ version: 1 })\nif (webglVersion !== 'webgl') throw new Error('no WebGL 1')\n${setupOf(sources.image)}\n${displaced}`,
+          scenes,
+        }),
+        await draw({ setup: `${setup}\n${displaced}`, scenes }),
+      ]
+      assert.ok(differingPixels(first.shown, second.shown, 2) < 40)
+    })
+
+    // plane(160, 160) is a plane of 1 by 1 that is scaled in two directions and not in the third.
+    test('a displaced plane is lit alike, however it came to its size', async () => {
+      const warp = (amount) => `createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
+        .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bspline' }).r()
+        .mult(${amount})), { uniforms: { heights: warps.image } })`
+      const light = 'ambientLight(60); directionalLight(255, 255, 255, 0.8, 0.2, -0.5); fill(200);'
+      const pictures = await draw({
+        setup: `${setup}
+          warps.flat = ${warp(height)}
+          warps.even = ${warp(height / side)}`,
+        scenes: {
+          flat: `${light} warps.flat(); plane(${side}, ${side}, 60, 60)`,
+          even: `${light} scale(${side}); warps.even(); plane(1, 1, 60, 60)`,
+        },
+      })
+      assert.ok(differingPixels(pictures.flat, pictures.even, 3) < 40)
+    })
 
     test('an image sampled at a warped place, in the fragment stage', async () => {
       const { code, declarations, uniforms } = compile((glsl) => {
@@ -157,6 +221,7 @@ void main() {
         'createWarp(warp)': /reads "heights", .* "uniform sampler2D heights;"/,
         'distort({ heights: 5 })':
           /uniform "heights" must be an image, such as one of loadImage or createGraphics, but is the number 5/,
+        'inUniforms({ heights: 5 })': /uniform "heights" must be an image, .* but is the number 5/,
         'distort({ heights: null })': /uniform "heights" must be an image, .* but is null/,
         'distort({ heights: "a.png" })': /must be an image, .* but is the text "a.png"/,
         'distort({ heights: Promise.resolve() })': /must be an image, .* but is a promise/,
@@ -170,6 +235,11 @@ void main() {
         function setup() {
           createCanvas(100, 100, WEBGL)
           distort = createWarp(warp, { defs: 'uniform sampler2D heights;' })
+          inUniforms = createWarp(
+            ({ glsl, position, uniforms }) =>
+              glsl.vec3(0, 0, glsl.texture(uniforms.heights, position.xy()).r()),
+            { uniforms: { heights: createImage(2, 2) } },
+          )
           noLoop()
         }
         function draw() {

@@ -364,6 +364,27 @@ compile((glsl) => {
   createWarp({}, twist, { uniforms: { at: 1 } })
 }
 
+// An image among the uniforms.
+{
+  const [image, graphics] = [
+    { width: 3, height: 2, pixels: [1] },
+    { width: 3, height: 2 },
+  ]
+  const distort = createWarp(
+    {},
+    ({ glsl, uv, uniforms }) =>
+      glsl
+        .texture(uniforms.picture, uv)
+        .rgb()
+        .add(glsl.texture(uniforms.layer, uv).rgb())
+        .mult(uniforms.amount),
+    { uniforms: { picture: image, layer: () => graphics, amount: 2 } },
+  )
+  distort({ picture: graphics })
+  // @ts-expect-error an image
+  distort({ picture: 3 })
+}
+
 // Own functions.
 compile((glsl) => {
   const [x, p, q] = [glsl.param('x'), glsl.vec3Param('p'), glsl.vec2Param('q')]
