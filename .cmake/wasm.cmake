@@ -1,7 +1,8 @@
-# WebAssembly build: for each module NAME.mjs (a factory function) and NAME.wasm, which .scripts/build.mjs inlines.
+# WebAssembly build: for each module NAME.wasm, which .scripts/build.mjs inlines, and but for the core NAME.mjs, a factory.
 #   core        the compiler; no SIMD, so that it runs wherever WebAssembly does
 #   evaluation  programs over many vertices
 #   mesh        files of meshes, and what is done to meshes
+# And unpack.wasm, which unpacks the others.
 
 # What runs once per warp, or per name in it, is compiled for size; what runs per node stays at -O3
 # (-Os everywhere made a warp of 3,000 nodes six times slower), but for what of it was no slower when it was small:
@@ -10,7 +11,7 @@ set_source_files_properties(js-bindings/bindings.cpp js-bindings/mesh.cpp PROPER
 set_source_files_properties(
   src/algebra/derivatives.cpp src/algebra/matrices.cpp src/algebra/vectors.cpp src/builder/call.cpp src/builder/construct.cpp
   src/builder/host.cpp src/builder/results.cpp src/builder/sentences.cpp src/diff/partials.cpp src/emit/dialect.cpp src/emit/emit.cpp src/emit/literal.cpp src/emit/lower.cpp src/emit/bundle.cpp src/emit/names.cpp src/emit/statements.cpp src/functions/library.cpp src/functions/inline_calls.cpp
-  src/builder/declarations.cpp src/builder/noise.cpp src/noise/curl.cpp src/noise/fractal.cpp src/noise/lattice.cpp src/noise/noise.cpp
+  src/builder/declarations.cpp src/builder/noise.cpp src/builder/texture.cpp src/texture/texture.cpp src/noise/curl.cpp src/noise/fractal.cpp src/noise/lattice.cpp src/noise/noise.cpp
   src/noise/random.cpp src/noise/simplex.cpp src/noise/worley.cpp src/graph/multi_index.cpp src/graph/schedule.cpp
   src/emit/syntax.cpp src/eval/program.cpp src/ops/ops.cpp src/warp/warp.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
@@ -61,19 +62,28 @@ function(warpjet_module name)
     ${module_LINK_OPTIONS})
 endfunction()
 
-warpjet_module(core
-  SOURCES js-bindings/bindings.cpp .cmake/math.cpp
-  LINK_OPTIONS
-    -fno-exceptions                       # no exception crosses the border: a throw that is left in the code does not link
-    "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"  # not simd128: it does not link if it got in
-    --bind                                # embind for the few rich calls
-    --js-library ${PROJECT_SOURCE_DIR}/.cmake/embind.js  # without the types that no call has
-    -sMEMORY_GROWTH_GEOMETRIC_STEP=1.0    # doubles, since each growth detaches every view of the heap
-    -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
-    -s${stack_setting}=262144
-    -sJS_MATH)                            # sin, pow and others from JavaScript, for folding constants: 16 KB less
-target_compile_options(warpjet_core_wasm PRIVATE -fno-exceptions)
-set_target_properties(warpjet_core_wasm PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/embind.js)
+# Without Emscripten's JavaScript; js-bindings/core-module.ts has what is imported: C's mathematics, for folding constants
+# (16 KB less than musl's), and embind, for the few rich calls, without libembind and type_info, which know every type.
+add_executable(warpjet_core_wasm js-bindings/bindings.cpp .cmake/math.cpp)
+target_link_libraries(warpjet_core_wasm PRIVATE warpjet_core)
+set_target_properties(warpjet_core_wasm PROPERTIES OUTPUT_NAME core SUFFIX .wasm)
+target_compile_options(warpjet_core_wasm PRIVATE -fno-exceptions -fno-rtti)
+target_compile_options(warpjet_core PRIVATE -fno-rtti)
+target_compile_definitions(warpjet_core_wasm PRIVATE EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
+target_link_options(warpjet_core_wasm PRIVATE
+  -flto
+  --no-entry
+  -fno-exceptions                       # no exception crosses the border: a throw that is left in the code does not link
+  "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"  # not simd128: it does not link if it got in
+  -sALLOW_MEMORY_GROWTH
+  -sMALLOC=emmalloc
+  -sSUPPORT_ERRNO=0
+  -sFILESYSTEM=0
+  -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
+  -s${stack_setting}=262144
+  -sJS_MATH
+  -sWARN_ON_UNDEFINED_SYMBOLS=0         # embind's, which emcc does not know without --bind; a wrong one fails at the first warp
+  -sERROR_ON_UNDEFINED_SYMBOLS=0)
 
 warpjet_module(evaluation
   SOURCES js-bindings/evaluation.cpp
@@ -98,3 +108,12 @@ target_link_libraries(warpjet_mesh_wasm PRIVATE warpjet_mesh)
 set_target_properties(warpjet_mesh_wasm PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/mesh.js)
 target_compile_options(warpjet_mesh_wasm PRIVATE -fwasm-exceptions)
 target_compile_options(warpjet_mesh PRIVATE -fwasm-exceptions)
+
+# Alone and without JavaScript. A stack this small and a few models fit one page of memory.
+add_executable(warpjet_unpack_wasm js-bindings/unpack.cpp)
+set_target_properties(warpjet_unpack_wasm PROPERTIES OUTPUT_NAME unpack SUFFIX .wasm)
+set_source_files_properties(js-bindings/unpack.cpp PROPERTIES COMPILE_OPTIONS -Oz)
+target_compile_options(warpjet_unpack_wasm PRIVATE -fno-exceptions -fno-rtti)
+target_link_options(warpjet_unpack_wasm PRIVATE
+  -Oz -flto --no-entry -sSUPPORT_ERRNO=0 -sFILESYSTEM=0 -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=64KB -s${stack_setting}=1024
+  -Wl,--export=__heap_base)

@@ -15,16 +15,18 @@ const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
 // Of .cmake/wasm.cmake.
-const wasmModules = ['core', 'evaluation', 'mesh']
-const compiled = wasmModules.flatMap((name) => [
-  `.build/wasm/${name}.mjs`,
-  `.build/wasm/${name}.wasm`,
-])
+const withGlue = ['evaluation', 'mesh']
+const packed = ['core', ...withGlue]
+const compiled = [
+  ...withGlue.map((name) => `.build/wasm/${name}.mjs`),
+  ...[...packed, 'unpack'].map((name) => `.build/wasm/${name}.wasm`),
+]
 
-const bundles = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'cli', 'p5.warpjet.min'].map(
+const shared = ['p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
+const bundles = ['warpjet', ...shared, 'p5.warpjet.min', 'warpjet.deformers.min'].map(
   (name) => `dist/${name}.js`,
 )
-const entries = ['index', 'p5', 'p5.browser', 'autodiff', 'mesh', 'cli', 'p5.global'].map(
+const entries = ['index', ...shared, 'p5.global', 'deformers.global'].map(
   (name) => `js-bindings/${name}.ts`,
 )
 
@@ -38,7 +40,6 @@ async function buildAll() {
       'CMakeLists.txt',
       'CMakePresets.json',
       '.cmake/wasm.cmake',
-      '.cmake/embind.js',
       '.cmake/mesh.js',
       '.cmake/math.cpp',
       'src',
@@ -51,7 +52,8 @@ async function buildAll() {
   await step('WebAssembly as JavaScript', {
     inputs: [...scripts, 'package.json', ...compiled],
     outputs: [
-      ...wasmModules.flatMap((name) => [`${name}.js`, `${name}-wasm.js`]),
+      ...withGlue.map((name) => `${name}.js`),
+      ...[...packed, 'unpack'].map((name) => `${name}-wasm.js`),
       'version.ts',
     ].map((name) => `${generated}/${name}`),
     work: generateModules,
@@ -69,7 +71,9 @@ async function buildAll() {
 
   await step('Types', {
     inputs: [...inputs, '.scripts/tsconfig.types.json'],
-    outputs: ['index', 'p5', 'autodiff', 'mesh'].map((name) => `dist/types/${name}.d.ts`),
+    outputs: ['index', 'p5', 'autodiff', 'mesh', 'deformers'].map(
+      (name) => `dist/types/${name}.d.ts`,
+    ),
     work: declareTypes,
   })
 
@@ -78,25 +82,30 @@ async function buildAll() {
 
 async function generateModules() {
   mkdirSync(path(generated), { recursive: true })
-  for (const name of wasmModules) await generateModule(name)
+  withGlue.forEach(generateGlue)
+  // Base64 hides the repetitions from the server's gzip, so they are taken out before.
+  const { LZMA } = (await import('lzma')).default
+  for (const name of packed) writeBase64(name, LZMA().compress(readWasm(name), 9))
+  writeBase64('unpack', readWasm('unpack'))
   const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
   writeGenerated('version.ts', `export const version: string = '${version}'\n`)
 }
 
-/** The compiler's output as modules that any bundler takes: the wasm is handed in, so its address never matters. */
-async function generateModule(name) {
+const readWasm = (name) => readFileSync(path(`.build/wasm/${name}.wasm`))
+
+/** The compiler's output as a module that any bundler takes: the wasm is handed in, so its address never matters. */
+function generateGlue(name) {
   const glue = readFileSync(path(`.build/wasm/${name}.mjs`), 'utf8')
   writeGenerated(`${name}.js`, glue.replaceAll('import.meta.url', '"file:///"'))
   writeGenerated(
     `${name}.d.ts`,
     'export default function instantiate<Module>(options: { wasmBinary: Uint8Array }): Module\n',
   )
+}
 
-  // Base64 hides the repetitions from the server's gzip, so they are taken out before: 11 KB less of the core on the
-  // wire, and another 3 by Zopfli instead of zlib.
-  const { deflateAsync } = (await import('@gfx/zopfli')).default
-  const wasm = await deflateAsync(readFileSync(path(`.build/wasm/${name}.wasm`)), {})
-  writeGenerated(`${name}-wasm.js`, `export default '${Buffer.from(wasm).toString('base64')}'\n`)
+function writeBase64(name, bytes) {
+  const base64 = Buffer.from(bytes).toString('base64')
+  writeGenerated(`${name}-wasm.js`, `export default '${base64}'\n`)
   writeGenerated(`${name}-wasm.d.ts`, 'declare const base64: string\nexport default base64\n')
 }
 
@@ -104,10 +113,10 @@ const writeGenerated = (name, text) => writeFileSync(path(generated, name), text
 
 async function bundle() {
   const vite = await import('vite')
-  const { modules, script } = await import('./vite.library.mjs')
+  const { modules, scripts } = await import('./vite.library.mjs')
   for (const file of walk('dist', /\.js$/)) rmSync(path(file))
   await vite.build(modules)
-  await vite.build(script)
+  for (const script of scripts) await vite.build(script)
 }
 
 async function declareTypes() {

@@ -1,8 +1,10 @@
-// npm run reference: writes what the tables of operations say as TypeScript types and as a page of the docs.
+// npm run reference: writes what the tables of operations say as TypeScript types and as a page of the docs, and what the
+// sources of the deformers say as another.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname } from 'node:path'
 import { path } from './lib/files.mjs'
 import { good, isMain, main } from './lib/terminal.mjs'
+import { deformersText } from './reference/deformers.mjs'
 import { pageText } from './reference/page.mjs'
 import { readTable } from './reference/table.mjs'
 import { typesText } from './reference/types.mjs'
@@ -15,6 +17,7 @@ export async function staleFiles() {
   const texts = {
     'js-bindings/methods.ts': typesText(table),
     'web/docs/operations.md': pageText(table),
+    'web/docs/deformers.md': deformersText(),
   }
   const stale = []
   for (const [file, text] of Object.entries(texts)) {

@@ -24,6 +24,7 @@ export const modules = {
         'p5.browser': path('js-bindings/p5.browser.ts'),
         autodiff: path('js-bindings/autodiff.ts'),
         mesh: path('js-bindings/mesh.ts'),
+        deformers: path('js-bindings/deformers.ts'),
         cli: path('js-bindings/cli.ts'),
       },
       formats: ['es'],
@@ -32,25 +33,26 @@ export const modules = {
   },
 }
 
-export const script = {
+/** One file for a <script> tag; `replaced` are modules that are others there. */
+const scriptOf = (entry, fileName, replaced) => ({
   ...common,
-  // It stays one small file: what reads models is fetched from beside it.
-  resolve: {
-    alias: [
-      { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
-    ],
-  },
+  resolve: { alias: replaced },
   build: {
     outDir: 'dist',
     emptyOutDir: false,
     target: 'es2022',
     minify: true,
-    lib: {
-      entry: path('js-bindings/p5.global.ts'),
-      formats: ['iife'],
-      name: 'warpjet',
-      fileName: () => 'p5.warpjet.min.js',
-    },
+    lib: { entry: path(entry), formats: ['iife'], name: 'warpjet', fileName: () => fileName },
     rolldownOptions: { external, output: { globals: { p5: 'p5' } } },
   },
-}
+})
+
+export const scripts = [
+  // It stays one small file: what reads models is fetched from beside it.
+  scriptOf('js-bindings/p5.global.ts', 'p5.warpjet.min.js', [
+    { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
+  ]),
+  scriptOf('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js', [
+    { find: /^\.\.?\/errors\.js$/, replacement: path('js-bindings/errors.global.ts') },
+  ]),
+]

@@ -12,6 +12,7 @@
 
 #include "builder/builder.hpp"
 #include "noise/noise.hpp"
+#include "texture/texture.hpp"
 
 using namespace warpjet;
 
@@ -52,6 +53,10 @@ EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int oct
   return session->builder.callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);
 }
 
+EMSCRIPTEN_KEEPALIVE int callTexture(Session* session, int filter, int wrap) {
+  return session->builder.callTexture({Filter(filter), Wrap(wrap)});
+}
+
 EMSCRIPTEN_KEEPALIVE int swizzle(Session* session, int handle, int count, int indices) {
   return session->builder.swizzle(handle, count, static_cast<unsigned>(indices));
 }
@@ -75,6 +80,10 @@ EMSCRIPTEN_KEEPALIVE int argumentOfCall(Session* session, int call, int i) {
 
 EMSCRIPTEN_KEEPALIVE int setPartials(Session* session, int call) {
   return session->builder.setPartials(toNode(call));
+}
+
+EMSCRIPTEN_KEEPALIVE int dependsOn(Session* session, int handle, int input) {
+  return session->builder.dependsOn(handle, input);
 }
 
 // Columns and rows, four bits each.
@@ -228,6 +237,9 @@ std::string outputLines(Address session) {
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(warpjet) {
+  // The only type that needs a conversion, in core-module.ts. Without libembind nobody else tells of it.
+  emscripten::internal::_embind_register_std_string(
+      emscripten::internal::TypeID<std::string>::get(), "std::string");
   emscripten::function("operationNames", &operationNames);
   emscripten::function("open", &open);
   emscripten::function("problem", &problem);

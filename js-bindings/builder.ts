@@ -6,6 +6,7 @@ import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './functions.js'
 import { callNoise, noiseKinds } from './noise.js'
+import { callTexture } from './texture.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>
 
@@ -53,6 +54,7 @@ export function createBuilder(compilation: Compilation): Builder {
       expectNoMore('val', others)
       return toExpression(compilation, 'val', value, 1)
     },
+    texture: (...operands) => callTexture(compilation, operands),
     fn: ((options: unknown) => declareFunction(compilation, options)) as never,
   }
   for (const [name, shape] of Object.entries(params))

@@ -12,8 +12,16 @@ export const targets = ['glsl300', 'glsl100', 'wgsl'] as const
 /** A shading language: GLSL ES 3.00 (WebGL 2), GLSL ES 1.00 (WebGL 1), or WGSL (WebGPU). */
 export type Target = (typeof targets)[number]
 
-/** Columns and rows; a number has one of each, a vector one column. */
+/** Columns and rows; a number has one of each, a vector one column, an image none. */
 export type Shape = readonly [columns: number, rows: number]
+export const imageShape: Shape = [0, 1]
+
+/** The expression for an image's width and height in texels. */
+const sizeOfImage: Record<Target, (image: string) => string> = {
+  glsl300: (image) => `vec2(textureSize(${image}, 0))`,
+  glsl100: (image) => `${image}Size`,
+  wgsl: (image) => `vec2f(textureDimensions(${image}))`,
+}
 
 /** A variable or expression of the host. */
 export interface Variable {
@@ -34,6 +42,8 @@ export class Compilation {
   readonly target: Target
   /** The functions of the host, by their number. */
   readonly functions: HostFunction[] = []
+  /** Expressions of our own that are read as if they were the host's. */
+  private readonly asked = new Set<string>()
   private readonly core: Core = getCore()
   private session: Session | 0
   private readonly debug: boolean
@@ -76,6 +86,11 @@ export class Compilation {
   shapeOf(value: Expression): Shape {
     const shape = this.core._shapeOf(this.open('shape'), value.handle)
     return [shape >> 4, shape & 15]
+  }
+
+  /** Whether a value is computed from an input. */
+  dependsOn(value: Expression, input: Expression): boolean {
+    return !!this.core._dependsOn(this.open('dependsOn'), value.handle, input.handle)
   }
 
   /** A number that float32 can hold; see `toExpression`. */
@@ -138,6 +153,21 @@ export class Compilation {
     const session = this.open(name)
     for (const { handle } of operands) this.core._push(session, handle)
     return this.expression(this.core._callNoise(session, kind, base, octaves, isMethod))
+  }
+
+  /** The host's image of that name at a vec2, with filter and wrap by number. */
+  callTexture(image: string, uv: Expression, filter: number, wrap: number): Expression {
+    const session = this.open('texture')
+    const size = sizeOfImage[this.target](image)
+    // WebGL 1 cannot ask an image for its size, so there it is a variable of the host like others.
+    if (this.target !== 'glsl100') this.asked.add(size)
+    const operands = [
+      uv,
+      this.input(image, imageShape, 'texture'),
+      this.input(size, [1, 2], 'texture'),
+    ]
+    for (const { handle } of operands) this.core._push(session, handle)
+    return this.expression(this.core._callTexture(session, filter, wrap))
   }
 
   /** A derivative meets calls of the host's functions: the sketch says what their partial derivatives are there. */
@@ -213,7 +243,7 @@ export class Compilation {
     return {
       code: this.core.code(session),
       declarations: this.core.declarations(session),
-      inputs: readLines(this.core.inputLines(session)),
+      inputs: readLines(this.core.inputLines(session)).filter(({ name }) => !this.asked.has(name)),
       outputs: readLines(this.core.outputLines(session)),
       stats: {
         nodes: this.core._nodeCount(session),

@@ -11,7 +11,7 @@ export interface CompiledExpressions extends Compiled {
   /**
    * The expressions on the CPU, in double, from the values of the host's variables by name: a number each, or an array
    * for a vector or, column by column, a matrix. Conditions are 1 and 0. Throws a `WarpError` if a value is missing or
-   * of the wrong size, or if a `glsl.fn` is called, which only the GPU can run.
+   * of the wrong size, or if a `glsl.fn` or `glsl.texture` is called, which only the GPU can run.
    */
   evaluate(inputs?: Readonly<Record<string, Numbers>>): Record<string, number | number[]>
 }

@@ -1,7 +1,5 @@
 // Loads the compiler. Nothing happens before the first warp.
-import factory from './generated/core.js'
-import base64 from './generated/core-wasm.js'
-import { instantiate } from './wasm.js'
+import { startCore } from './core-module.js'
 
 /** A compilation inside the wasm: an address, to be closed. */
 export type Session = number & { readonly session: unique symbol }
@@ -22,12 +20,14 @@ export interface Core {
     octaves: number,
     isMethod: boolean,
   ): number
+  _callTexture(session: Session, filter: number, wrap: number): number
   _swizzle(session: Session, handle: number, count: number, indices: number): number
   _pendingCount(session: Session): number
   _pendingCall(session: Session, place: number): number
   _functionOfCall(session: Session, call: number): number
   _argumentOfCall(session: Session, call: number, i: number): number
   _setPartials(session: Session, call: number): number
+  _dependsOn(session: Session, handle: number, input: number): number
   _shapeOf(session: Session, handle: number): number
   _nodeCount(session: Session): number
   _operationCount(session: Session): number
@@ -82,7 +82,7 @@ export const needsPartials = -2
 let core: Core | undefined
 
 export function getCore(): Core {
-  return (core ??= instantiate<Core>(factory, base64))
+  return (core ??= startCore<Core>())
 }
 
 /** How many bytes the compiler holds inside the wasm. Between two warps it is always the same. */

@@ -3,8 +3,10 @@ import type { Variable } from './compilation.js'
 import { WarpError } from './errors.js'
 import type { Program } from './evaluate.js'
 import { type Stream, boundProgram, inputsRead, runProgram } from './evaluation.js'
-import { type VertexInput, vertexInputs } from './inputs.js'
+import { type VertexInput, variationInputs, vertexInputs } from './inputs.js'
+import { noteApproximation } from './notes.js'
 import { checkOptions } from './options.js'
+import { type DeclaredUniforms, withDeclared } from './uniforms.js'
 import {
   type Box,
   type Range,
@@ -17,10 +19,16 @@ import {
   readRanges,
 } from './vertices.js'
 
-/** What is kept of a compilation. There is no program if the warp calls a `glsl.fn`. */
+/** What is kept of a compilation. There is no program if the warp calls a `glsl.fn` or `glsl.texture`. */
 export interface WarpProgram {
+  /** The option `uniforms`. */
+  declared: DeclaredUniforms
   program: Program | undefined
   hasNormals: boolean
+  /** Whether the turn depends on how normal and uv vary over the surface. */
+  varies: boolean
+  /** Whether they may count as constant nevertheless. */
+  isAccepted: boolean
   /** By input of the warp, the variable of the program. */
   names: Record<string, string>
 }
@@ -39,11 +47,9 @@ export interface WarpedVertices {
 }
 
 /** What the warp is to know of one vertex; the numbers of each as in `Vertices`. */
-export interface PointInputs {
-  normal?: ArrayLike<number>
-  uv?: ArrayLike<number>
-  color?: ArrayLike<number>
-  tangent?: ArrayLike<number>
+export interface PointInputs extends Partial<
+  Record<Exclude<VertexInput, 'position'>, ArrayLike<number>>
+> {
   uniforms?: Uniforms
 }
 
@@ -56,7 +62,9 @@ export interface WarpedPoint {
 }
 
 export interface Foldover {
-  /** 1 for each vertex where det(I + J) is not above 0, so that space is inside out there, or no number; 0 elsewhere. */
+  /** 1 for each vertex where det(I + J) is not above 0, so that space is inside out there, or no number; 0 elsewhere. If
+   * the offset depends on normal or uv, space is the thin layer around the surface where these stay the same along each
+   * normal: its two sides have changed places there. */
   mask: Uint8Array
   /** How many those are. */
   count: number
@@ -64,7 +72,8 @@ export interface Foldover {
 
 /**
  * All throw a `WarpError` for arrays that do not fit, numbers that are not finite, a uniform or an attribute that the warp
- * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn`, which only the GPU can run.
+ * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn` or `glsl.texture`, which only the GPU can run.
+ * A uniform that is not given has its value of the option `uniforms`, a function being asked then.
  * They compute in float32, as the GPU does, and change nothing that comes in. Where the offset function has no finite
  * value, such as the logarithm of a negative number, neither have the results.
  */
@@ -108,10 +117,14 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     const numbers = wanted.flatMap((name) => numbersOf[name])
     const streams = originsOf(method, warp, program, numbers, uniforms).map((origin): Stream => {
       const { input, isRead, values: shared } = origin
-      if (!input) return { values: shared, size: shared.length, isUniform: true }
-      if (!isRead) return { values: shared, size: shared.length, isUniform: true }
+      const common = { values: shared, size: shared.length, isUniform: true }
+      if (!input || !isRead) return common
       const values = mesh[arrayNames[input]]
       if (values) return { values, size: vertexInputs[input], isUniform: false }
+      if (input in variationInputs) {
+        if (!warp.isAccepted) noteApproximation(method, 'surfaceVariation(mesh) of warpjet/mesh')
+        return common
+      }
       const name = method === 'evaluateAt' ? input : arrayNames[input]
       throw new WarpError(
         `${method}: the warp reads the ${input} of each vertex, but no "${name}" came.`,
@@ -136,7 +149,8 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     evaluate: (mesh) => run('evaluate', mesh, mesh?.uniforms, turned(mesh)),
 
     evaluateAt(position, inputs = {}) {
-      checkOptions('evaluateAt', inputs ?? null, ['normal', 'uv', 'color', 'tangent', 'uniforms'])
+      const known = Object.keys(vertexInputs).filter((name) => name !== 'position')
+      checkOptions('evaluateAt', inputs ?? null, [...known, 'uniforms'])
       readNumbers('evaluateAt: the position', position, 3)
       const mesh: Record<string, number[]> = {}
       for (const [name, value] of Object.entries({ ...inputs, position }))
@@ -162,15 +176,16 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
 
     bounds(box, uniforms) {
       const program = programOf('bounds', warp)
-      const ranges: Record<VertexInput, Range[]> = {
+      const ranges: Partial<Record<VertexInput, Range[]>> = {
         position: readRanges('bounds', 'box', box, 3),
         normal: Array<Range>(3).fill([-1, 1]),
         uv: box.uvs ? readRanges('bounds', 'box.uvs', box.uvs, 2) : Array<Range>(2).fill([0, 1]),
         color: Array<Range>(4).fill([0, 1]),
-        tangent: Array<Range>(4).fill([-1, 1]),
       }
       const given = originsOf('bounds', warp, program, numbersOf.positions, uniforms).flatMap(
-        ({ input, values }) => (input ? ranges[input] : values.map((x): Range => [x, x])),
+        ({ input, values }) =>
+          // What turns the normal does not move the vertex.
+          (input && ranges[input]) ?? values.map((x): Range => [x, x]),
       )
       const found = boundProgram(program, given, numbersOf.positions)
       return { min: found.map(([low]) => low), max: found.map(([, high]) => high) }
@@ -191,7 +206,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
 function programOf(method: string, { program }: WarpProgram): Program {
   if (program) return program
   throw new WarpError(
-    `${method}: this warp calls a function of glsl.fn, which can only be computed by the GPU.`,
+    `${method}: this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.`,
   )
 }
 
@@ -208,15 +223,17 @@ interface Origin {
 /** The program's inputs in order, the uniforms checked. */
 function originsOf(
   method: string,
-  { names }: WarpProgram,
+  { declared, names }: WarpProgram,
   program: Program,
   wanted: readonly number[],
-  uniforms: Uniforms | undefined,
+  given: Uniforms | undefined,
 ): Origin[] {
   const nameOf = (variable: Variable) =>
     Object.keys(names).find((name) => names[name] === variable.name)
   const parameters = program.inputs.filter((variable) => !nameOf(variable))
-  checkUniforms(method, uniforms, parameters)
+  const known = [...declared.keys(), ...parameters.map(({ name }) => name)]
+  checkUniforms(method, given, [...new Set(known)])
+  const uniforms = withDeclared(method, declared, given, parameters)
   const read = inputsRead(program, wanted)
   return program.inputs.map((variable, i) => {
     const isRead = read[i]!
@@ -225,9 +242,9 @@ function originsOf(
     const name = nameOf(variable) ?? variable.name
     if (nameOf(variable) && name in vertexInputs)
       return { input: name as VertexInput, isRead, values }
-    const given = uniforms?.[name]
-    if (given !== undefined)
-      return { isRead, values: readNumbers(`${method}: the uniform "${name}"`, given, size) }
+    const value = uniforms[name]
+    if (value !== undefined)
+      return { isRead, values: readNumbers(`${method}: the uniform "${name}"`, value, size) }
     if (!isRead) return { isRead, values }
     throw new WarpError(
       `${method}: the warp reads "${name}"; give it a value in the uniforms, as in { ${JSON.stringify(name)}: ${size === 1 ? 0 : `[${values}]`} }.`,

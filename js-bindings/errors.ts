@@ -1,21 +1,6 @@
+export { describe, describeShape, shorten } from './describe.js'
+
 /** What a sketch did wrong, in one sentence: the method, the argument, what was expected, what came. */
 export class WarpError extends Error {
   override name = 'WarpError'
-}
-
-/** How a value that came in is shown in a message. */
-export function describe(value: unknown): string {
-  if (value === null || value === undefined) return String(value)
-  if (typeof value === 'string') return `the text "${shorten(value)}"`
-  if (typeof value === 'number') return `the number ${value}`
-  if (typeof value === 'function') return 'a function'
-  if (Array.isArray(value)) return `an array of ${value.length}`
-  if (typeof value === 'object' && 'then' in value) return 'a promise'
-  if (typeof value === 'object') return Object.keys(value).length ? 'an object' : 'an empty object'
-  return `the ${typeof value} ${shorten(String(value))}`
-}
-
-/** A text from outside, on one line and not too long. */
-export function shorten(text: string): string {
-  return text.slice(0, 60).replace(/\s+/g, ' ')
 }

@@ -25,7 +25,9 @@ export function evaluate(
   given: Readonly<Record<string, Numbers>>,
 ): Record<string, number | number[]> {
   if (!program)
-    throw new WarpError('evaluate: a function of glsl.fn can only be computed by the GPU.')
+    throw new WarpError(
+      'evaluate: only the GPU can call a function of glsl.fn and read an image by glsl.texture.',
+    )
   const isRead = (input: Variable) => read.some(({ name }) => name === input.name)
   const numbers = program.inputs.flatMap((input) =>
     isRead(input) ? readNumbers(input, given) : Array<number>(sizeOf(input)).fill(0),

@@ -1,7 +1,32 @@
 // What an offset function may read, and how many numbers that is.
 
-/** Of each vertex. The offset function does not get the tangent; it is only turned. */
-export const vertexInputs = { position: 3, normal: 3, uv: 2, color: 4, tangent: 4 }
+/**
+ * The gradients over the surface of x, y and z of the normal and of u and v, in this order: how these vary decides the turn of
+ * an offset that depends on them.
+ */
+export const variationInputs = {
+  normalXGradient: 3,
+  normalYGradient: 3,
+  normalZGradient: 3,
+  uGradient: 3,
+  vGradient: 3,
+} as const
+
+export type VariationInput = keyof typeof variationInputs
+export const variationNames = Object.keys(variationInputs) as VariationInput[]
+
+/** The attribute of a p5 shape that carries one. */
+export const variationAttribute = (name: string) => `aWarpjet_${name}`
+
+/** Of each vertex. The offset function does not get the tangent, which is only turned, nor how the surface varies. */
+export const vertexInputs = {
+  position: 3,
+  normal: 3,
+  uv: 2,
+  color: 4,
+  tangent: 4,
+  ...variationInputs,
+}
 
 /** The same for a whole draw call. */
 export const drawInputs = { millis: 1, mouse: 2, size: 2, pixelDensity: 1 }

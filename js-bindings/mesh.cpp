@@ -22,6 +22,7 @@
 #include "mesh/normals.hpp"
 #include "mesh/sentences.hpp"
 #include "mesh/subdivide.hpp"
+#include "mesh/variation.hpp"
 
 using namespace warpjet;
 
@@ -60,8 +61,10 @@ auto withArray(Job& job, int array, Visitor&& visit) {
       return visit(job.file);
     case 9:
       return visit(job.name);
-    default:
+    case 10:
       return visit(job.contents);
+    default:
+      return visit(job.mesh.gradients[array - 11]);
   }
 }
 
@@ -198,6 +201,14 @@ EMSCRIPTEN_KEEPALIVE int checkMesh(Job* job) {
 EMSCRIPTEN_KEEPALIVE int addNormals(Job* job) {
   return attempt(*job, [&] {
     if (job->mesh.normals.empty()) job->mesh.normals = computeNormals(job->mesh);
+    return true;
+  });
+}
+
+// Finds how a checked mesh with normals varies.
+EMSCRIPTEN_KEEPALIVE int addVariation(Job* job) {
+  return attempt(*job, [&] {
+    addSurfaceVariation(job->mesh);
     return true;
   });
 }

@@ -300,6 +300,21 @@ export interface Vec3Methods {
    * turns inside out.
    */
   deformation(position: Vec3): Mat3
+  /**
+   * `offset.varied(deformation, input, gradient)`: The `deformation` by this offset where an
+   * input, such as a component of the normal, varies over the surface, with that gradient.
+   */
+  varied(deformation: Mat3, input: Scalar, gradient: Vec3): Mat3
+}
+
+export interface Mat3Methods {
+  /** The unit normal of a surface whose tangents this mat3 turns; zero where there is none. */
+  turnNormal(normal: Vec3): Vec3
+  /**
+   * The unit tangent that this mat3 makes of a tangent, at right angles to `normal`, the turned
+   * one.
+   */
+  turnTangent(tangent: Vec3, normal: Vec3): Vec3
 }
 
 export interface MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self> {
@@ -513,6 +528,18 @@ export interface Functions {
    * Jacobian. Where its determinant is not above 0, space turns inside out.
    */
   deformation(offset: Vec3, position: Vec3): Mat3
+  /**
+   * The `deformation` by this offset where an input, such as a component of the normal, varies
+   * over the surface, with that gradient.
+   */
+  varied(offset: Vec3, deformation: Mat3, input: Scalar, gradient: Vec3): Mat3
+  /** The unit normal of a surface whose tangents this mat3 turns; zero where there is none. */
+  turnNormal(deformation: Mat3, normal: Vec3): Vec3
+  /**
+   * The unit tangent that this mat3 makes of a tangent, at right angles to `normal`, the turned
+   * one.
+   */
+  turnTangent(deformation: Mat3, tangent: Vec3, normal: Vec3): Vec3
   /** Another name of `add`. */
   sum: ByComponent<Operand[], Expression>
   /** Another name of `mult`. */

@@ -8,17 +8,21 @@ import type { CpuWarp } from './cpu-warp.js'
 import { WarpError } from './errors.js'
 import { version } from './generated/version.js'
 import { registerGlobally } from './p5.js'
-import type { OffsetFunction } from './types.js'
-import { type WarpOptions, compileWarpText } from './warp-text.js'
+import type { OffsetFunction, UniformValues } from './types.js'
+import { type WarpOptions, compileWarpText, noteIfApproximate } from './warp-text.js'
 
 export { compile, gen } from './compile.js'
 export { WarpError } from './errors.js'
 export { version } from './generated/version.js'
 
 /** `compileWarp` without what runs on the CPU, which would make this script a quarter larger. */
-export function compileWarp(offset: OffsetFunction, options: WarpOptions = {}): CompiledWarp {
-  const { text } = compileWarpText('compileWarp', offset, options)
-  return { ...text, ...onlyInThePackage }
+export function compileWarp<const Uniforms extends UniformValues = {}>(
+  offset: OffsetFunction<NoInfer<Uniforms>>,
+  options: WarpOptions<Uniforms> = {},
+): CompiledWarp {
+  const warp = compileWarpText('compileWarp', offset as OffsetFunction, options)
+  noteIfApproximate(warp)
+  return { ...warp.text, ...onlyInThePackage }
 }
 
 const onlyInThePackage = Object.fromEntries(

@@ -15,7 +15,8 @@ import {
   fillModel,
 } from './p5/load-model.js'
 import type { CreateWarpOptions } from './p5/options.js'
-import type { OffsetFunction } from './types.js'
+import { addSurfaceVariation } from './p5/variation.js'
+import type { OffsetFunction, UniformValues } from './types.js'
 
 export type { Distort }
 export type { LoadModelOptions, WarpModel }
@@ -27,15 +28,18 @@ export type { WarpUniforms } from './p5/uniforms.js'
  * types are: write `p as p5 & Warping`, or use the function `createWarp` below.
  */
 export interface Warping {
-  createWarp(offset: OffsetFunction, options?: CreateWarpOptions): Distort
+  createWarp<const Uniforms extends UniformValues = {}>(
+    offset: OffsetFunction<NoInfer<Uniforms>>,
+    options?: CreateWarpOptions<Uniforms>,
+  ): Distort<Uniforms>
 }
 
 /** `sketch.createWarp(offset, options)` without registering anything; `canvas` is a sketch or a p5.Graphics. */
-export const createWarp = (
+export const createWarp = <const Uniforms extends UniformValues = {}>(
   canvas: object,
-  offset: OffsetFunction,
-  options?: CreateWarpOptions,
-): Distort => create(canvas as Canvas, offset, options)
+  offset: OffsetFunction<NoInfer<Uniforms>>,
+  options?: CreateWarpOptions<Uniforms>,
+): Distort<Uniforms> => create(canvas as Canvas, offset as OffsetFunction, options)
 
 /** What it adds to a sketch alone. */
 export interface Loading {
@@ -44,6 +48,12 @@ export interface Loading {
    * `preload()` as `loadModel` is, or awaited.
    */
   loadWarpModel(url: string | URL, options?: LoadModelOptions): Promise<WarpModel>
+  /**
+   * Finds out how normals and uvs vary over a p5.Geometry, for warps that depend on them, and keeps it with the geometry,
+   * which comes back: `bumpy = await addSurfaceVariation(buildGeometry(() => sphere(100)))`. To be called again after its
+   * vertices have changed. Needs p5 2. Throws a `WarpError`.
+   */
+  addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
 }
 
 interface P5 extends Makers {
@@ -96,6 +106,7 @@ function addLoading(p5: P5, preloads: boolean) {
     const filling = fillModel(model, p5, url, options)
     return preloads ? awaitable(model, filling, this) : filling.then(() => model)
   }
+  p5.prototype.addSurfaceVariation = addSurfaceVariation
   p5.prototype.registerPreloadMethod?.('loadWarpModel', p5.prototype)
 }
 

@@ -6,6 +6,7 @@
 // What derivatives are at kinks is said at the top of src/ops/table.hpp, and for artists in web/docs/operations.md.
 import type {
   Functions,
+  Mat3Methods,
   MatrixMethods,
   ScalarMethods,
   SquareMethods,
@@ -56,7 +57,7 @@ export interface Matrix<Columns extends Size, Rows extends Size>
 }
 
 export interface Mat2 extends Matrix<2, 2>, SquareMethods<Mat2> {}
-export interface Mat3 extends Matrix<3, 3>, SquareMethods<Mat3> {}
+export interface Mat3 extends Matrix<3, 3>, SquareMethods<Mat3>, Mat3Methods {}
 export interface Mat4 extends Matrix<4, 4>, SquareMethods<Mat4> {}
 
 export type Vector = Vec2 | Vec3 | Vec4
@@ -128,8 +129,34 @@ export interface Glsl extends Functions, NoiseFunctions {
   /** The columns and rows of a matrix, by number from 0. */
   column<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<R>
   row<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<C>
+  /**
+   * The colour of an image at `uv`, from (0, 0) to (1, 1) across it, v down: red, green, blue and alpha. `sampler` is the
+   * image among `uniforms`, or the name of the shader's image: a `uniform sampler2D`, in WGSL a `texture_2d<f32>` variable, which your shader declares.
+   * `glsl100`, WebGL 1's language, cannot ask for its size: declare `uniform vec2 heightMapSize` too, in texels, for a
+   * `heightMap`. Works in the vertex and in the fragment stage, and only on the GPU.
+   *
+   * It reads texels and mixes them itself, so that its derivatives are exactly those of what it gives, whatever filter is
+   * set for the image; mipmaps are not read.
+   */
+  texture(sampler: ImageName, uv: Vec2, options?: TextureOptions): Vec4
   /** A function of your own, in the shader's language; used like a built-in one. */
   fn<Arity extends FunctionArity>(options: FunctionOptions<Arity>): OwnFunction<Arity>
+}
+
+/** What `glsl.texture` takes. */
+export interface TextureOptions {
+  /**
+   * How it goes on between the centres of texels.
+   * - `'bilinear'` unless given: the mix of four texels. Its slope jumps at every row and column of texels, and so does light.
+   * - `'bicubic'`, of 16 texels: goes through the texels without such jumps, and a little beyond them beside edges (the
+   *   Catmull-Rom spline; Keys, "Cubic Convolution Interpolation for Digital Image Processing", 1981, with a = -1/2).
+   * - `'bspline'`, of 16 texels: smooths the image by about a texel, and is smooth up to its second derivatives; for
+   *   heights of 8 bits and for light that shows no texels (the uniform cubic B-spline; Sigg and Hadwiger, "Fast
+   *   Third-Order Texture Filtering", GPU Gems 2, chapter 20, 2005).
+   */
+  filter?: 'bilinear' | 'bicubic' | 'bspline'
+  /** Beyond 0 and 1: the colour of the edge (`'clamp'` unless given), the image again, or its mirror image. */
+  wrap?: 'clamp' | 'repeat' | 'mirror'
 }
 
 export type FunctionArity = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 | 10 | 11 | 12 | 13 | 14 | 15 | 16
@@ -159,13 +186,91 @@ type Arguments<Item, Arity, List extends Item[] = []> = List['length'] extends A
   ? List
   : Arguments<Item, Arity, [...List, Item]>
 
+/** The value of a uniform: a float (`true` is 1), a vec2 to vec4 or, column by column, a mat3 or mat4. A p5.Vector is a
+ * vec3 and a p5.Color a vec4 with numbers from 0 to 1; an image is for `glsl.texture`. */
+export type UniformValue =
+  | number
+  | boolean
+  | readonly [number, number]
+  | readonly [number, number, number]
+  | readonly [number, number, number, number]
+  | ArrayLike<number>
+  | VectorLike
+  | ColorLike
+  | ImageLike
+
+/** A p5.Vector, or another with these. */
+export interface VectorLike {
+  readonly x: number
+  readonly y: number
+  readonly z: number
+}
+
+/** A p5.Color. */
+export interface ColorLike {
+  setAlpha(alpha: number): unknown
+}
+
+/** A p5.Image, p5.Graphics, p5.Framebuffer or video, for `glsl.texture`; only p5's createWarp can show it to the shader. */
+export interface ImageLike {
+  readonly width: number
+  readonly height: number
+}
+
+export type UniformValues = Readonly<Record<string, UniformValue>>
+
+/** The option `uniforms`: by name a value, or a function that gives it, which is asked again whenever the warp is used. */
+export type UniformOptions<Values extends UniformValues = UniformValues> = {
+  [Name in keyof Values]: Values[Name] | (() => Values[Name])
+}
+
+/** What the offset function gets for a value; an array of which TypeScript does not know the length may be any. */
+export type UniformExpression<Value> = Value extends number | boolean
+  ? Scalar
+  : Value extends ImageLike
+    ? ImageName
+    : Value extends { readonly length: infer Length }
+      ? number extends Length
+        ? Vector | Mat3 | Mat4
+        : OfLength<Length>
+      : Value extends ColorLike
+        ? Vec4
+        : Vec3
+
+/** An image among the uniforms, as `glsl.texture` takes it: the shader's name of it. */
+export type ImageName = string
+
+type OfLength<Length> = Length extends 2 | 3 | 4
+  ? VectorOf<Length>
+  : Length extends 9
+    ? Mat3
+    : Length extends 16
+      ? Mat4
+      : never
+
+/** What the offset function gets as `uniforms`. */
+export type UniformExpressions<Values> = {
+  readonly [Name in keyof Values]: UniformExpression<Values[Name]>
+}
+
+/** What a call may give in place of the declared values. */
+export type UniformOverrides<Values> = {
+  readonly [Name in keyof Values]?: UniformExpression<Values[Name]> extends Scalar
+    ? number | boolean
+    : UniformExpression<Values[Name]> extends ImageName
+      ? ImageLike
+      : ArrayLike<number> | VectorLike | ColorLike
+}
+
 /** What an offset function is given. */
-export interface WarpInputs {
+export interface WarpInputs<Uniforms extends UniformValues = {}> {
+  /** By the names of the option `uniforms`; reading another one throws. */
+  uniforms: UniformExpressions<Uniforms>
   glsl: Glsl
   /** The vertex, in the space of the warp. */
   position: Vec3
-  /** The vertex's normal as the mesh has it, usually of length 1. Its derivative counts as 0, as do
-   * those of `uv` and `color`. */
+  /** The vertex's normal as the mesh has it, usually of length 1. That it varies over the surface, as `uv` does, counts
+   * where the mesh says how (`surfaceVariation` of 'warpjet/mesh'); `color` counts as constant. */
   normal: Vec3
   /** Texture coordinates. */
   uv: Vec2
@@ -185,4 +290,6 @@ export interface WarpInputs {
 }
 
 /** From a vertex to the offset that moves it. Called once; loops and functions act as macros. */
-export type OffsetFunction = (inputs: WarpInputs) => Vec3
+export type OffsetFunction<Uniforms extends UniformValues = {}> = (
+  inputs: WarpInputs<Uniforms>,
+) => Vec3

@@ -1,5 +1,4 @@
 // What a warp on the CPU is handed: arrays of vertices, uniforms, a box. Checked here, all in one sentence each.
-import type { Variable } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import { type VertexInput, drawInputs, vertexInputs } from './inputs.js'
 import { isList } from './options.js'
@@ -16,6 +15,13 @@ export interface Vertices {
   colors?: ArrayLike<number>
   /** Four, as in glTF: a direction, and 1 or -1 for the side of the bitangent. */
   tangents?: ArrayLike<number>
+  /** Three each: how normals and uvs vary over the surface, as `surfaceVariation` of 'warpjet/mesh' gives it. An offset that
+   * depends on them needs it for right normals; what is missing counts as 0. */
+  normalXGradients?: ArrayLike<number>
+  normalYGradients?: ArrayLike<number>
+  normalZGradients?: ArrayLike<number>
+  uGradients?: ArrayLike<number>
+  vGradients?: ArrayLike<number>
 }
 
 /** By name: a number, or the numbers of a vector or, column by column, of a matrix. */
@@ -36,6 +42,11 @@ export const arrayNames: Record<VertexInput, keyof Vertices> = {
   uv: 'uvs',
   color: 'colors',
   tangent: 'tangents',
+  normalXGradient: 'normalXGradients',
+  normalYGradient: 'normalYGradients',
+  normalZGradient: 'normalZGradients',
+  uGradient: 'uGradients',
+  vGradient: 'vGradients',
 }
 
 /** The place of the first that is no number, or none that a float32 can hold; -1 if all are well. */
@@ -102,7 +113,7 @@ export function readNumbers(place: string, value: unknown, count: number): numbe
 }
 
 /** Refuses a uniform that is none of the inputs of a draw call and no parameter of the warp. */
-export function checkUniforms(method: string, uniforms: unknown, parameters: readonly Variable[]) {
+export function checkUniforms(method: string, uniforms: unknown, parameters: readonly string[]) {
   if (uniforms === undefined) return
   if (typeof uniforms !== 'object' || uniforms === null || isList(uniforms))
     throw new WarpError(
@@ -112,7 +123,7 @@ export function checkUniforms(method: string, uniforms: unknown, parameters: rea
     throw new WarpError(
       `${method}: the uniforms are to be given by themselves, as in { millis: 1200 }, not as { uniforms: … }.`,
     )
-  const known = [...Object.keys(drawInputs), ...parameters.map(({ name }) => name)]
+  const known = [...Object.keys(drawInputs), ...parameters]
   for (const name of Object.keys(uniforms))
     if (!known.includes(name))
       throw new WarpError(

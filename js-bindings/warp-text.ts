@@ -2,13 +2,27 @@
 import { createBuilder, operationNumber } from './builder.js'
 import type { Compilation, Variable } from './compilation.js'
 import { type Compiled, type CompileOptions, withCompilation } from './compiled.js'
-import { WarpError, describe } from './errors.js'
+import { WarpError, describe, describeShape } from './errors.js'
 import { Expression, toExpression } from './expression.js'
-import { type InputName, drawInputs, inputSizes, vertexInputs } from './inputs.js'
+import {
+  type InputName,
+  drawInputs,
+  inputSizes,
+  variationInputs,
+  variationNames,
+  vertexInputs,
+} from './inputs.js'
+import { noteApproximation } from './notes.js'
 import { checkCallback, checkOptions } from './options.js'
-import type { OffsetFunction, WarpInputs } from './types.js'
+import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from './types.js'
+import { type DeclaredUniforms, readDeclared, withUniforms } from './uniforms.js'
 
-export interface WarpOptions extends CompileOptions {
+export interface WarpOptions<
+  Uniforms extends UniformValues = UniformValues,
+> extends CompileOptions {
+  /** What the offset function reads as `uniforms`, with the values that count on the CPU unless others are given; your
+   * shader declares and sets them, under the same names. */
+  uniforms?: UniformOptions<Uniforms>
   /** The host shader's expression for each input; its name unless given. */
   names?: Partial<Record<InputName, string>>
   /** The names of the results: `warpedPosition`, `warpedNormal`, `warpedTangent` and `offset` unless given. */
@@ -17,6 +31,12 @@ export interface WarpOptions extends CompileOptions {
   normals?: boolean
   /** `true` also turns the tangent, a vec4 as in glTF. */
   tangents?: boolean
+  /**
+   * `true`: the shader has the attributes `normalXGradient`, `normalYGradient`, `normalZGradient`, `uGradient` and
+   * `vGradient`, vec3s that say how normal and uv vary over the surface, as `surfaceVariation` of 'warpjet/mesh' computes
+   * them; the text reads those that the offset makes it need. Otherwise normal and uv count as constant; `false` says that this will do.
+   */
+  surfaceVariation?: boolean
 }
 
 /** An offset function as shader text. */
@@ -24,17 +44,34 @@ export interface WarpText extends Compiled {
   /** The inputs that are read and are the same for a whole draw call: millis, mouse, size,
    * pixelDensity, and the sketch's own parameters. */
   uniforms: string[]
-  /** The inputs that are read and differ by vertex: position, normal, uv, color, tangent. */
+  /** The inputs that are read and differ by vertex: position, normal, uv, color, tangent, and those of
+   * `surfaceVariation`. */
   attributes: string[]
 }
 
 /** For the public function `method`: the text, and the sketch's own parameters. */
-export function compileWarpText(method: string, offset: OffsetFunction, options: WarpOptions) {
-  const settings = readOptions(method, offset, options)
+export function compileWarpText(method: string, given: OffsetFunction, options: WarpOptions) {
+  const settings = readOptions(method, given, options)
+  const { offset } = declareUniforms(method, given, options)
   return withCompilation(settings.target, false, (compilation) => {
-    const { text, parameters } = buildWarp(compilation, method, offset, settings)
-    return { text, parameters }
+    const { text, parameters, isApproximate } = buildWarp(compilation, method, offset, settings)
+    return { text, parameters, isApproximate }
   })
+}
+
+/** Reads the option `uniforms`; gives them to the offset function. */
+export function declareUniforms(
+  method: string,
+  offset: OffsetFunction,
+  { uniforms, names = {} }: WarpOptions,
+): { offset: OffsetFunction; declared: DeclaredUniforms } {
+  const declared = readDeclared(method, uniforms)
+  for (const [input, name] of Object.entries(names))
+    if (declared.has(name))
+      throw new WarpError(
+        `${method}: the uniform "${name}" has the name that the option "names" gives to ${input}; rename one of them.`,
+      )
+  return { offset: withUniforms(method, offset, declared), declared }
 }
 
 type Settings = ReturnType<typeof readOptions>
@@ -42,11 +79,19 @@ type Settings = ReturnType<typeof readOptions>
 /** Checks what the caller hands in, and fills in what is left out. */
 export function readOptions(method: string, offset: OffsetFunction, options: WarpOptions) {
   checkCallback(method, offset)
-  checkOptions(method, options, ['target', 'names', 'outputs', 'normals', 'tangents'])
+  checkOptions(method, options, [
+    'uniforms',
+    'target',
+    'names',
+    'outputs',
+    'normals',
+    'tangents',
+    'surfaceVariation',
+  ])
   checkOptions(`${method} names`, options.names, Object.keys(inputSizes))
   checkOptions(`${method} outputs`, options.outputs, ['position', 'normal', 'tangent', 'offset'])
-  const { target, normals = true, tangents = false } = options
-  for (const [name, value] of Object.entries({ normals, tangents }))
+  const { target, normals = true, tangents = false, surfaceVariation = false } = options
+  for (const [name, value] of Object.entries({ normals, tangents, surfaceVariation }))
     if (typeof value !== 'boolean')
       throw new WarpError(
         `${method}: the option "${name}" must be true or false, but is ${describe(value)}.`,
@@ -56,8 +101,10 @@ export function readOptions(method: string, offset: OffsetFunction, options: War
       `${method}: tangents are turned with the normal; leave "normals: false" out.`,
     )
   const names: Record<string, string> = {}
-  for (const name of Object.keys(inputSizes))
-    if (name !== 'tangent' || tangents) names[name] = options.names?.[name as InputName] ?? name
+  for (const name of Object.keys(inputSizes)) {
+    const isLeftOut = name === 'tangent' ? !tangents : name in variationInputs && !surfaceVariation
+    names[name] = isLeftOut ? hidden(name) : (options.names?.[name as InputName] ?? name)
+  }
   const outputs = {
     offset: 'offset',
     position: 'warpedPosition',
@@ -65,8 +112,12 @@ export function readOptions(method: string, offset: OffsetFunction, options: War
     tangent: 'warpedTangent',
     ...withoutGaps(options.outputs),
   }
-  return { target, normals, tangents, names, outputs }
+  const isAccepted = options.surfaceVariation === false
+  return { target, normals, tangents, surfaceVariation, isAccepted, names, outputs }
 }
+
+/** What the text does not read has a name that no sketch has; the CPU may read it. */
+const hidden = (name: string) => `_warpjet_${name}`
 
 const withoutGaps = <Options extends object>(options?: Options) =>
   Object.fromEntries(
@@ -80,10 +131,15 @@ export interface BuiltWarp {
   /** By input, the host's expression. */
   names: Record<string, string>
   inputs: Record<string, Expression>
-  offset: Expression
   moved: Expression
-  /** Unless the normal is left out. */
-  turned: Expression | undefined
+  /** What the warp makes of tangents of the surface, over which normal and uv vary; unless the normal is left out. */
+  deformation: Expression | undefined
+  /** Whether the turn depends on how normal and uv vary over the surface. */
+  varies: boolean
+  /** Whether they may count as constant nevertheless. */
+  isAccepted: boolean
+  /** Whether they do in the text, and nobody said that this will do. */
+  isApproximate: boolean
 }
 
 /** Calls the offset function and writes the text. The compilation stays open for more. */
@@ -91,7 +147,7 @@ export function buildWarp(
   compilation: Compilation,
   method: string,
   offsetFunction: OffsetFunction,
-  { names, outputs, normals, tangents }: Settings,
+  { names, outputs, normals, tangents, surfaceVariation, isAccepted }: Settings,
 ): BuiltWarp {
   const inputs: Record<string, Expression> = {}
   for (const [name, label] of Object.entries(names)) {
@@ -106,11 +162,25 @@ export function buildWarp(
   compilation.output(outputs.offset, offset, place)
   const moved = operate('add', position, offset)
   compilation.outputSum(outputs.position, moved, position!, 0, place)
-  const turned = normals ? operate('adjustNormal', offset, normal, position) : undefined
-  if (turned) compilation.output(outputs.normal, turned, place)
-  if (turned && tangents) {
-    const turnedTangent = turnTangent(compilation, { inputs, offset }, tangent!, turned)
-    compilation.output(outputs.tangent, turnedTangent, place)
+  const constant = () => operate('deformation', offset, position)
+  const whole = () =>
+    variationNames.reduce((deformation, name, i) => {
+      const input = i < 3 ? part(compilation, normal!, i) : part(compilation, inputs.uv!, i - 3)
+      // Most warps read neither, and then there is nothing to derive.
+      return compilation.dependsOn(offset, input)
+        ? operate('varied', offset, deformation, input, inputs[name])
+        : deformation
+    }, constant())
+  if (normals) {
+    const deformation = surfaceVariation ? whole() : constant()
+    const turned = operate('turnNormal', deformation, normal)
+    compilation.output(outputs.normal, turned, place)
+    if (tangents)
+      compilation.output(
+        outputs.tangent,
+        turnTangent(compilation, deformation, tangent!, turned),
+        place,
+      )
   }
 
   const { code, declarations, stats, inputs: read } = compilation.build()
@@ -124,13 +194,26 @@ export function buildWarp(
     uniforms: [...Object.keys(drawInputs).filter(isRead), ...parameters.map(({ name }) => name)],
     attributes: Object.keys(vertexInputs).filter(isRead),
   }
-  return { text, parameters, names, inputs, offset, moved, turned }
+  const deformation = normals ? whole() : undefined
+  const varies = variationNames.some(
+    (name) => deformation && compilation.dependsOn(deformation, inputs[name]!),
+  )
+  const isApproximate = varies && !surfaceVariation && !isAccepted
+  return { text, parameters, names, inputs, moved, deformation, varies, isAccepted, isApproximate }
 }
+
+/** For `compileWarp`. */
+export function noteIfApproximate({ isApproximate }: { isApproximate: boolean }) {
+  if (isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
+}
+
+const part = (compilation: Compilation, vector: Expression, i: number) =>
+  compilation.swizzle('xyz'[i]!, vector, [i])
 
 /** A vec4 as it came, but for the direction. */
 export function turnTangent(
   compilation: Compilation,
-  { inputs, offset }: Pick<BuiltWarp, 'inputs' | 'offset'>,
+  deformation: Expression,
   tangent: Expression,
   turned: Expression,
 ): Expression {
@@ -138,7 +221,7 @@ export function turnTangent(
   const direction = compilation.swizzle('xyz', tangent, [0, 1, 2])
   return operate(
     'vec4',
-    operate('adjustTangent', offset, direction, turned, inputs.position),
+    operate('turnTangent', deformation, direction, turned),
     compilation.swizzle('w', tangent, [3]),
   )
 }
@@ -150,15 +233,17 @@ export const operations =
     compilation.call(operationNumber(name), name, operands as Expression[])
 
 function warpInputs(compilation: Compilation, inputs: Record<string, Expression>): WarpInputs {
-  const part = (name: string, i: number) => compilation.swizzle('xy'[i]!, inputs[name]!, [i])
-  const { tangent: _, ...given } = inputs
+  const given = Object.entries(inputs).filter(
+    ([name]) => name !== 'tangent' && !(name in variationInputs),
+  )
+  const { mouse, size } = inputs as Record<string, Expression>
   return {
     glsl: createBuilder(compilation),
-    ...given,
-    mouseX: part('mouse', 0),
-    mouseY: part('mouse', 1),
-    width: part('size', 0),
-    height: part('size', 1),
+    ...Object.fromEntries(given),
+    mouseX: part(compilation, mouse!, 0),
+    mouseY: part(compilation, mouse!, 1),
+    width: part(compilation, size!, 0),
+    height: part(compilation, size!, 1),
   } as unknown as WarpInputs
 }
 
@@ -168,9 +253,8 @@ function checkOffset(compilation: Compilation, method: string, offset: unknown):
     throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
   toExpression(compilation, method, offset, 'the offset')
   const [columns, rows] = compilation.shapeOf(offset)
-  const size = columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'
   if (columns !== 1 || rows !== 3)
-    throw new WarpError(`${method}: ${expected}, but returned ${size}.`)
+    throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)
   // A condition becomes 0 or 1 here, as it does in any sum.
   return operations(compilation)('add', offset, compilation.constant(0, method))
 }

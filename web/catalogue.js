@@ -120,4 +120,133 @@ export const sections = [
       },
     ],
   },
+  {
+    title: 'Deformers',
+    source:
+      'From warpjet/deformers, ready made. Twist, taper, stretch and bend are those of Barr, Global and Local Deformations of Solid Primitives, 1984',
+    isCompact: true,
+    examples: [
+      {
+        name: 'deformer-twist',
+        figure: 'twist',
+        title: 'Wrung',
+        text: 'Slices turn about an axis, the further the further they are along it.',
+      },
+      {
+        name: 'deformer-bend',
+        figure: 'bend',
+        title: 'Bent',
+        text: 'A straight bar follows an arc of constant length, and goes on straight beyond it.',
+      },
+      {
+        name: 'deformer-taper',
+        figure: 'taper',
+        title: 'Tapered',
+        text: 'Slices get narrower or wider along an axis; the one at the center keeps its size.',
+      },
+      {
+        name: 'deformer-stretch',
+        figure: 'stretch',
+        title: 'Squash and stretch',
+        text: 'Longer along an axis, and as much thinner across it that the volume stays.',
+      },
+      {
+        name: 'deformer-bulge',
+        figure: 'bulge',
+        title: 'Swallowed',
+        text: 'What is near a point, here along an axis, swells. Further away nothing moves.',
+      },
+      {
+        name: 'deformer-wave',
+        figure: 'wave',
+        title: 'Flying carpet',
+        text: 'A plane wave travels along one direction and moves points along another.',
+      },
+      {
+        name: 'deformer-ripple',
+        figure: 'ripple',
+        title: 'A drop of water',
+        text: 'Rings travel away from a center and fade. The middle is round, not a spike.',
+      },
+      {
+        name: 'deformer-melt',
+        figure: 'melt',
+        title: 'Chocolate bunny',
+        text: 'Sinks to the ground and spreads there, the lower parts first.',
+      },
+      {
+        name: 'deformer-inflate',
+        figure: 'inflate',
+        title: 'Pumped up',
+        text: 'Points move along their normals, by an amount that may vary over the shape.',
+      },
+      {
+        name: 'deformer-genie',
+        figure: 'genie',
+        title: 'Into the Dock',
+        text: 'A window narrows into a funnel and slides down it, into a point or an edge.',
+      },
+      {
+        name: 'deformer-spherify',
+        figure: 'spherify',
+        title: 'Round',
+        text: 'Blends towards a sphere, all the way or in part.',
+      },
+      {
+        name: 'deformer-shear',
+        figure: 'shear',
+        title: 'Italics',
+        text: 'Points move to the side, the further the higher they are.',
+      },
+      {
+        name: 'deformer-noise',
+        figure: 'noiseDisplace',
+        title: 'Boulder',
+        text: 'Bumps of noise along the normals, which become others as time goes by.',
+      },
+    ],
+  },
+  {
+    title: 'Composition',
+    source: 'Of warps from warpjet/deformers, or of your own',
+    examples: [
+      {
+        name: 'composition',
+        figure: 'chain, add, blend, mask, inSpace',
+        title: 'Warps made of warps',
+        text: 'To twist and then to bend is something else than to bend and then to twist; added, neither sees what the other did. All end up as one function, and its normals are as exact as those of its parts.',
+      },
+    ],
+  },
+  {
+    title: 'Beyond them',
+    source: 'what neither of them does',
+    examples: [
+      {
+        name: 'along-the-normal',
+        figure: 'New',
+        title: 'Along the normal',
+        text: 'Bumps along the normal, which turns as one goes around the ring. Left that turning is left out, as it usually is; right it counts, and highlights sit where the surface really faces the light.',
+      },
+    ],
+  },
+  {
+    title: 'Images as functions',
+    source:
+      'Interpolants of Keys, 1981, and of Sigg and Hadwiger, 2005; domain warping by Inigo Quilez, 2002',
+    examples: [
+      {
+        name: 'raked-sand',
+        figure: 'Heights',
+        title: 'Raked sand',
+        text: 'The sketch draws furrows into an image of 120 × 120 pixels, and the sand takes its grey for its height. The warp reads it as a cubic B-spline and differentiates just that, so the light glides over the ridges and shows no pixels.',
+      },
+      {
+        name: 'marbled-paper',
+        figure: 'Image',
+        title: 'Marbled paper',
+        text: 'Stripes of paint, stirred: each pixel looks up its colour where fractal noise has moved it, and that noise was moved by noise before. All of it happens in the fragment shader.',
+      },
+    ],
+  },
 ]

@@ -12,8 +12,9 @@ const sketches = import.meta.glob('../examples/*/sketch.js', {
 const main = document.querySelector('main')
 const nav = document.querySelector('nav')
 
-for (const { title, source, examples } of sections) {
+for (const { title, source, examples, isCompact } of sections) {
   const section = document.createElement('section')
+  if (isCompact) section.className = 'compact'
   const heading = document.createElement('h2')
   const reference = document.createElement('p')
   heading.textContent = title

@@ -12,7 +12,8 @@
   for (const methods of [p5.prototype, p5.Graphics.prototype]) {
     const { createWarp } = methods
     methods.createWarp = function (offset, ...options) {
-      keep('createWarp', compileWarp(offset))
+      const { uniforms, surfaceVariation = true } = options[0] ?? {}
+      keep('createWarp', compileWarp(offset, { uniforms, surfaceVariation }))
       return createWarp.call(this, offset, ...options)
     }
   }

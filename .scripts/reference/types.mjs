@@ -51,6 +51,11 @@ const receivers = [
     member: method('Vec3'),
   },
   {
+    head: 'Mat3Methods',
+    has: ({ kinds }) => kinds[0] === 'mat3',
+    member: method('Mat3'),
+  },
+  {
     head: 'MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self>',
     has: ({ kinds, takesMatrices }) => takesMatrices || kinds[0] === 'matrix',
     member: (operation) => special[operation.base]?.matrix ?? method('Self')(operation),
@@ -182,6 +187,7 @@ function method(self) {
     'number or vector': `${self} | Operand`,
     'square matrix': self,
     matrix: self,
+    mat3: 'Mat3',
     any: self,
     input: 'Scalar',
     'vector of inputs': 'Inputs',
@@ -209,7 +215,13 @@ function functionMember(operation) {
     any: ['Value', 'Expression'],
     'vector of inputs': ['Inputs', 'Vector'],
   }
-  const types = { number: 'Operand', vec3: 'Vec3', input: 'Scalar', 'vec3 of inputs': 'Vec3' }
+  const types = {
+    number: 'Operand',
+    vec3: 'Vec3',
+    mat3: 'Mat3',
+    input: 'Scalar',
+    'vec3 of inputs': 'Vec3',
+  }
   const isFixed = ['number', 'vec3', 'mat3'].includes(operation.result)
   const isNamed = (kind) => !isFixed || kinds.filter((other) => other === kind).length > 1
   const typeOf = (kind) => generics[kind]?.[isNamed(kind) ? 0 : 1] ?? types[kind]

@@ -34,9 +34,12 @@ export async function bake(args: string[]): Promise<void> {
     most === undefined ? undefined : readCount('max-triangles', most, mostTriangles, wrong)
 
   const progress = new Progress(values.quiet)
-  const offset = await readWarp(file)
-  const warp = await blame(file, () => compileWarp(offset))
-  checkUniforms(file, warp, uniforms)
+  const { offset, uniforms: declared } = await readWarp(file)
+  // The text is not needed; baking finds out how the surface varies by itself.
+  const warp = await blame(file, () =>
+    compileWarp(offset, { uniforms: declared, surfaceVariation: true }),
+  )
+  checkUniforms(file, warp, { ...declared, ...uniforms })
 
   let mesh = writable(await loadMesh(model))
   for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
@@ -79,9 +82,10 @@ const sizeOf = ({ positions, indices }: Mesh) =>
   `${count((indices ?? positions).length / (indices ? 3 : 9), 'triangle')}, ${count(positions.length / 3, 'vertex', 'vertices')}`
 
 /** The same warp, which tells how many vertices it has moved. */
-function watched(warp: CompiledWarp, progress: Progress): Pick<CompiledWarp, 'evaluate'> {
+function watched(warp: CompiledWarp, progress: Progress): CompiledWarp {
   let vertices = 0
   return {
+    ...warp,
     evaluate(mesh) {
       vertices += mesh.positions.length / 3
       progress.update(`Subdividing: ${count(vertices, 'vertex', 'vertices')} tried`)
@@ -104,7 +108,7 @@ function readUniforms(settings: readonly string[], wrong: Wrong): Uniforms {
   )
 }
 
-function checkUniforms(file: string, warp: CompiledWarp, uniforms: Uniforms) {
+function checkUniforms(file: string, warp: CompiledWarp, uniforms: object) {
   const missing = warp.uniforms.find((name) => !Object.hasOwn(uniforms, name))
   if (missing !== undefined)
     throw new WarpError(`${file} reads ${missing}; add --set ${missing}=<number>.`)

@@ -10,6 +10,7 @@ export async function emit(args: string[]): Promise<void> {
   const { values, files, wrong } = readArguments('emit', args, ['a warp.js'], {
     target: { type: 'string', default: 'glsl300' },
     tangents: { type: 'boolean', default: false },
+    'surface-variation': { type: 'boolean' },
     output: { type: 'string', short: 'o' },
   })
   const target = values.target as Target
@@ -17,8 +18,11 @@ export async function emit(args: string[]): Promise<void> {
     throw wrong(`--target must be one of ${targets.join(', ')}, but is "${target}".`)
 
   const [file] = files as [string]
-  const offset = await readWarp(file)
-  const warp = await blame(file, () => compileWarp(offset, { target, tangents: values.tangents }))
+  const { offset, uniforms } = await readWarp(file)
+  const { tangents, 'surface-variation': surfaceVariation } = values
+  const warp = await blame(file, () =>
+    compileWarp(offset, { uniforms, target, tangents, surfaceVariation }),
+  )
   const lines = [
     `// uniforms: ${warp.uniforms.join(', ') || 'none'}`,
     `// attributes: ${warp.attributes.join(', ') || 'none'}`,

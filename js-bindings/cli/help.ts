@@ -13,6 +13,8 @@ warp.js is an ES module that exports the offset function, the one that createWar
   export default ({ glsl, position, millis }) =>
     glsl.vec3(position.y().mult(4).add(millis.div(500)).sin().mult(0.15), 0, 0)
 
+Values for \`uniforms\` it may export beside that: export const uniforms = { amount: 0.5 }
+
   --version   prints the version
 
 It ends with 0 if all went well, 1 if a file or the warp is wrong, and 2 if the command line is.`
@@ -25,6 +27,8 @@ comments above name what they read, which your shader declares.
 
   --target <language>   glsl300 for WebGL 2 (default), glsl100 for WebGL 1, wgsl for WebGPU
   --tangents            also turns tangents: declares warpedTangent
+  --surface-variation   for an offset that depends on normal or uv: reads how they vary over the surface from attributes,
+                        normalXGradient, normalYGradient, normalZGradient, uGradient and vGradient
   -o, --output <file>   writes a file instead`,
 
   bake: `npx warpjet bake <model> <warp.js> -o <out.glb> [options]
@@ -32,7 +36,8 @@ comments above name what they read, which your shader declares.
 Moves every vertex of the model as the shader would, turns normals and tangents, and writes a GLB file.
 
   -o, --output <file>       where to, always .glb
-  --set <name>=<value>      a uniform that the warp reads: --set millis=1200, --set mouse=10,20; as often as needed
+  --set <name>=<value>      a uniform that the warp reads: --set millis=1200, --set mouse=10,20; as often as needed; it
+                            counts before what warp.js exports
   --subdivide <tolerance>   first gives the model more triangles where the warp bends it: the result is nowhere farther
                             than this from the smooth shape, in units of the model
   --max-triangles <n>       with --subdivide: never makes more than so many (default 1048576)

@@ -2,14 +2,24 @@
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { WarpError, describe } from '../errors.js'
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction, UniformOptions } from '../types.js'
 
-/** Runs the file, and takes its default export or the only function that it exports. */
-export async function readWarp(file: string): Promise<OffsetFunction> {
+/** What a file exports. */
+export interface WarpFile {
+  /** The default export, or the only function. */
+  offset: OffsetFunction
+  /** The option `uniforms`, as `compileWarp` takes it. */
+  uniforms: UniformOptions | undefined
+}
+
+/** Runs the file. */
+export async function readWarp(file: string): Promise<WarpFile> {
   const module: Record<string, unknown> = await load(file)
-  if (typeof module.default === 'function') return module.default as OffsetFunction
+  const uniforms = module.uniforms as UniformOptions | undefined
+  const found = (offset: unknown) => ({ offset: offset as OffsetFunction, uniforms })
+  if (typeof module.default === 'function') return found(module.default)
   const functions = Object.values(module).filter((value) => typeof value === 'function')
-  if (functions.length === 1) return functions[0] as OffsetFunction
+  if (functions.length === 1) return found(functions[0])
   throw new WarpError(
     functions.length
       ? `${file} exports ${functions.length} functions; export the offset function as default.`

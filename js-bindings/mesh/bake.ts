@@ -1,27 +1,35 @@
 // `bakeWarp`: a mesh as a warp leaves it.
-import type { CpuWarp } from '../cpu-warp.js'
+import { type CpuWarp, type WarpProgram, warpProgram } from '../cpu-warp.js'
 import { WarpError, describe } from '../errors.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
 import { withJob } from './module.js'
-import type { Uniforms } from '../vertices.js'
+import { takeVariation } from './variation.js'
+import type { Uniforms, Vertices } from '../vertices.js'
 
 /** What of `compileWarp`'s result is used here. */
-export type Evaluates = Pick<CpuWarp, 'evaluate'>
+export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {
+  /** @internal */
+  readonly [warpProgram]?: WarpProgram
+}
+
+/** Whether the warp wants to know how normals and uvs vary over the mesh. */
+export const asksForVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?? false
 
 /**
  * The mesh with every vertex moved and every normal and tangent turned; all else is copied. Missing normals are computed
- * before. `warp` is what `compileWarp` returns. An empty mesh stays empty; 10 million triangles take some seconds. Throws
+ * before, and how normals and uvs vary over the surface, if the warp depends on them. `warp` is what `compileWarp` returns. An empty mesh stays empty; 10 million triangles take some seconds. Throws
  * a `WarpError` if arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex, or the
  * mesh is too large for the memory of the module (such as 40 million triangles).
  */
 export function bakeWarp(mesh: MeshInput, warp: Evaluates, uniforms?: Uniforms): Mesh {
   checkWarp('bakeWarp', warp)
-  const copy = withJob('bakeWarp', (job) => {
+  const { copy, variation } = withJob('bakeWarp', (job) => {
     putMesh(job, mesh)
     job.act('addNormals')
-    return takeMesh(job)
+    return { copy: takeMesh(job), variation: asksForVariation(warp) ? takeVariation(job) : {} }
   })
-  const { positions, normals, tangents } = evaluateFor('bakeWarp', warp, copy, uniforms)
+  const vertices = { ...copy, ...variation }
+  const { positions, normals, tangents } = evaluateFor('bakeWarp', warp, vertices, uniforms)
   if (!normals)
     throw new WarpError(
       'bakeWarp: the warp was compiled with "normals: false", so that it turns none; compile it without.',
@@ -44,11 +52,11 @@ export function checkWarp(method: string, warp: unknown) {
 export function evaluateFor(
   method: string,
   warp: Evaluates,
-  { positions, normals, uvs, colors, tangents }: Mesh,
+  vertices: Vertices,
   uniforms?: Uniforms,
 ) {
   try {
-    return warp.evaluate({ positions, normals, uvs, colors, tangents, uniforms })
+    return warp.evaluate({ ...vertices, uniforms })
   } catch (error) {
     if (!(error instanceof WarpError)) throw error
     throw new WarpError(error.message.replace(/^evaluate: /, `${method}: `))

@@ -1,7 +1,8 @@
 // What a mesh is here: flat arrays, going in and coming out.
 import { WarpError, describe } from '../errors.js'
 import { isList } from '../options.js'
-import type { FloatArray, Job } from './module.js'
+import type { FloatArray } from './arrays.js'
+import type { Job } from './module.js'
 
 /** A picture as its file has it. */
 export interface Picture {

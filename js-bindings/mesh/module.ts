@@ -1,5 +1,6 @@
 // The wasm module of meshes: it starts when it is first used, and holds nothing between two calls.
 import { WarpError } from '../errors.js'
+import { type ByteArray, type FloatArray, byteArrays, floatArrays, indexArray } from './arrays.js'
 import factory from '../generated/mesh.js'
 import base64 from '../generated/mesh-wasm.js'
 import { instantiate } from '../wasm.js'
@@ -21,6 +22,7 @@ interface MeshModule {
   _loadFile(job: number): number
   _checkMesh(job: number): number
   _addNormals(job: number): number
+  _addVariation(job: number): number
   _writeFile(job: number): number
   _refine(job: number, tolerance: number, angle: number, maxTriangles: number): number
   _refineUniformly(job: number, levels: number, maxTriangles: number): number
@@ -37,17 +39,9 @@ interface MeshModule {
   readonly HEAPF32: Float32Array
 }
 
-/** The arrays of a job, by number. */
-const floatArrays = { positions: 0, normals: 1, uvs: 2, colors: 3, tangents: 4 }
-const indexArray = 5
-const byteArrays = { picture: 6, mimeType: 7, file: 8, name: 9, contents: 10 }
-
-export type FloatArray = keyof typeof floatArrays
-export type ByteArray = keyof typeof byteArrays
-
 /** What can be done with a job: those without numbers of their own. */
 export type Action =
-  'keepFile' | 'findFiles' | 'loadFile' | 'checkMesh' | 'addNormals' | 'writeFile'
+  'keepFile' | 'findFiles' | 'loadFile' | 'checkMesh' | 'addNormals' | 'addVariation' | 'writeFile'
 
 /** Memory only grows, so an instance that has grown beyond this is given up. */
 const mostKeptBytes = 2 ** 26

@@ -1,10 +1,13 @@
 // `subdivide`: more triangles, where a warp needs them.
+import { type CpuWarp, warpProgram } from '../cpu-warp.js'
 import { WarpError, describe } from '../errors.js'
 import { checkOptions } from '../options.js'
+import { settled } from '../uniforms.js'
 import type { Uniforms } from '../vertices.js'
-import { type Evaluates, checkWarp, evaluateFor } from './bake.js'
+import { type Evaluates, asksForVariation, checkWarp, evaluateFor } from './bake.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
 import { type Job, withJob } from './module.js'
+import { variationOf } from './variation.js'
 
 interface Limit {
   /** Never more than so many; 1,048,576 unless given. */
@@ -71,18 +74,27 @@ function uniformly({ levels }: UniformOptions, maxTriangles: number) {
 }
 
 function adaptively(options: AdaptiveOptions, maxTriangles: number) {
-  const { warp, uniforms, tolerance, angle = 0.17 } = options
+  const { warp, tolerance, angle = 0.17 } = options
   checkWarp('subdivide', warp)
+  const { declared } = (warp as Partial<CpuWarp>)[warpProgram] ?? {}
+  const uniforms = settled('subdivide', declared, options.uniforms)
   checkNumber('tolerance', tolerance, 'a number above 0', (value) => value > 0 && value < Infinity)
   checkNumber('angle', angle, 'a number above 0', (value) => value > 0)
-  return (job: Job) =>
+  return (job: Job) => {
+    const varies = asksForVariation(warp)
+    if (varies) job.act('addVariation')
     job.refine(tolerance, angle, maxTriangles, (vertices) => {
       // Tangents are not looked at, so none need be turned.
-      const mesh = { ...takeMesh(vertices), tangents: undefined }
+      const mesh = {
+        ...takeMesh(vertices),
+        ...(varies && variationOf(vertices)),
+        tangents: undefined,
+      }
       const warped = evaluateFor('subdivide', warp, mesh, uniforms)
       vertices.setFloats('positions', warped.positions)
       vertices.setFloats('normals', warped.normals ?? [])
     })
+  }
 }
 
 function checkNumber(

@@ -1,24 +1,39 @@
 /** `createWarp` itself: compiles the offset once for the canvas, and makes the function that a sketch calls to draw with it. */
 import { compileWarpText } from '../warp-text.js'
 import { WarpError, describe } from '../errors.js'
+import { noteApproximation } from '../notes.js'
 import { hookStyleOf, namesFor, results, weave } from './hooks.js'
 import { type Canvas, type Shader, materialOf, webglOf } from './host.js'
 import { type CreateWarpOptions, type WarpSettings, type WarpType, readOptions } from './options.js'
-import type { OffsetFunction } from '../types.js'
-import { type WarpUniforms, refuseUndeclared, setInputs, setUniforms } from './uniforms.js'
+import { checkCallback } from '../options.js'
+import type { OffsetFunction, UniformOverrides } from '../types.js'
+import { withUniforms } from '../uniforms.js'
+import {
+  type WarpUniforms,
+  declarationsOf,
+  labelsOf,
+  refuseUndeclared,
+  setInputs,
+  setUniforms,
+} from './uniforms.js'
+import { noteUnlessUsed, readsVariation } from './variation.js'
 
-/** Puts the warp on what is drawn next, and turns strokes off, which p5 would draw unwarped. */
-export type Distort = (uniforms?: WarpUniforms) => void
+/**
+ * Puts the warp on what is drawn next, and turns strokes off, which p5 would draw unwarped. Values of the option `uniforms`
+ * may be replaced, for this call alone; those that `defs` declares keep what they are set to.
+ */
+export type Distort<Uniforms = {}> = (uniforms?: UniformOverrides<Uniforms> & WarpUniforms) => void
 
 /** For a shader that is in use: puts its warp on again, after the sketch changed the material. */
 const reapply = new WeakMap<Shader, () => void>()
 
 export function createWarp(
   canvas: Canvas,
-  offset: OffsetFunction,
+  given: OffsetFunction,
   options?: CreateWarpOptions,
 ): Distort {
   const settings = readOptions(options)
+  const offset = offsetFor(given, settings)
   if (!webglOf(canvas))
     throw new WarpError(
       'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
@@ -33,10 +48,11 @@ export function createWarp(
 
     const followed = materialOf(renderer)._useNormalMaterial ? 'normal' : 'specular'
     const shader = compiled.shaderFor(settings.type ?? followed)
+    if (compiled.varies && settings.surfaceVariation === undefined) noteUnlessUsed()
     canvas.shader(shader)
     canvas.noStroke()
     setInputs(shader, compiled.inputs, canvas)
-    setUniforms(shader, uniforms, settings.defs)
+    setUniforms(shader, uniforms, settings)
     reapply.set(shader, () => apply(uniforms))
   }
 
@@ -49,6 +65,13 @@ export function createWarp(
   }
 }
 
+/** It reads its uniforms by the names that they have in the shader. */
+function offsetFor(given: OffsetFunction, { uniforms }: WarpSettings): OffsetFunction {
+  checkCallback('createWarp', given)
+  const labels = labelsOf(uniforms)
+  return withUniforms('createWarp', given, uniforms, (name) => labels.get(name)!)
+}
+
 /** The warp as shaders of the canvas's present renderer, one for each material, made when it is first drawn with. */
 function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettings) {
   const material = canvas.baseMaterialShader?.()
@@ -58,22 +81,33 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
 
   const renderer = webglOf(canvas)
   const target = renderer?.webglVersion === 'webgl' ? 'glsl100' : 'glsl300'
-  const { text: warp, parameters } = compileWarpText('createWarp', offset, {
+  const { surfaceVariation } = settings
+  if (surfaceVariation && !style.hasVariation)
+    throw new WarpError('createWarp: surfaceVariation needs p5 2; leave it out.')
+  const {
+    text: warp,
+    parameters,
+    isApproximate,
+  } = compileWarpText('createWarp', offset, {
     target,
     names: namesFor(style),
     outputs: results,
+    surfaceVariation: surfaceVariation ?? (style.hasVariation || undefined),
   })
-  refuseUndeclared(parameters, material, settings.defs)
+  if (isApproximate) noteApproximation('createWarp', 'addSurfaceVariation(shape) on p5 2')
+  const woven = { ...settings, defs: declarationsOf(settings.uniforms, parameters) + settings.defs }
+  refuseUndeclared(parameters, material, woven)
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {
     renderer,
     inputs: warp.uniforms,
+    varies: readsVariation(warp),
     shaderFor: (type: WarpType) =>
       (shaders[type] ??= weave(
         type === 'normal' ? canvas.baseNormalShader() : material,
         style,
         warp,
-        settings,
+        woven,
         type,
       )),
   }

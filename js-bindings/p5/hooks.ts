@@ -7,6 +7,13 @@ import type { WarpText } from '../warp-text.js'
 import type { Shader } from './host.js'
 import type { WarpSettings, WarpSpace, WarpType } from './options.js'
 import { inputUniforms, uniformDeclarations } from './uniforms.js'
+import {
+  forgetLastShape,
+  readsVariation,
+  variationDeclarations,
+  variationIn,
+  variationVariables,
+} from './variation.js'
 
 /** All of our names in p5's shaders start with warpjet, so that they meet none of the sketch's. */
 export const results = {
@@ -20,13 +27,18 @@ type Hooks = Record<string, string>
 
 interface HookStyle {
   names: Names
+  /** Whether shapes can tell how they vary. */
+  hasVariation: boolean
   /** GLSL above the hooks that this style needs in `space`. */
   declarations: (space: WarpSpace) => string
   /** The hooks that run `code` and hand `warpjetMoved` and `warpjetTurned` to p5. */
   hooks: (code: string, space: WarpSpace, type: WarpType) => Hooks
 }
 
-/** p5 2.x. Its normal shader normalizes at the end of main, hence the last word in `afterVertex`. */
+/**
+ * p5 2.x. Its normal shader normalizes at the end of main, hence the last word in `afterVertex`. Its lit shader does not
+ * before it interpolates, and where a scale differs by axis, as for `plane(400, 400)`, the longest normals would rule.
+ */
 const structHooks: HookStyle = {
   names: {
     position: 'warpjetInputs.position',
@@ -34,6 +46,7 @@ const structHooks: HookStyle = {
     uv: 'warpjetInputs.texCoord',
     color: 'warpjetInputs.color',
   },
+  hasVariation: true,
   declarations: () => 'bool warpjetFlat;',
   hooks: (code, space, type) => ({
     [structHookOf[space]]: `(Vertex warpjetInputs) {
@@ -43,9 +56,10 @@ ${code}
   warpjetInputs.normal = warpjetTurned;
   return warpjetInputs;
 }`,
-    ...(type === 'normal' && {
-      'void afterVertex': '() { if (warpjetFlat) vVertexNormal = vec3(0.0); }',
-    }),
+    'void afterVertex':
+      type === 'normal'
+        ? '() { if (warpjetFlat) vVertexNormal = vec3(0.0); }'
+        : '() { vNormal = warpjetFlat ? vec3(0.0) : normalize(vNormal); }',
   }),
 }
 
@@ -68,10 +82,11 @@ const valueHooks: HookStyle = {
     uv: 'aTexCoord',
     color: '(uUseVertexColor ? aVertexColor : uMaterialColor)',
   },
+  hasVariation: false,
   // p5 gives its normal shader medium precision, too little for a warp where a phone takes that at its word.
   declarations: (space) => `precision highp float;
 vec3 warpjetNormal;${space === 'world' ? '\nuniform mat4 uModelMatrix;\nuniform mat4 uViewMatrix;' : ''}`,
-  hooks: (code, space, type) => {
+  hooks: (code, space) => {
     const { position, normal, viewPosition, viewNormal } = valueSpaces[space]
     return {
       'vec3 getWorldPosition': `(vec3 warpjetView) {
@@ -82,9 +97,7 @@ ${code}
   return ${viewPosition};
 }`,
       'vec3 getWorldNormal':
-        type === 'normal'
-          ? '(vec3 normal) { return warpjetNormal == vec3(0.0) ? warpjetNormal : normalize(warpjetNormal); }'
-          : '(vec3 normal) { return warpjetNormal; }',
+        '(vec3 normal) { return warpjetNormal == vec3(0.0) ? warpjetNormal : normalize(warpjetNormal); }',
     }
   },
 }
@@ -129,7 +142,11 @@ export function hookStyleOf(base: Shader): HookStyle | undefined {
 }
 
 /** The expressions that `compileWarp` is to use for its inputs. */
-export const namesFor = (style: HookStyle) => ({ ...style.names, ...inputUniforms })
+export const namesFor = ({ names }: HookStyle) => ({
+  ...names,
+  ...variationVariables,
+  ...inputUniforms,
+})
 
 /** p5's shader `base` with the warp in it. */
 export function weave(
@@ -139,17 +156,20 @@ export function weave(
   { space, defs }: WarpSettings,
   type: WarpType,
 ): Shader {
+  const varies = readsVariation(warp)
   const declarations = [
     style.declarations(space),
+    varies && variationDeclarations,
     uniformDeclarations(warp.uniforms),
     defs,
     warp.declarations,
   ]
   const shader = base.modify({
     vertexDeclarations: declarations.filter(Boolean).join('\n'),
-    ...style.hooks(warp.code, space, type),
+    ...style.hooks((varies ? variationIn(space) : '') + warp.code, space, type),
     ...(type === 'specular' && facingTheEye),
   })
+  if (varies) forgetLastShape(shader)
   // p5 1.11 draws with a shader of its own in place of one that looks unlit under lights or untextured under texture().
   return Object.assign(shader, { isLightShader: () => true, isTextureShader: () => true })
 }

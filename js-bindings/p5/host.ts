@@ -7,11 +7,19 @@ export interface Uniform {
   readonly isArray?: boolean
   /** WebGL's number of the type. */
   readonly type?: number
+  /** Of an image that was set: what p5 draws with. */
+  readonly texture?: { readonly width: number; readonly height: number }
 }
 
 export interface Shader {
   readonly hooks: { readonly vertex: Record<string, string> }
   readonly uniforms: Record<string, Uniform | undefined>
+  /** On 2.x. */
+  readonly _renderer?: {
+    readonly GL: { disableVertexAttribArray(location: number): void }
+    readonly registerEnabled: Set<number>
+  }
+  bindShader?: (...args: unknown[]) => void
   vertSrc(): string
   modify(hooks: Record<string, string>): Shader
   setUniform(name: string, value: unknown): unknown

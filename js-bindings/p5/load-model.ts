@@ -6,6 +6,7 @@ import { WarpError, describe } from '../errors.js'
 import type { Mesh, Picture } from '../mesh.js'
 import { checkOptions } from '../options.js'
 import { importMesh } from './mesh-module.js'
+import { withOwnErrors } from './variation.js'
 
 export interface LoadModelOptions {
   /** Centered, and 200 units at its longest, as p5's `loadModel` does it; true unless given. */
@@ -76,12 +77,8 @@ export async function fillModel(
       `loadWarpModel: the address of a model such as "bunny.glb" was expected, but ${describe(url)} came.`,
     )
   checkOptions('loadWarpModel', options, ['normalize', 'flipY'])
-  const { loadMesh } = await importMesh()
-  const mesh = await loadMesh(url).catch((error: Error) => {
-    if (error.name !== 'WarpError') throw error
-    // The other module has a WarpError of its own.
-    throw new WarpError(error.message.replaceAll('loadMesh', 'loadWarpModel'))
-  })
+  const { loadMesh } = await importMesh('loadWarpModel')
+  const mesh = await withOwnErrors(() => loadMesh(url))
   const { normalize = true, flipY = true } = options
   putVertices(model, p5, mesh, flipY)
   if (normalize) model.normalize()

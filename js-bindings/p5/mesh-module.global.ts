@@ -10,13 +10,14 @@ const script =
   (typeof document === 'object' && (document.currentScript as HTMLScriptElement | null)?.src) ||
   `https://cdn.jsdelivr.net/npm/warpjet@${version}/dist/`
 
-export async function importMesh(): Promise<typeof import('../mesh.js')> {
+/** For `method`, which a sketch called. */
+export async function importMesh(method: string): Promise<typeof import('../mesh.js')> {
   const { href } = new URL('mesh.js', script)
   try {
     return await import(/* @vite-ignore */ href)
   } catch {
     throw new WarpError(
-      `loadWarpModel: it needs ${href}, which cannot be loaded; copy all of the package's dist folder to where the script is.`,
+      `${method}: it needs ${href}, which cannot be loaded; copy all of the package's dist folder to where the script is.`,
     )
   }
 }

@@ -1,6 +1,8 @@
 /** Reads what a sketch hands to `createWarp` after the offset. */
 import { WarpError, describe } from '../errors.js'
 import { checkOptions } from '../options.js'
+import type { UniformOptions, UniformValues } from '../types.js'
+import { type DeclaredUniforms, readDeclared } from '../uniforms.js'
 
 /** Which of p5's materials the warp continues. */
 export type WarpType = 'specular' | 'normal'
@@ -11,35 +13,58 @@ export type WarpType = 'specular' | 'normal'
  */
 export type WarpSpace = 'local' | 'world' | 'camera'
 
-export interface CreateWarpOptions {
+export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValues> {
+  /**
+   * What the offset function reads as `uniforms`: a number, an array of 2 to 4, 9 or 16 numbers, a p5.Vector, a p5.Color, an image, or
+   * a function that gives one of them each time that the warp is put on. Lists are copied.
+   */
+  uniforms?: UniformOptions<Uniforms>
   /** Left out: `specular`, p5's full material, or `normal` while the sketch uses `normalMaterial()`. */
   type?: WarpType
   /** Left out: `local`. */
   space?: WarpSpace
   /** GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. */
   defs?: string
+  /**
+   * How normal and uv vary over the surface, for an offset that depends on them: left out, it counts for shapes that
+   * `addSurfaceVariation` told it of, and a note says so if there are none; `false`: they count as constant. p5 1.11
+   * knows nothing else.
+   */
+  surfaceVariation?: boolean
 }
 
 export interface WarpSettings {
+  readonly uniforms: DeclaredUniforms
   readonly type: WarpType | undefined
   readonly space: WarpSpace
   readonly defs: string
+  readonly surfaceVariation: boolean | undefined
 }
 
 const types = ['specular', 'normal']
 const spaces = ['local', 'world', 'camera']
 
 export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
-  checkOptions('createWarp', options, ['type', 'space', 'defs'])
-  const { type, space = 'local', defs = '' } = options
+  checkOptions('createWarp', options, ['uniforms', 'type', 'space', 'defs', 'surfaceVariation'])
+  const { type, space = 'local', defs = '', surfaceVariation } = options
   if (type !== undefined) mustBeOneOf('type', types, type)
   mustBeOneOf('space', spaces, space)
   if (typeof defs !== 'string')
     throw new WarpError(
       `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
     )
-  return { type, space, defs }
+  const uniforms = readDeclared('createWarp', options.uniforms)
+  for (const name of uniforms.keys())
+    if (declaresUniform(defs, name))
+      throw new WarpError(
+        `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
+      )
+  return { uniforms, type, space, defs, surfaceVariation }
 }
+
+/** Whether GLSL such as `uniform float size, amount;` has a uniform of that name. */
+const declaresUniform = (defs: string, name: string) =>
+  (defs.match(/\buniform\b[^;]*/g) ?? []).some((text) => text.match(/\w+/g)!.includes(name))
 
 function mustBeOneOf(option: string, choices: string[], value: unknown) {
   if (choices.includes(value as string)) return

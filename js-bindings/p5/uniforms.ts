@@ -1,7 +1,16 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
-import type { Shape, Variable } from '../compilation.js'
+import type { Variable } from '../compilation.js'
 import { WarpError, describe } from '../errors.js'
+import {
+  type DeclaredUniforms,
+  imageFor,
+  listed,
+  numbersFor,
+  typeOf,
+  unlisted,
+} from '../uniforms.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
+import type { WarpSettings } from './options.js'
 
 /** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
 export type WarpUniforms = Record<string, unknown>
@@ -49,37 +58,95 @@ export const uniformDeclarations = (names: string[]) =>
     .map(({ type, uniform }) => `uniform ${type} ${uniform};`)
     .join('\n')
 
+/** What the shader calls the sketch's uniforms: numbered, so that any name will do, also one that GLSL or p5 has. */
+export const labelsOf = (declared: DeclaredUniforms) =>
+  new Map([...declared.keys()].map((name, i) => [name, `uWarpjet${i}`]))
+
+/** Of those that the warp reads, which `parameters` tells. */
+export function declarationsOf(declared: DeclaredUniforms, parameters: readonly Variable[]) {
+  const labels = [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`])
+  return parameters
+    .filter(({ name }) => labels.includes(name))
+    .map(({ name, shape }) => `uniform ${typeOf(shape)} ${name};\n`)
+    .join('')
+}
+
 /** A parameter that neither p5 nor `defs` declares would break the shader, and p5 would print all of it. */
-export function refuseUndeclared(parameters: readonly Variable[], shader: Shader, defs: string) {
+export function refuseUndeclared(
+  parameters: readonly Variable[],
+  shader: Shader,
+  { defs, uniforms }: WarpSettings,
+) {
   const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
   for (const { name, shape } of parameters) {
     if (/^(?!gl_)[A-Za-z_]\w*$/.test(name) && !declared.has(name))
       throw new WarpError(
-        `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform ${typeOf(shape)} ${name};" }.`,
+        uniforms.has(name)
+          ? `createWarp: the warp reads "${name}" by glsl.${shape[1] > 1 ? `${typeOf(shape)}Param` : 'param'}; a uniform of the option "uniforms" is read as uniforms.${name}.`
+          : `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform ${typeOf(shape)} ${name};" }.`,
       )
   }
 }
-
-const typeOf = ([columns, rows]: Shape) =>
-  columns > 1 ? `mat${columns}` : rows > 1 ? `vec${rows}` : 'float'
 
 export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
   for (const { uniform, read } of inputsAmong(names)) shader.setUniform(uniform, read(canvas))
 }
 
+/** Sets the uniforms of the option `uniforms` to their present values, or to what this call gives instead. */
+function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUniforms) {
+  const labels = labelsOf(declared)
+  for (const [name, { shape, numbers, image }] of declared) {
+    if (image) {
+      const own = given[name]
+      const label = labels.get(name)!
+      if (shader.uniforms[label])
+        setImage(
+          shader,
+          label,
+          own === undefined ? image() : imageFor(`The warp's uniform "${name}"`, own),
+        )
+      continue
+    }
+    const own = Object.hasOwn(given, name)
+      ? numbersFor(`The warp's uniform "${name}"`, shape, given[name])
+      : undefined
+    const label = labels.get(name)!
+    // One that the warp never reads does not reach the shader.
+    if (!shader.uniforms[label]) continue
+    const values = own ?? numbers('The function that createWarp returned')
+    shader.setUniform(label, unlisted(values))
+  }
+}
+
+/** An image, and its size in texels where the warp is told it, in WebGL 1. */
+function setImage(shader: Shader, label: string, image: unknown) {
+  shader.setUniform(label, image)
+  const { width, height } = shader.uniforms[label]!.texture!
+  if (shader.uniforms[`${label}Size`]) shader.setUniform(`${label}Size`, [width, height])
+}
+
 /** Sets the sketch's own uniforms. One that `defs` declares but the warp never reads does not reach the shader. */
-export function setUniforms(shader: Shader, uniforms: WarpUniforms, defs: string) {
-  for (const [name, value] of Object.entries(uniforms)) {
+export function setUniforms(
+  shader: Shader,
+  given: WarpUniforms,
+  { defs, uniforms: declared }: WarpSettings,
+) {
+  setDeclared(shader, given, declared)
+  for (const [name, value] of Object.entries(given)) {
+    if (declared.has(name)) continue
     const uniform = shader.uniforms[name]
     if (uniform) shader.setUniform(name, readValue(name, value, uniform))
     else if (!defs.match(/\w+/g)?.includes(name))
       throw new WarpError(
-        `The warp has no uniform "${name}"; createWarp's option "defs" must declare it: { defs: "uniform float ${name};" }.`,
+        declared.size
+          ? `The warp has no uniform "${name}"; there are ${listed(declared)}.`
+          : `The warp has no uniform "${name}"; createWarp's option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }.`,
       )
   }
 }
 
 const mat2 = 0x8b5a
+const sampler2D = 0x8b5e
 
 /** Of the matrices, by WebGL's number. */
 const matrixSizes: Record<number, number> = { [mat2]: 4, 0x8b5b: 9, 0x8b5c: 16 }
@@ -89,6 +156,7 @@ function readValue(name: string, value: unknown, { type, isArray: isList = false
     throw new WarpError(
       `The warp's uniform "${name}" is a mat2, which this p5 cannot set; declare a mat3, or use p5 2.`,
     )
+  if (type === sampler2D) return imageFor(`The warp's uniform "${name}"`, value)
   const wrong =
     value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
   if (wrong || (isList && typeof value !== 'object'))

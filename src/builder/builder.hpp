@@ -21,6 +21,7 @@
 namespace warpjet {
 
 struct Noise;
+struct Sampling;
 
 // What a finished builder gives: `code` for the inside of a function, `declarations` for above it.
 struct Built {
@@ -54,6 +55,8 @@ class Builder {
   int call(int operation, bool isMethod);
   int callFunction(int function);
   int callNoise(const Noise& noise, bool isMethod);
+  // The operands are a vec2, an image, and its width and height in texels, a vec2.
+  int callTexture(const Sampling& sampling);
 
   // Some components of a vector, two bits each, the first one lowest. A problem is told without the
   // method, which goes by three alphabets.
@@ -79,8 +82,12 @@ class Builder {
   // of a node that is used once, and what it reads only far above what a person writes.
   std::optional<Built> build(std::optional<int> maxDepth = {});
 
+  // Whether a value is computed from an input.
+  bool dependsOn(int handle, int input);
+
   const std::vector<Output>& outputs() const { return outputs_; }
-  // The values pushed, for the CPU; nothing if a function of the host is called for them.
+  // The values pushed, for the CPU; nothing if a function or an image of the host is needed for
+  // them.
   std::optional<Program> program();
 
  private:

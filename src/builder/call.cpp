@@ -29,6 +29,8 @@ std::string_view kindName(Kind kind) {
       return "a matrix of as many rows as columns";
     case Kind::Matrix:
       return "a matrix";
+    case Kind::Mat3:
+      return "a mat3";
     case Kind::Input:
       return "a single input, such as position.x()";
     case Kind::Inputs:
@@ -57,6 +59,8 @@ bool isOfKind(Kind kind, Shape shape) {
       return shape.isMatrix() && shape.isSquare();
     case Kind::Matrix:
       return shape.isMatrix();
+    case Kind::Mat3:
+      return shape == matrixOf(3, 3);
     default:
       return true;
   }

@@ -181,13 +181,14 @@ inline constexpr std::array compositions{
                  "none."},
                 "33J",
                 Kind::Vec3,
-                [](auto& d, auto x) { return warpedNormal(d, x[0], x[1], x[2]); }},
-    Composition{{"adjustTangent", "offset, tangent, normal, position",
-                 "The unit tangent after the warp of `position` by this offset, at right angles to "
-                 "`normal`, the one after the warp."},
-                "333J",
-                Kind::Vec3,
-                [](auto& d, auto x) { return warpedTangent(d, x[0], x[1], x[2], x[3]); }},
+                [](auto& d, auto x) { return turnedNormal(deformation(d, x[0], x[2]), x[1]); }},
+    Composition{
+        {"adjustTangent", "offset, tangent, normal, position",
+         "The unit tangent after the warp of `position` by this offset, at right angles to "
+         "`normal`, the one after the warp."},
+        "333J",
+        Kind::Vec3,
+        [](auto& d, auto x) { return turnedTangent(deformation(d, x[0], x[3]), x[1], x[2]); }},
     Composition{
         {"deformation", "offset, position",
          "What the warp of `position` by this offset makes of directions: 1 on the diagonal "
@@ -195,10 +196,28 @@ inline constexpr std::array compositions{
         "3J",
         Kind::Mat3,
         [](auto& d, auto x) { return deformation(d, x[0], x[1]); }},
+    Composition{{"varied", "offset, deformation, input, gradient",
+                 "The `deformation` by this offset where an input, such as a component of the "
+                 "normal, varies over the surface, with that gradient."},
+                "39i3",
+                Kind::Mat3,
+                [](auto& d, auto x) { return varied(d, x[1], x[0], x[2][0], x[3]); }},
+    Composition{{"turnNormal", "deformation, normal",
+                 "The unit normal of a surface whose tangents this mat3 turns; zero where there is "
+                 "none."},
+                "93",
+                Kind::Vec3,
+                [](auto&, auto x) { return turnedNormal(x[0], x[1]); }},
+    Composition{{"turnTangent", "deformation, tangent, normal",
+                 "The unit tangent that this mat3 makes of a tangent, at right angles to `normal`, "
+                 "the turned one."},
+                "933",
+                Kind::Vec3,
+                [](auto&, auto x) { return turnedTangent(x[0], x[1], x[2]); }},
 };
 
 static_assert(std::all_of(compositions.begin(), compositions.end(), [](const Composition& row) {
-  return row.operands.find_first_not_of("sv3xmMeiIJ") == std::string_view::npos;
+  return row.operands.find_first_not_of("sv3xmM9eiIJ") == std::string_view::npos;
 }));
 
 // A composition without what people read, which so stays out of the program.

@@ -28,7 +28,7 @@ std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
 void Declarations::add(const Graph& graph, const Emitted& emitted) {
   for (const Op op : emitted.helped) {
     const ops::Info& info = ops::info(op);
-    define(info.name, std::string(info.helpers[static_cast<std::size_t>(dialect_.language)]));
+    define(info.name, textIn(info.helpers));
   }
   for (const auto& [number, order] : emitted.ourFunctions) define(graph.function(number), order);
 }
@@ -47,6 +47,7 @@ void Declarations::define(const Function& function, int order) {
   const Bundle bundle(function, order);
   if (isDefined(bundle.function)) return;
   Body& body = library_.withResults(function.name, order);
+  if (const auto* texts = body.definition.texts) return define(bundle.function, textIn(*texts));
   Comments none;
   std::vector<NodeId> results(body.results.begin(), body.results.begin() + bundle.count);
   results = lower(body.graph, results, dialect_.language, none);
@@ -72,7 +73,8 @@ std::string Declarations::header(const std::string& type, const std::string& nam
   for (int i = 0; i < body.definition.function.arity; ++i) {
     if (i > 0) text += ", ";
     const std::string argument(body.definition.argumentName(i));
-    text += isWgsl ? argument + ": f32" : "float " + argument;
+    const std::string kind = dialect_.typeName(ops::Type::Float, body.definition.argumentShape(i));
+    text += isWgsl ? argument + ": " + kind : kind + ' ' + argument;
   }
   return text + (isWgsl ? ") -> " + type : ")") + " {\n";
 }

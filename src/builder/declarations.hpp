@@ -23,6 +23,9 @@ class Declarations {
   bool isDefined(std::string_view name) const;
   void define(const Function& function, int order);
   void define(std::string_view name, const std::string& text);
+  std::string textIn(const ops::Helpers& texts) const {
+    return std::string(texts[static_cast<std::size_t>(dialect_.language)]);
+  }
   std::string header(const std::string& type, const std::string& name, const Body& body) const;
 
   const Dialect& dialect_;

@@ -36,7 +36,7 @@ int Builder::callNoise(const Noise& noise, bool isMethod) {
     const Definition definition = definitionOf(noise, dimensions);
     // Derivatives of a function are by its point alone.
     const bool isPlain = !isFractal(noise.kind) || (graph_.isConstant(arguments.end()[-2].id) &&
-                                                    graph_.isConstant(arguments.back().id));
+                                                    graph_.isConstant(arguments.end()[-1].id));
     const Numbers values = isPlain ? library_.call(definition, arguments)
                                    : definition.body(library_, definition.settings, arguments);
     const int size = static_cast<int>(values.size());

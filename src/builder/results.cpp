@@ -1,4 +1,6 @@
 // The results that the host is given: as text, or as a program for the CPU.
+#include <algorithm>
+
 #include "builder/builder.hpp"
 #include "builder/declarations.hpp"
 #include "builder/sentences.hpp"
@@ -45,11 +47,22 @@ std::vector<NodeId> Builder::roots() const {
   return nodes;
 }
 
+bool Builder::dependsOn(int handle, int input) {
+  const Value value = values_.get(graph_, handle), from = values_.get(graph_, input);
+  const auto inputs = from.nodes();
+  const std::vector<NodeId> nodes = reachable(graph_, value.nodes());
+  return std::find_first_of(nodes.begin(), nodes.end(), inputs.begin(), inputs.end()) !=
+         nodes.end();
+}
+
 std::optional<Program> Builder::program() {
   std::vector<NodeId> nodes;
   for (const Value& value : operands_)
     nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
   operands_.clear();
+  for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
+    if (graph_.input(i).shape == oneImage) return std::nullopt;
+  }
   return warpjet::program(graph_, inlineCalls(graph_, library_, nodes));
 }
 

@@ -7,6 +7,7 @@ namespace warpjet {
 std::string shapeName(Shape shape) {
   const std::string rows = std::to_string(shape.rows);
   if (shape.isNumber()) return "a single number";
+  if (shape == oneImage) return "an image";
   if (shape.isVector()) return "a vec" + rows;
   if (shape.isSquare()) return "a mat" + rows;
   return "a matrix of " + std::to_string(shape.columns) + " columns and " + rows + " rows";

@@ -30,7 +30,7 @@ class Values {
 
   Value get(Graph& graph, int handle) const {
     const auto [shape, first] = slots_[handle];
-    if (shape.isNumber()) return Expression{&graph, NodeId{first}};
+    if (shape.size() == 1) return Expression{&graph, NodeId{first}};
     return fill(graph, shape, [&, at = first](int i) {
       return Expression{&graph, nodes_[at + i]};
     });

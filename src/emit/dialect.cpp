@@ -122,6 +122,7 @@ const Dialect* findDialect(std::string_view name) {
 
 std::string Dialect::typeName(ops::Type type, Shape shape) const {
   const bool isFloat = type == ops::Type::Float, isWgsl = language == ops::Language::Wgsl;
+  if (shape == oneImage) return isWgsl ? "texture_2d<f32>" : "highp sampler2D";
   if (shape.isNumber()) return isFloat ? (isWgsl ? "f32" : "float") : "bool";
   const std::string rows = std::to_string(shape.rows), columns = std::to_string(shape.columns);
   if (shape.isMatrix()) {

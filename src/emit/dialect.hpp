@@ -28,7 +28,7 @@ struct Dialect {
     return list.find(' ' + std::string(word) + ' ') != list.npos;
   }
 
-  // `float`, `bvec2`, `mat3`; `f32`, `vec2<bool>`, `mat3x3f`.
+  // `float`, `bvec2`, `mat3`, `highp sampler2D`; `f32`, `vec2<bool>`, `mat3x3f`, `texture_2d<f32>`.
   std::string typeName(ops::Type type, Shape shape) const;
   // A variable that gets its value later, without the end of the statement.
   std::string declaration(const std::string& type, const std::string& variable) const;

@@ -76,7 +76,7 @@ void Writer::writeLeaf(std::string& text, NodeId id) {
   const Shape shape = graph_.input(input).shape;
   text += inputNames_[input];
   if (shape.isMatrix()) text += '[' + std::to_string(component / shape.rows) + ']';
-  if (!shape.isNumber()) text += {'.', "xyzw"[component % shape.rows]};
+  if (shape.size() > 1) text += {'.', "xyzw"[component % shape.rows]};
 }
 
 void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {

@@ -272,6 +272,10 @@ Interval trunc(const Interval& x) { return rising(std::trunc, x, 0); }
 
 Interval hash(const Interval& h, const Interval& i) {
   const Interval from = floor(h), cell = floor(i);
+  // Beyond, float32 has no room for a cell and a place in it.
+  for (const Interval& x : {from, cell}) {
+    if (x.low < -0x1p24 || x.high > 0x1p24) return Interval::anything(true);
+  }
   if (from.isPoint() && cell.isPoint() && !from.canBeNaN && !cell.canBeNaN)
     return ops::hash(from.low, cell.low);
   return {0, ops::hashPrime - 1, from.canBeNaN || cell.canBeNaN};

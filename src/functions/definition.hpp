@@ -1,13 +1,14 @@
 // Functions of ours that a text defines once, however often they are called, so that a value and
 // its derivatives share their work. Each is written once, as nodes: text, derivatives of every
-// order and evaluation on the CPU follow from those.
+// order and evaluation on the CPU follow from those. What nodes cannot say, such as to read an
+// image, is a function of a text.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
-#include <span>
 #include <string_view>
-#include <vector>
 
 #include "graph/expression.hpp"
 
@@ -15,27 +16,57 @@ namespace warpjet {
 
 class Library;
 
-using Numbers = std::vector<Expression>;
+// A few numbers: the arguments of a function, or its values. No vector, which would be more code.
+class Numbers {
+ public:
+  static constexpr std::size_t most = 8;
+
+  Numbers() = default;
+  Numbers(std::initializer_list<Expression> all) {
+    for (const Expression x : all) push_back(x);
+  }
+
+  void push_back(Expression x) { items_[size_++] = x; }
+  std::size_t size() const { return size_; }
+  Expression& operator[](std::size_t i) { return items_[i]; }
+  const Expression& operator[](std::size_t i) const { return items_[i]; }
+  Expression* begin() { return items_.data(); }
+  Expression* end() { return begin() + size_; }
+  const Expression* begin() const { return items_.data(); }
+  const Expression* end() const { return begin() + size_; }
+
+ private:
+  std::array<Expression, most> items_{};
+  std::size_t size_ = 0;
+};
 
 struct Definition {
   // The values from the arguments. May call other functions of the library.
-  using Body = Numbers (*)(Library&, std::uint32_t settings, std::span<const Expression> arguments);
+  using Body = Numbers (*)(Library&, std::uint32_t settings, const Numbers& arguments);
 
   // Equal names are equal functions.
   Function function;
   Body body;
   // What `body` is told.
-  std::uint32_t settings;
+  std::uint32_t settings = 0;
   // What each value is known to lie between.
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 
+  // Instead of a body, the function in each language; one that has no derivatives.
+  const ops::Helpers* texts = nullptr;
+
   // The variables, then the other arguments, as far as there are any.
   static constexpr std::string_view variableNames[] = {"x", "y", "z", "w"};
-  static constexpr std::string_view parameterNames[] = {"seed", "lacunarity", "gain"};
+  static constexpr std::string_view noiseParameters[] = {"seed", "lacunarity", "gain"};
+  static constexpr std::string_view imageParameters[] = {"image", "width", "height"};
+  const std::string_view* parameters = noiseParameters;
 
   std::string_view argumentName(int i) const {
-    return i < function.variables ? variableNames[i] : parameterNames[i - function.variables];
+    return i < function.variables ? variableNames[i] : parameters[i - function.variables];
+  }
+  Shape argumentShape(int i) const {
+    return argumentName(i) == imageParameters[0] ? oneImage : oneNumber;
   }
 };
 

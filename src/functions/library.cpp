@@ -22,7 +22,7 @@ Body* Library::find(std::string_view name) {
   return nullptr;
 }
 
-Numbers Library::call(const Definition& definition, std::span<const Expression> arguments) {
+Numbers Library::call(const Definition& definition, const Numbers& arguments) {
   const Function& function = definition.function;
   if (!find(function.name)) bodies_.push_back(std::make_unique<Body>(definition));
 
@@ -39,9 +39,11 @@ Body& Library::withResults(std::string_view name, int order) {
   Body& body = *find(name);
   const Definition& definition = body.definition;
   const Function& function = definition.function;
+  if (definition.texts) return body;
   if (body.results.empty()) {
     for (int i = 0; i < function.arity; ++i) {
-      const std::uint32_t input = body.graph.input(definition.argumentName(i), oneNumber);
+      const std::uint32_t input =
+          body.graph.input(definition.argumentName(i), definition.argumentShape(i));
       body.arguments.push_back({&body.graph, body.graph.component(input, 0)});
     }
     for (const Expression value : definition.body(*this, definition.settings, body.arguments))

@@ -28,9 +28,10 @@ struct Body {
 class Library {
  public:
   // The values of a call, in the graph of the arguments.
-  Numbers call(const Definition& definition, std::span<const Expression> arguments);
+  Numbers call(const Definition& definition, const Numbers& arguments);
 
-  // With all results up to that order of derivatives, or with as many, free of calls.
+  // With all results up to that order of derivatives, or with as many, free of calls; with none if
+  // the function is a text.
   Body& withResults(std::string_view name, int order);
   Body& withoutCalls(std::string_view name, int order);
 

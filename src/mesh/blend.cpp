@@ -45,6 +45,9 @@ void appendBlend(Mesh& to, const Mesh& from, const Blend& blend) {
   if (!from.uvs.empty()) append(to.uvs, mix<2>(from.uvs, blend));
   if (!from.colors.empty()) append(to.colors, mix<4>(from.colors, blend));
   if (!from.tangents.empty()) append(to.tangents, mixDirections<4>(from.tangents, blend));
+  for (std::size_t i = 0; i < from.gradients.size(); ++i) {
+    if (!from.gradients[i].empty()) append(to.gradients[i], mix<3>(from.gradients[i], blend));
+  }
 }
 
 Mesh slice(const Mesh& mesh, std::size_t first, std::size_t end) {
@@ -58,6 +61,8 @@ Mesh slice(const Mesh& mesh, std::size_t first, std::size_t end) {
   vertices.uvs = part(mesh.uvs, 2);
   vertices.colors = part(mesh.colors, 4);
   vertices.tangents = part(mesh.tangents, 4);
+  for (std::size_t i = 0; i < mesh.gradients.size(); ++i)
+    vertices.gradients[i] = part(mesh.gradients[i], 3);
   return vertices;
 }
 

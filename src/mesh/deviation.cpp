@@ -83,6 +83,7 @@ class Measurement {
       for (auto* numbers :
            {&samples.positions, &samples.normals, &samples.uvs, &samples.colors, &samples.tangents})
         numbers->clear();
+      for (auto& numbers : samples.gradients) numbers.clear();
       std::size_t end = first;
       for (; end < pieces.size() && samples.vertexCount() < batchSize; ++end) {
         for (std::uint32_t i = 0; i < pieces[end].samples; ++i)

@@ -2,44 +2,40 @@
 // said otherwise.
 #pragma once
 
-#include <span>
-
 #include "functions/library.hpp"
 #include "noise/noise.hpp"
 
 namespace warpjet {
 
-using Point = std::span<const Expression>;
-
 // Perlin's gradient noise, "Improving Noise" (2002), with random directions of length 1 at the
 // corners of a grid and his fifth-degree blend: twice continuously differentiable, 0 at the
 // corners, from -1 to 1.
-Expression gradientNoise(Library& library, Point p, Expression seed);
+Expression gradientNoise(Library& library, const Numbers& p, Expression seed);
 
 // A random number at each corner, blended alike; from -1 to 1.
-Expression valueNoise(Point p, Expression seed);
+Expression valueNoise(const Numbers& p, Expression seed);
 
 // Simplex noise (Perlin, "Noise hardware", 2001; Gustavson, "Simplex noise demystified", 2005) with
 // kernels that end where their simplices do, three times continuously differentiable; from -1 to 1.
-Expression simplexNoise(Library& library, Point p, Expression seed);
+Expression simplexNoise(Library& library, const Numbers& p, Expression seed);
 
 // The distances to the nearest and to the second nearest of points strewn one a cell (Worley, "A
 // cellular texture basis function", 1996): two values.
-Numbers worleyNoise(Point p, Expression seed);
+Numbers worleyNoise(const Numbers& p, Expression seed);
 
 // The curl of three noises of kind `base`, a vector field without divergence (Bridson, Hourihan,
 // Nordenstam, "Curl-noise for procedural fluid flow", 2007, equation 1): three values. A fourth
 // coordinate is time.
-Numbers curlNoise(Library& library, NoiseKind base, Point p, Expression seed);
+Numbers curlNoise(Library& library, NoiseKind base, const Numbers& p, Expression seed);
 
 // Octaves of a noise, each `lacunarity` times as fine and `gain` times as strong as the one before:
 // their sum, from -1 to 1; of their absolute values, from 0 to 1 (Perlin, "An image synthesizer",
 // 1985); or of the squares of what these lack to 1, from 0 to 1 (after Musgrave's ridged
 // multifractal, "Texturing and Modeling", chapter 16). Divided by the sum of all strengths.
-Expression fractalNoise(Library& library, const Noise& noise, Point p, Expression seed,
+Expression fractalNoise(Library& library, const Noise& noise, const Numbers& p, Expression seed,
                         Expression lacunarity, Expression gain);
 
 // A call of a noise of one value.
-Expression callBase(Library& library, NoiseKind base, Point p, Expression seed);
+Expression callBase(Library& library, NoiseKind base, const Numbers& p, Expression seed);
 
 }  // namespace warpjet

@@ -18,7 +18,7 @@ Expression shaped(NoiseKind kind, Expression noise) {
 
 }  // namespace
 
-Expression fractalNoise(Library& library, const Noise& noise, Point p, Expression seed,
+Expression fractalNoise(Library& library, const Noise& noise, const Numbers& p, Expression seed,
                         Expression lacunarity, Expression gain) {
   const Expression one{seed.graph, seed.graph->constant(1)};
   Expression fineness = one, strength = one;

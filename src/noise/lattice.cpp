@@ -16,17 +16,17 @@ Expression fade(Expression t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
 template <class Corner>
 class Lattice {
  public:
-  Lattice(Point p, const Corner& corner) : corner_(corner) {
+  Lattice(const Numbers& p, const Corner& corner) : corner_(corner) {
     for (const Expression x : p) {
       cell_.push_back(floor(x));
       offset_.push_back(fract(x));
-      blend_.push_back(fade(offset_.back()));
+      blend_.push_back(fade(offset_[offset_.size() - 1]));
     }
   }
 
   // The blend along this axis and all that follow.
   Expression from(std::size_t axis, Expression cellHash) {
-    if (axis == cell_.size()) return corner_(cellHash, Point(offset_));
+    if (axis == cell_.size()) return corner_(cellHash, offset_);
     const Expression inside = offset_[axis];
     const Expression low = from(axis + 1, hash(cellHash, cell_[axis]));
     offset_[axis] = inside - 1.0;
@@ -42,17 +42,17 @@ class Lattice {
 
 }  // namespace
 
-Expression gradientNoise(Library& library, Point p, Expression seed) {
+Expression gradientNoise(Library& library, const Numbers& p, Expression seed) {
   const int dimensions = static_cast<int>(p.size());
-  const auto corner = [&](Expression cellHash, Point offset) {
+  const auto corner = [&](Expression cellHash, const Numbers& offset) {
     return dot(randomDirection(library, cellHash, dimensions), offset);
   };
   // In the middle of a cell, where all directions may point to it, lies the largest value.
   return Lattice(p, corner).from(0, seed) * (2 / std::sqrt(dimensions));
 }
 
-Expression valueNoise(Point p, Expression seed) {
-  const auto corner = [](Expression cellHash, Point) {
+Expression valueNoise(const Numbers& p, Expression seed) {
+  const auto corner = [](Expression cellHash, const Numbers&) {
     return cellHash * (2 / (ops::hashPrime - 1)) - 1.0;
   };
   return Lattice(p, corner).from(0, seed);

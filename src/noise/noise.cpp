@@ -15,11 +15,12 @@ constexpr std::uint32_t pack(const Noise& noise, int dimensions) {
          static_cast<std::uint32_t>(dimensions) << 24;
 }
 
-Numbers body(Library& library, std::uint32_t settings, std::span<const Expression> arguments) {
+Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments) {
   const Noise noise{NoiseKind(settings & 255), NoiseKind(settings >> 8 & 255),
                     static_cast<int>(settings >> 16 & 255)};
-  const Point p = arguments.first(settings >> 24);
-  const Expression* parameters = arguments.data() + p.size();
+  Numbers p;
+  while (p.size() < settings >> 24) p.push_back(arguments[p.size()]);
+  const Expression* parameters = arguments.begin() + p.size();
   const Expression seed = parameters[0];
   switch (noise.kind) {
     case NoiseKind::Gradient:
@@ -66,8 +67,8 @@ Definition definitionOf(const Noise& noise, int dimensions) {
   return made;
 }
 
-Expression callBase(Library& library, NoiseKind base, Point p, Expression seed) {
-  Numbers arguments(p.begin(), p.end());
+Expression callBase(Library& library, NoiseKind base, const Numbers& p, Expression seed) {
+  Numbers arguments = p;
   arguments.push_back(seed);
   return library.call(definitionOf({base}, static_cast<int>(p.size())), arguments)[0];
 }

@@ -41,13 +41,12 @@ Numbers randomNumbers(Expression hash, int count) {
 
 Numbers randomDirection(Library& library, Expression hash, int dimensions) {
   if (dimensions == 1) return {randomNumbers(hash, 1)[0] * 2.0 - 1.0};
-  const Definition direction{
-      {"warpjetDirection" + std::to_string(dimensions), 1, dimensions, 0},
-      [](Library&, std::uint32_t count, std::span<const Expression> arguments) {
-        return foldedCube(arguments[0], static_cast<int>(count));
-      },
-      static_cast<std::uint32_t>(dimensions)};
-  return library.call(direction, {&hash, 1});
+  const Definition direction{{"warpjetDirection" + std::to_string(dimensions), 1, dimensions, 0},
+                             [](Library&, std::uint32_t count, const Numbers& arguments) {
+                               return foldedCube(arguments[0], static_cast<int>(count));
+                             },
+                             static_cast<std::uint32_t>(dimensions)};
+  return library.call(direction, {hash});
 }
 
 }  // namespace warpjet

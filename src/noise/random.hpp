@@ -2,8 +2,6 @@
 // constant, so derivatives pass it by.
 #pragma once
 
-#include <span>
-
 #include "functions/library.hpp"
 
 namespace warpjet {
@@ -21,7 +19,7 @@ Numbers randomDirection(Library& library, Expression hash, int dimensions);
 
 inline Expression fract(Expression x) { return build(ops::find("fract"), x); }
 
-inline Expression dot(std::span<const Expression> x, std::span<const Expression> y) {
+inline Expression dot(const Numbers& x, const Numbers& y) {
   Expression sum = x[0] * y[0];
   for (std::size_t i = 1; i < x.size(); ++i) sum = sum + x[i] * y[i];
   return sum;

@@ -11,16 +11,17 @@ namespace {
 // the sum of (reach - d²)⁴ d over a simplex, d being the distances from its corners.
 constexpr double scales[] = {0, 3.16049, 99.2043, 107.6534, 108.5678};
 
-Expression sum(Point x) {
+Expression sum(const Numbers& x) {
   Expression total = x[0];
-  for (const Expression next : x.subspan(1)) total = total + next;
+  for (std::size_t i = 1; i < x.size(); ++i) total = total + x[i];
   return total;
 }
 
 // How many coordinates each is at least as large as; of equal ones the first is the largest.
-Numbers ranks(Point x) {
+Numbers ranks(const Numbers& x) {
   Graph& graph = *x[0].graph;
-  Numbers all(x.size(), Expression{&graph, graph.constant(0)});
+  Numbers all;
+  for (std::size_t i = 0; i < x.size(); ++i) all.push_back({&graph, graph.constant(0)});
   for (std::size_t i = 0; i < x.size(); ++i) {
     for (std::size_t k = i + 1; k < x.size(); ++k) {
       const Expression wins = step(x[k], x[i]);
@@ -47,7 +48,8 @@ struct Skewed {
   Numbers whole, inside, step;
   Expression shift, fraction;
 
-  Skewed(Point p, double skew) : shift{p[0].graph, p[0].graph->constant(0)}, fraction(shift) {
+  Skewed(const Numbers& p, double skew)
+      : shift{p[0].graph, p[0].graph->constant(0)}, fraction(shift) {
     for (const Expression x : p) {
       whole.push_back(floor(x));
       inside.push_back(fract(x));
@@ -66,7 +68,7 @@ struct Skewed {
 
 }  // namespace
 
-Expression simplexNoise(Library& library, Point p, Expression seed) {
+Expression simplexNoise(Library& library, const Numbers& p, Expression seed) {
   const int n = static_cast<int>(p.size());
   const double root = std::sqrt(n + 1.0);
   const double skew = n == 1 ? 0 : (root - 1) / n, unskew = n == 1 ? 0 : (1 - 1 / root) / n;

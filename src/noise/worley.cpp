@@ -13,7 +13,8 @@ constexpr int cells = 4;
 
 class Search {
  public:
-  Search(Point p, Expression seed) : inside_(), corner_(), first_(far(seed)), second_(far(seed)) {
+  Search(const Numbers& p, Expression seed)
+      : inside_(), corner_(), first_(far(seed)), second_(far(seed)) {
     for (const Expression x : p) {
       corner_.push_back(floor(x + 0.5));
       inside_.push_back(fract(x + 0.5) - 0.5);
@@ -28,17 +29,17 @@ class Search {
 
   // All cells that lie at `steps_` along the axes so far.
   void visit(Expression cellHash) {
-    const std::size_t axis = steps_.size();
+    const std::size_t axis = depth_;
     if (axis == inside_.size()) return meet(cellHash);
     for (int step = -cells / 2; step < cells / 2; ++step) {
-      steps_.push_back(step);
+      steps_[depth_++] = step;
       visit(hash(cellHash, corner_[axis] + static_cast<double>(step)));
-      steps_.pop_back();
+      --depth_;
     }
   }
 
   void meet(Expression cellHash) {
-    Numbers away = randomNumbers(cellHash, static_cast<int>(steps_.size()));
+    Numbers away = randomNumbers(cellHash, static_cast<int>(depth_));
     for (std::size_t i = 0; i < away.size(); ++i) away[i] = away[i] + steps_[i] - inside_[i];
     const Expression square = dot(away, away);
     second_ = min(second_, max(first_, square));
@@ -46,12 +47,13 @@ class Search {
   }
 
   Numbers inside_, corner_;
-  std::vector<double> steps_;
+  double steps_[3] = {};  // as many as `depth_`
+  std::size_t depth_ = 0;
   Expression first_, second_;  // squares of distances
 };
 
 }  // namespace
 
-Numbers worleyNoise(Point p, Expression seed) { return Search(p, seed).distances(); }
+Numbers worleyNoise(const Numbers& p, Expression seed) { return Search(p, seed).distances(); }
 
 }  // namespace warpjet

@@ -40,17 +40,20 @@ Value deformation(Differentiator& differentiator, const Value& offset, const Val
   return m;
 }
 
-Value warpedNormal(Differentiator& differentiator, const Value& offset, const Value& normal,
-                   const Value& position) {
-  const Value m = deformation(differentiator, offset, position);
+Value varied(Differentiator& differentiator, const Value& m, const Value& offset, Expression input,
+             const Value& gradient) {
+  const Value slope = derivative(differentiator, offset, input);
+  return fill(m.graph(), m.shape(), [&](int i) { return m[i] + slope[i % 3] * gradient[i / 3]; });
+}
+
+Value turnedNormal(const Value& m, const Value& normal) {
   const Value cofactor[] = {cross(m.column(1), m.column(2)), cross(m.column(2), m.column(0)),
                             cross(m.column(0), m.column(1))};
   return normalize(cofactor[0] * normal[0] + cofactor[1] * normal[1] + cofactor[2] * normal[2]);
 }
 
-Value warpedTangent(Differentiator& differentiator, const Value& offset, const Value& tangent,
-                    const Value& normal, const Value& position) {
-  const Value moved = multiply(deformation(differentiator, offset, position), tangent);
+Value turnedTangent(const Value& m, const Value& tangent, const Value& normal) {
+  const Value moved = multiply(m, tangent);
   return normalize(moved - normal * dot(normal, moved));
 }
 

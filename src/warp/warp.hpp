@@ -10,25 +10,34 @@ namespace warpjet {
 // M = I + J, where J is the Jacobian of the offset by the position: what the warp makes of
 // directions. Its determinant says how volume grows; where it is not above zero, the warp turns
 // space inside out. `position` must be the three components of one input. All other inputs, normal
-// and uv among them, count as constant over the surface.
+// and uv among them, count as constant.
 Value deformation(Differentiator& differentiator, const Value& offset, const Value& position);
 
-// The unit normal of the moved surface, or zero where the warp collapses the surface so that it has
-// none; a cof(M) n outside of 1e-19 ... 1e19 counts as collapsed, since float32 cannot hold its
-// square.
+// M where `input`, which the offset depends on too, varies over the surface: by the chain rule
+// M + df/dinput (dinput/dp), where `gradient` is the last. The components of the normal vary so,
+// for an offset along the normal, and texture coordinates. M then holds for tangents of the
+// surface.
+//
+// If the gradients lie in the surface, the determinant of M is that of the thin layer around it in
+// which normal and texture coordinates stay the same along each normal: where it is not above zero,
+// the two sides of the surface have changed places.
+Value varied(Differentiator& differentiator, const Value& m, const Value& offset, Expression input,
+             const Value& gradient);
+
+// The unit normal of the surface whose tangents M turns, or zero where M collapses the surface so
+// that it has none; a cof(M) n outside of 1e-19 ... 1e19 counts as collapsed, since float32 cannot
+// hold its square.
 //
 // Tangents u and v of the surface become M u and M v, and (M u) x (M v) = cof(M) (u x v): the
 // cofactor matrix, whose columns are m2 x m3, m3 x m1 and m1 x m2, turns normals. It equals
 // equation 1 of Pagurek van Mossel's "Vertex Shader Domain Warping with Automatic Differentiation"
 // (2024) for every choice of tangents. Where M collapses a direction (section 5.1 there) cof(M) n
 // can vanish.
-Value warpedNormal(Differentiator& differentiator, const Value& offset, const Value& normal,
-                   const Value& position);
+Value turnedNormal(const Value& m, const Value& normal);
 
-// The unit tangent M t, less what of it goes along `normal`, the warped one; zero where the warp
-// collapses it. The side of the bitangent stays: with t x b = n, (M t) x (M b) is cof(M) n for
-// every M, a mirror too, since that turns the normal as well.
-Value warpedTangent(Differentiator& differentiator, const Value& offset, const Value& tangent,
-                    const Value& normal, const Value& position);
+// The unit tangent M t, less what of it goes along `normal`, the turned one; zero where M collapses
+// it. The side of the bitangent stays: with t x b = n, (M t) x (M b) is cof(M) n for every M, a
+// mirror too, since that turns the normal as well.
+Value turnedTangent(const Value& m, const Value& tangent, const Value& normal);
 
 }  // namespace warpjet

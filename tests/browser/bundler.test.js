@@ -14,6 +14,7 @@ const sketch = `
 import p5 from 'p5'
 import 'warpjet/p5'
 import { compileWarp } from 'warpjet'
+import { chain, twist } from 'warpjet/deformers'
 
 // p5's own check of variable names takes those of a bundle for the sketch's.
 p5.disableFriendlyErrors = true
@@ -22,7 +23,8 @@ new p5((p) => {
   let distort
   p.setup = () => {
     p.createCanvas(60, 60, p.WEBGL)
-    distort = p.createWarp(({ glsl, position }) => glsl.vec3(position.y().sin().mult(0.5), 0, 0))
+    const sine = ({ glsl, position }) => glsl.vec3(position.y().sin().mult(0.5), 0, 0)
+    distort = p.createWarp(chain(sine, twist({ length: 1 })))
   }
   p.draw = () => {
     p.background(255, 0, 0)

@@ -57,7 +57,7 @@ describe('the gallery of npm start', () => {
         await card.getByRole('button', { name: 'GLSL' }).click()
         assert.match(
           await card.locator('code').textContent(),
-          /\b(vec3 offset|float height|float value)\b/,
+          /\b(vec3 offset|float height|float value|vec4 color)\b/,
         )
 
         await page.screenshot({ path: `${screenshots}/${name}.png` })

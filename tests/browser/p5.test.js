@@ -210,7 +210,9 @@ for (const [version, p5] of Object.entries(p5Versions)) {
         ([name, shift]) => `
           const shift = ${shift}
           const offset = (inputs) => inputs.glsl.vec3(shift(inputs), 0, 0)
-          warps['${name}'] = createWarp(offset, { space: 'world', defs: ${JSON.stringify(defs)} })`,
+          warps['${name}'] = createWarp(offset, {
+            space: 'world', defs: ${JSON.stringify(defs)}, surfaceVariation: false
+          })`,
       )
       const shape = `fill('red'); plane(20)`
       const images = await draw({

@@ -195,7 +195,8 @@ TEST_F(EmitTest, ASumOfAnInputAndAnEarlierResultIsWrittenAsThat) {
 }
 
 TEST_F(EmitTest, AFunctionOfTheHostIsCalledWithItsArgumentsInOrder) {
-  const std::uint32_t noise = graph.addFunction({"noise", 3}), unused = graph.addFunction({"other", 1});
+  const std::uint32_t noise = graph.addFunction({"noise", 3}),
+                      unused = graph.addFunction({"other", 1});
   const NodeId arguments[] = {(x + y).id, ifElse(lt(x, y), x, 1.0).id, lt(x, y).id};
   const Expression called{&graph, graph.call(noise, arguments)};
   EXPECT_EQ(body(-(called * 2.0)), "-noise(x + y, t0 ? x : 1.0, float(t0)) * 2.0");

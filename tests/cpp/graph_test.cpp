@@ -108,7 +108,8 @@ TEST_F(GraphTest, InputsOfOtherShapesAreOthers) {
 }
 
 TEST_F(GraphTest, CallsKeepTheirArgumentsInOrder) {
-  const std::uint32_t noise = graph.addFunction({"noise", 3}), other = graph.addFunction({"other", 3});
+  const std::uint32_t noise = graph.addFunction({"noise", 3}),
+                      other = graph.addFunction({"other", 3});
   const std::vector<NodeId> arguments{y.id, x.id, y.id};
   const NodeId call = graph.call(noise, arguments);
   EXPECT_EQ(graph.arguments(call), arguments);

@@ -128,6 +128,7 @@ void checkTightness() {
   const std::string_view name = info.name;
   if (info.signature.operands[0] == ops::Type::Bool || info.signature.result == ops::Type::Bool)
     return;
+  if (name == "hash") return;  // random: of more than one number it is anything
   Sampler sample;
   for (int box = 0; box < 100; ++box) {
     std::array<Interval, ops::maxArity> x;

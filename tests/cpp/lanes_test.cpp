@@ -82,10 +82,10 @@ bool isFloatFunction(const ops::Info& row, int arity) {
 
 // The bounds of whole sweeps over all floats; whoever is not named has 2.
 const std::map<std::string_view, double> tighterBounds{
-    {"neg", 0},      {"abs", 0},      {"sign", 0},     {"floor", 0},  {"ceil", 0},   {"round", 0},
-    {"trunc", 0},    {"sqrt", 0.501}, {"fract", 0.5},  {"tan", 0.6},  {"log", 0.52}, {"log2", 0.52},
-    {"asinh", 0.52}, {"acosh", 0.52}, {"atanh", 0.52}, {"exp", 1},    {"exp2", 1},   {"acos", 1.2},
-    {"atan", 1.5},   {"cosh", 1.5},   {"tanh", 1.5},   {"sinh", 1.6},
+    {"neg", 0},    {"abs", 0},      {"sign", 0},     {"floor", 0},    {"ceil", 0},   {"round", 0},
+    {"trunc", 0},  {"sqrt", 0.501}, {"fract", 0.5},  {"tan", 0.6},    {"log", 0.52}, {"log2", 0.52},
+    {"hash", 0},   {"asinh", 0.52}, {"acosh", 0.52}, {"atanh", 0.52}, {"exp", 1},    {"exp2", 1},
+    {"acos", 1.2}, {"atan", 1.5},   {"cosh", 1.5},   {"tanh", 1.5},   {"sinh", 1.6},
 };
 
 double boundOf(std::string_view name) {
@@ -107,6 +107,9 @@ class Worst {
     const Lanes results = evaluators[row_](operands);
     for (std::size_t i = 0; i < Lanes::count; ++i) {
       const double a = operands[0][i], b = operands[1][i];
+      // Of a hash and a cell of float32; beyond there is nothing to be right about.
+      if (ops::infos[row_].name == "hash" && !(a >= 0 && a < 4091 && std::abs(b) <= 0x1p24))
+        continue;
       const double distance = ulps(results[i], ops::evaluate(Op(row_), {a, b, 0}));
       if (distance > ulps_) {
         ulps_ = distance;

@@ -143,6 +143,8 @@ TEST(Ops, ValuesAreThoseOfGlsl) {
       {"not", {0}, 1},
       {"ifElse", {1, 2, 3}, 2},
       {"ifElse", {0, 2, 3}, 3},
+      {"hash", {0, 0}, 2107},   // 823³ modulo 4091
+      {"hash", {3, -1}, 3876},  // 1597 (3 - 1) + 823 is -74, and -74³ is 3876
       {"float", {1}, 1},
       {"float", {0}, 0},
       {"bool", {-0.5}, 1},

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra/matrices.hpp"
 #include "support.hpp"
 
 namespace warpjet {
@@ -23,7 +24,7 @@ class WarpTest : public testing::Test {
   }
 
   Point normalOf(const Value& offset, Point position, Point normal) {
-    const Value warped = warpedNormal(differentiator, offset, n, p);
+    const Value warped = turnedNormal(deformation(differentiator, offset, p), n);
     Inputs inputs;
     for (int i = 0; i < 3; ++i) {
       inputs[p[i].id] = position[i];
@@ -100,7 +101,7 @@ TEST_F(WarpTest, AgreesWithTurnedTangentsOnAGeneralWarp) {
   expectNear(normalOf(offset, {x, y, z}, crossed(u, v)), expected);
 }
 
-// The normal varies over the surface, but not with the warp: it is given at the vertex.
+// Unless it is said how they vary over the surface.
 TEST_F(WarpTest, OtherInputsCountAsConstant) {
   expectNear(normalOf(n * 2.0, {1, 2, 3}, {0.6, 0, 0.8}), {0.6, 0, 0.8});
 }
@@ -150,8 +151,8 @@ TEST_F(WarpTest, TangentsGoWithTheSurface) {
     for (int i = 0; i < 3; ++i) expected[i] = u[i] - across[i] * dotted(across, u);
     const double size = std::sqrt(dotted(expected, expected));
 
-    const Value turned = warpedNormal(differentiator, offset, n, p);
-    const Value result = warpedTangent(differentiator, offset, t, turned, p);
+    const Value turned = turnedNormal(deformation(differentiator, offset, p), n);
+    const Value result = turnedTangent(deformation(differentiator, offset, p), t, turned);
     Inputs inputs;
     for (int i = 0; i < 3; ++i) {
       inputs[p[i].id] = at[i];
@@ -173,13 +174,135 @@ TEST_F(WarpTest, TangentsGoWithTheSurface) {
 
 TEST_F(WarpTest, WhereTheWarpCollapsesTheTangentItIsZero) {
   const Value t = vector3(graph, "tangent");
-  const Value result = warpedTangent(differentiator, vec3(-p[0], zero, zero), t, n, p);
+  const Value result = turnedTangent(deformation(differentiator, vec3(-p[0], zero, zero), p), t, n);
   Inputs inputs{{p[0].id, 1.0}, {p[1].id, 2.0}, {p[2].id, 3.0}};
   for (int i = 0; i < 3; ++i) {
     inputs[t[i].id] = i == 0;
     inputs[n[i].id] = i == 1;
   }
   for (int i = 0; i < 3; ++i) EXPECT_EQ(evaluateNode(graph, result[i].id, inputs), 0);
+}
+
+// A torus by its angles, which are u and v, with the gradients of its normal (by the principal
+// curvatures, do Carmo, "Differential Geometry of Curves and Surfaces", section 3.3) and of the
+// angles.
+struct TorusPoint {
+  Point position, normal;
+  std::array<Point, 5> gradients;
+  double u, v;
+
+  TorusPoint(double a, double b) : u(a), v(b) {
+    constexpr double big = 2, small = 0.7;
+    const double ca = std::cos(a), sa = std::sin(a), cb = std::cos(b), sb = std::sin(b);
+    const double ring = big + small * cb;
+    position = {ring * ca, ring * sa, small * sb};
+    normal = {ca * cb, sa * cb, sb};
+    const Point along{-sa, ca, 0}, around{-ca * sb, -sa * sb, cb};
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < 3; ++i)
+        gradients[i][k] = along[i] * along[k] * cb / ring + around[i] * around[k] / small;
+      gradients[3][k] = along[k] / ring;
+      gradients[4][k] = around[k] / small;
+    }
+  }
+};
+
+class SurfaceTest : public WarpTest {
+ protected:
+  Value uv = variable(graph, "uv", vectorOf(2));
+  std::array<Value, 5> gradients{vector3(graph, "nx"), vector3(graph, "ny"), vector3(graph, "nz"),
+                                 vector3(graph, "nu"), vector3(graph, "nv")};
+
+  Value surfaceDeformation(const Value& offset) {
+    Value m = deformation(differentiator, offset, p);
+    const Expression inputs[] = {n[0], n[1], n[2], uv[0], uv[1]};
+    for (std::size_t i = 0; i < 5; ++i)
+      m = varied(differentiator, m, offset, inputs[i], gradients[i]);
+    return m;
+  }
+
+  Inputs inputsAt(const TorusPoint& at) const {
+    Inputs inputs{{uv[0].id, at.u}, {uv[1].id, at.v}};
+    for (int k = 0; k < 3; ++k) {
+      inputs[p[k].id] = at.position[k];
+      inputs[n[k].id] = at.normal[k];
+      for (std::size_t i = 0; i < 5; ++i) inputs[gradients[i][k].id] = at.gradients[i][k];
+    }
+    return inputs;
+  }
+
+  Point at(const Value& value, const TorusPoint& point) const {
+    const Inputs inputs = inputsAt(point);
+    Point found;
+    for (int i = 0; i < 3; ++i) found[i] = evaluateNode(graph, value[i].id, inputs);
+    return found;
+  }
+
+  // The normal of the moved surface, from differences along its angles.
+  Point movedNormal(const Value& offset, double a, double b) const {
+    const double step = 1e-5;
+    const auto slope = [&](double da, double db) {
+      const TorusPoint after(a + da, b + db), before(a - da, b - db);
+      const Point x = at(p + offset, after), y = at(p + offset, before);
+      return Point{(x[0] - y[0]) / (2 * step), (x[1] - y[1]) / (2 * step),
+                   (x[2] - y[2]) / (2 * step)};
+    };
+    const Point s = slope(step, 0), t = slope(0, step);
+    Point normal{s[1] * t[2] - s[2] * t[1], s[2] * t[0] - s[0] * t[2], s[0] * t[1] - s[1] * t[0]};
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    for (double& x : normal) x /= length;
+    return normal;
+  }
+
+  void expectRight(const Value& offset) {
+    const Value m = surfaceDeformation(offset);
+    const Value turned = turnedNormal(m, n);
+    for (double a = 0.1; a < 6; a += 0.9) {
+      for (double b = 0.2; b < 6; b += 0.7) {
+        const Point found = at(turned, {a, b}), expected = movedNormal(offset, a, b);
+        for (std::size_t i = 0; i < 3; ++i)
+          EXPECT_NEAR(found[i], expected[i], 1e-8) << a << ", " << b;
+      }
+    }
+  }
+};
+
+TEST_F(SurfaceTest, AnOffsetAlongTheNormalCountsItsVariation) {
+  expectRight(n * (sin(p[0] * 3.0) * 0.1 + cos(p[2] * 5.0) * p[1] * 0.05));
+}
+
+TEST_F(SurfaceTest, AnOffsetByTextureCoordinatesCountsTheirs) {
+  expectRight(vec3(zero, zero, sin(uv[0] * 3.0) * cos(uv[1] * 2.0) * 0.2));
+}
+
+TEST_F(SurfaceTest, AllOfThemCountTogether) {
+  expectRight(vec3(n[0] * p[1] * 0.2 + n[1] * n[2] * 0.3, sin(uv[0] + n[2]) * 0.1 - p[0] * 0.5,
+                   uv[1] * uv[0] * 0.02 * n[1] + sin(p[2] * 2.0) * 0.1));
+}
+
+// What is moved to n itself loses its position: M is W alone, to the last digit.
+TEST_F(SurfaceTest, TheOnesCancelOfAMovedPositionMinusThePosition) {
+  const Value m = surfaceDeformation(n - p);
+  for (int i = 0; i < 9; ++i) EXPECT_EQ(m[i].id, gradients[i % 3][i / 3].id);
+}
+
+TEST_F(SurfaceTest, WithoutNormalAndUvItIsTheDeformation) {
+  const Value offset = vec3(sin(p[1]) * p[2], p[0] * p[0] * 0.3, p[0]);
+  const Value m = surfaceDeformation(offset);
+  const Value known = deformation(differentiator, offset, p);
+  for (int i = 0; i < 9; ++i) EXPECT_EQ(m[i].id, known[i].id);
+}
+
+// Inwards past the middle of the tube, but not past that of the ring: one direction of the surface
+// is turned round, and the side that was outside is inside of the moved surface.
+TEST_F(SurfaceTest, TheDeterminantTellsWhereTheSidesChangePlaces) {
+  const auto sign = [&](double amount) {
+    const Value m = surfaceDeformation(n * amount);
+    return evaluateNode(graph, determinant(m).id, inputsAt({0.5, 0.3}));
+  };
+  EXPECT_GT(sign(-0.6), 0);
+  EXPECT_LT(sign(-0.8), 0);
+  EXPECT_NEAR(sign(-0.7), 0, 1e-12);
 }
 
 }  // namespace

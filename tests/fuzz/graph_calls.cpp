@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "fuzz/require.hpp"
+#include "noise/noise.hpp"
 
 namespace warpjet {
 
@@ -160,12 +162,14 @@ void GraphCalls::step() {
       const int function =
           builder_.addFunction(of, "float " + of + "(float a) { return a; }", arity);
       if (function < 0) requireProblem(builder_);
-      if (function >= 0 && static_cast<std::size_t>(function) == arities_.size())
-        arities_.push_back(arity);
+      if (function >= 0) arities_[function] = arity;
       break;
     }
     case Step::CallFunction:
       callFunction();
+      break;
+    case Step::Noise:
+      noise();
       break;
     case Step::Comment:
       builder_.comment(name());
@@ -182,6 +186,19 @@ void GraphCalls::step() {
     case Step::count:
       break;
   }
+}
+
+// As JavaScript makes it: of whatever it is called on, of a whole seed, and of numbers.
+void GraphCalls::noise() {
+  const auto kind = NoiseKind(reader_.below(noiseNames.size())), base = NoiseKind(reader_.below(3));
+  const Noise noise{kind, base, 1 + reader_.below(3)};
+  std::vector<int> operands{value(), builder_.constant(reader_.byte())};
+  if (isFractal(kind)) {
+    operands.push_back(valueLike(operands[1]));
+    operands.push_back(builder_.constant(0.5));
+  }
+  for (const int operand : operands) builder_.push(operand);
+  keep(builder_.callNoise(noise, true));
 }
 
 void GraphCalls::call(bool isSameShape) {
@@ -210,8 +227,8 @@ void GraphCalls::givePartials() {
   const std::vector<NodeId> pending = builder_.pendingCalls();
   require(!pending.empty(), "there are calls without partials");
   for (const NodeId call : pending) {
-    const auto function = static_cast<std::size_t>(builder_.functionOfCall(call));
-    require(function < arities_.size(), "it calls a function that there is");
+    const int function = builder_.functionOfCall(call);
+    require(arities_.contains(function), "it calls a function that there is");
     std::vector<int> partials;
     for (int i = 0; i < arities_[function]; ++i) {
       const int argument = builder_.argumentOfCall(call, i);
@@ -240,8 +257,8 @@ void GraphCalls::derivative() {
 
 void GraphCalls::callFunction() {
   if (arities_.empty()) return;
-  const int function = reader_.below(arities_.size());
-  const int count = reader_.byte() < 240 ? arities_[static_cast<std::size_t>(function)] : 2;
+  const auto [function, arity] = *std::next(arities_.begin(), reader_.below(arities_.size()));
+  const int count = reader_.byte() < 240 ? arity : 2;
   for (int i = 0; i < count; ++i) builder_.push(value());
   keep(builder_.callFunction(function));
 }

@@ -2,6 +2,7 @@
 // or not.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,7 @@ enum class Step : std::uint8_t {
   Derivative,
   Function,
   CallFunction,
+  Noise,
   Comment,
   Output,
   Build,
@@ -53,12 +55,13 @@ class GraphCalls {
   void givePartials();
   void derivative();
   void callFunction();
+  void noise();
   void output();
 
   Builder& builder_;
   Reader& reader_;
   std::vector<int> values_;
-  std::vector<int> arities_;  // of functions, by number
+  std::map<int, int> arities_;  // of functions of the host, by number
   bool hasForeignText_ = false;
 };
 

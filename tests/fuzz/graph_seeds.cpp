@@ -1,6 +1,7 @@
 // Calls on a builder, as graph_calls.cpp reads them.
 #include "fuzz/graph_calls.hpp"
 #include "fuzz/seeds.hpp"
+#include "noise/noise.hpp"
 
 namespace warpjet {
 
@@ -111,6 +112,16 @@ Calls ownFunctions(std::size_t dialect) {
   return calls;
 }
 
+// Each kind of noise of the position, and derivatives of it.
+Calls noises(std::size_t dialect) {
+  Calls calls(dialect, 2);
+  for (std::size_t kind = 0; kind < noiseNames.size(); ++kind) {
+    calls.position().add(Step::Noise, {kind, kind % 3, 1, 0, kind, 0}).output();
+    calls.derivative(1, {0, 16}).output();
+  }
+  return calls.add(Step::Build, {7});
+}
+
 Calls oddities(std::size_t dialect) {
   Calls calls(dialect, 1);
   for (std::size_t i = 0; i < 24; ++i) calls.constant(i).call("mult", {0, 1}).output();
@@ -134,6 +145,7 @@ void writeGraphSeeds() {
     write("matrices", matrices(dialect));
     write("warp", warp(dialect));
     write("functions", ownFunctions(dialect));
+    write("noises", noises(dialect));
     write("oddities", oddities(dialect));
   }
 }

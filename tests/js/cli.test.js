@@ -8,7 +8,7 @@ import { after, describe, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import validator from 'gltf-validator'
 import { compileWarp, targets, version } from 'warpjet'
-import { exportGLB, loadMesh } from 'warpjet/mesh'
+import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import { readGlb, writeGlb } from './support/glb.js'
 import { sphere } from './support/meshes.js'
 import { png } from './support/png.js'
@@ -26,6 +26,10 @@ write(
 write(
   'named.js',
   'export const speed = 2\nexport function bend({ glsl, position }) { return glsl.vec3(position.y().sin(), 0, 0) }',
+)
+write(
+  'bumps.js',
+  'export default ({ normal, position }) => normal.mult(position.x().mult(5).sin().mult(0.1))',
 )
 write('mouse.js', 'export default ({ glsl, mouse }) => glsl.vec3(mouse, 0)')
 const material = {
@@ -245,6 +249,32 @@ describe('bake', () => {
     assert.ok(Math.abs(out.positions[1] - model.positions[1] + 2.5) < 1e-6)
   })
 
+  test('uniforms that warp.js exports, and --set before them', async () => {
+    write(
+      'uniforms.js',
+      `export const uniforms = { center: [1, -2.5, 0], follow: () => [10, 20] }
+export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(follow, 0))`,
+    )
+    const bake = (...rest) =>
+      works('bake', 'model.glb', 'uniforms.js', '-o', 'moved.glb', '-q', ...rest)
+    const moved = async () => {
+      const { positions } = await load('moved.glb')
+      return [0, 1].map((i) => Math.round((positions[i] - model.positions[i]) * 1000) / 1000)
+    }
+    await bake()
+    assert.deepEqual(await moved(), [11, 17.5])
+    await bake('--set', 'follow=0,0', '--subdivide', '0.1')
+    assert.deepEqual(await moved(), [1, -2.5])
+    const { stdout } = await works('emit', 'uniforms.js')
+    assert.match(stdout, /^\/\/ uniforms: (center, follow|follow, center)\n/)
+    await refuses(
+      ['bake', 'model.glb', 'uniforms.js', '-q', '-o', 'bad.glb', '--set', 'center=1'],
+      /"center" is a vec3 and takes an array of 3 numbers, but a float came/,
+    )
+    write('wrong.js', 'export const uniforms = { a: "red" }\nexport default () => undefined')
+    await refuses(['emit', 'wrong.js'], /the uniform "a" must be .* but is the text "red"/)
+  })
+
   test('--subdivide makes more triangles, up to --max-triangles', async () => {
     const args = ['bake', 'model.glb', 'named.js', '-o', 'fine.glb', '--subdivide', '0.001']
     const { stderr } = await works(...args)
@@ -324,4 +354,19 @@ describe('info', () => {
     await refuses(['info', 'wave.js'], /loadMesh: /)
     await refuses(['info', 'gone.glb'], /does not exist/)
   })
+})
+
+test('a warp along the normal is baked with how the normal varies, and its text reads that on request', async () => {
+  const { stderr } = await works('bake', 'model.glb', 'bumps.js', '-o', 'bumps.glb')
+  assert.doesNotMatch(stderr, /constant/)
+  const { default: bumps } = await import(join(folder, 'bumps.js'))
+  const warp = compileWarp(bumps, { surfaceVariation: true })
+  const loaded = await loadMesh(join(folder, 'model.glb'))
+  const baked = await loadMesh(join(folder, 'bumps.glb'))
+  assert.deepEqual(baked.normals, (await loadMesh(exportGLB(bakeWarp(loaded, warp)))).normals)
+  const { stdout } = await works('emit', 'bumps.js', '--surface-variation')
+  assert.match(
+    stdout,
+    /attributes: position, normal, normalXGradient, normalYGradient, normalZGradient/,
+  )
 })

@@ -359,7 +359,7 @@ describe('one sentence for', () => {
       refuses(
         () => own[method]({ positions }),
         new RegExp(
-          `${method}: this warp calls a function of glsl\\.fn, which can only be computed by the GPU`,
+          `${method}: this warp calls a function of glsl\\.fn or reads an image by glsl\\.texture, which only the GPU can do`,
         ),
       )
     const bare = compileWarp(({ position }) => position, { normals: false })

@@ -620,5 +620,7 @@ test('all that is public', () => {
     'loadMesh',
     'meshMemoryInUse',
     'subdivide',
+    'surfaceVariation',
+    'varyGeometry',
   ])
 })

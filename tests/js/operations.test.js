@@ -14,7 +14,16 @@ const groups = [...new Set(cases.map(({ group }) => group))]
 const casesOf = (group) => cases.filter((operation) => operation.group === group)
 
 /** Results are asked for, not computed; and those of a warp: tests/js/compile.test.js and tests/cpp/warp_test.cpp have them. */
-const results = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent', 'deformation']
+const results = [
+  'output',
+  'outputDeriv',
+  'adjustNormal',
+  'adjustTangent',
+  'deformation',
+  'varied',
+  'turnNormal',
+  'turnTangent',
+]
 
 /** The names that a user can call, { builder, method }. */
 function surface() {

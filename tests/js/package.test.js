@@ -19,7 +19,8 @@ test('the package holds what a user needs and nothing else', () => {
     .map(({ path }) => path)
     .filter((path) => !/^dist\/[\w.-]+\.js$|^dist\/types\/.*\.d\.ts$/.test(path))
   assert.deepEqual(others.sort(), ['CHANGELOG.md', 'LICENSE', 'README.md', 'package.json'])
-  for (const file of ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'cli', 'p5.warpjet.min'])
+  const modules = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
+  for (const file of [...modules, 'p5.warpjet.min', 'warpjet.deformers.min'])
     assert.ok(
       files.some(({ path }) => path === `dist/${file}.js`),
       file,
@@ -34,7 +35,9 @@ test('the shipped types stand on their own', () => {
     `${project}/use.ts`,
     "import { compileWarp, version } from 'warpjet'\nimport { gen } from 'warpjet/autodiff'\n" +
       "import { createWarp } from 'warpjet/p5'\nimport { loadMesh, type Mesh } from 'warpjet/mesh'\n" +
-      'export const all: unknown[] = [compileWarp, gen, createWarp]\n' +
+      "import { chain, twist, type TwistOptions } from 'warpjet/deformers'\n" +
+      'export const all: unknown[] = [compileWarp, gen, createWarp, chain(twist())]\n' +
+      'export const options: TwistOptions = { axis: "x", angle: ({ millis }) => millis.div(1000) }\n' +
       'export const mesh: Promise<Mesh> = loadMesh(new Uint8Array(8))\n' +
       'export const text: string = version\n',
   )
@@ -69,12 +72,24 @@ test('every entry loads in Node, without a DOM and without p5', async () => {
   assert.equal(autodiff.gen, core.gen)
   assert.equal(typeof addon.default, 'function')
   assert.equal(mesh.WarpError, core.WarpError)
+  const { twist } = await import('warpjet/deformers')
+  assert.throws(() => twist(5), core.WarpError)
+  assert.match(core.compileWarp(twist()).code, /warpedNormal/)
   assert.equal(typeof globalThis.window, 'undefined')
 })
 
 test('glsl-autodiff’s global script name works: AutoDiff.gen', async () => {
   await import('../../dist/p5.warpjet.min.js')
   assert.equal(typeof globalThis.AutoDiff.gen, 'function')
+})
+
+test('the deformers bring no compiler: they use the one that is there', () => {
+  for (const name of ['core', 'evaluation', 'mesh']) {
+    const wasm = readFileSync(`${root}js-bindings/generated/${name}-wasm.js`, 'utf8')
+    const [, base64] = /'([^']+)'/.exec(wasm)
+    const script = readFileSync(`${root}dist/warpjet.deformers.min.js`, 'utf8')
+    assert.ok(!script.includes(base64.slice(0, 200)), name)
+  }
 })
 
 test('a page with a warp of p5 carries neither the evaluation nor the meshes', () => {

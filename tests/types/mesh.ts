@@ -7,6 +7,7 @@ import {
   exportGLB,
   loadMesh,
   subdivide,
+  surfaceVariation,
 } from '../../js-bindings/mesh.js'
 
 const warp = compileWarp(({ position }) => position)
@@ -23,6 +24,11 @@ export async function use(file: File) {
   const finer: Mesh = subdivide(fine, { levels: 2, maxTriangles: 1e6 })
   exportGLB({ positions: [0, 0, 0], indices: new Uint16Array(3) })
   warp.evaluate(mesh)
+  const variation = surfaceVariation(mesh)
+  warp.evaluate({ ...mesh, ...variation })
+  const gradients: Float32Array[] = [variation.normalXGradients, variation.normalZGradients]
+  // @ts-expect-error a mesh may have no uvs
+  gradients.push(variation.uGradients)
 
   // @ts-expect-error a number is no source
   await loadMesh(7)

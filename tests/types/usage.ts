@@ -8,15 +8,18 @@ import {
   type FunctionOptions,
   type Mat2,
   type Mat3,
+  type Mat4,
   type Matrix,
+  type OffsetFunction,
   type OwnFunction,
   type Scalar,
+  type TextureOptions,
   type Vec2,
   type Vec3,
   type Vec4,
   type Vector,
 } from '../../js-bindings/index.js'
-import type { Loading, WarpModel } from '../../js-bindings/p5.js'
+import { createWarp, type Loading, type WarpModel } from '../../js-bindings/p5.js'
 
 compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {
   const t: Scalar = millis.div(1000).add(mouseX, 2)
@@ -40,6 +43,12 @@ compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {
 
 // @ts-expect-error an offset is a vec3
 compileWarp(({ uv }) => uv, { target: 'glsl100' })
+compileWarp(({ normal }) => normal, {
+  surfaceVariation: true,
+  names: { normalXGradient: 'aByX', uGradient: 'aU' },
+})
+// @ts-expect-error neither true nor false
+compileWarp(({ normal }) => normal, { surfaceVariation: 'yes' })
 // @ts-expect-error no such target
 compileWarp(({ position }) => position, { target: 'hlsl' })
 
@@ -269,6 +278,92 @@ compile((glsl) => {
   void [all, at, box, folded]
 }
 
+// Images.
+compile((glsl) => {
+  const [uv, p] = [glsl.vec2Param('uv'), glsl.vec3Param('p')]
+  const options: TextureOptions = { filter: 'bspline', wrap: 'mirror' }
+  const color: Vec4 = glsl.texture('heightMap', uv, options).add(glsl.texture('other', uv))
+  // @ts-expect-error a place has two coordinates
+  glsl.texture('heightMap', p)
+  // @ts-expect-error the name comes first
+  glsl.texture(uv, 'heightMap')
+  // @ts-expect-error no such filter
+  glsl.texture('heightMap', uv, { filter: 'linear' })
+  // @ts-expect-error no such option
+  glsl.texture('heightMap', uv, { lod: 1 })
+  return { color }
+})
+
+// Uniforms: their types come from the values.
+{
+  const list: number[] = [1, 2, 3]
+  const vector = { x: 1, y: 2, z: 3, add() {} }
+  const color = { setAlpha(_: number) {} }
+  const declared = {
+    amount: 0.5,
+    on: true,
+    wind: [1, 0],
+    center: [0, 0, 0],
+    tint: [1, 0, 0, 1],
+    turn: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+    list,
+    numbers: new Float32Array(4),
+    vector,
+    color,
+    speed: () => 3,
+    follow: () => [1, 2],
+    target: () => vector,
+  } as const
+  const warp = compileWarp(
+    ({ glsl, uniforms }) => {
+      const amount: Scalar = uniforms.amount
+      const [on, speed]: Scalar[] = [uniforms.on, uniforms.speed.mult(2)]
+      const wind: Vec2 = uniforms.wind.add(uniforms.follow)
+      const center: Vec3 = uniforms.center.add(uniforms.vector, uniforms.target)
+      const tint: Vec4 = uniforms.tint.add(uniforms.color)
+      const turn: Mat3 = uniforms.turn
+      // TypeScript does not know how many numbers these have.
+      const any: (Vector | Mat3 | Mat4)[] = [uniforms.list, uniforms.numbers]
+      // @ts-expect-error a number has no components
+      uniforms.amount.x()
+      // @ts-expect-error two numbers are no vec3
+      uniforms.follow.z()
+      // @ts-expect-error nothing declares it
+      uniforms.amont
+      void [on, any]
+      return turn.mult(center).add(glsl.vec3(wind, amount.add(speed, tint.w())))
+    },
+    {
+      uniforms: {
+        ...declared,
+        wind: [1, 0],
+        follow: () => [1, 2],
+        turn: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+      },
+    },
+  )
+  warp.evaluate({ positions: list, uniforms: { amount: 2, wind: [0, 1] } })
+  // @ts-expect-error a text is no value of a uniform
+  compileWarp(({ position }) => position, { uniforms: { name: 'red' } })
+  // @ts-expect-error without the option there are none
+  compileWarp(({ position, uniforms }) => position.mult(uniforms.amount))
+
+  const twist: OffsetFunction<{ amount: number }> = ({ position, uniforms }) =>
+    position.mult(uniforms.amount)
+  const still: OffsetFunction = ({ position }) => position.mult(0)
+  const distort = createWarp({}, twist, { uniforms: { amount: 0.5, at: [1, 2, 3] }, defs: '' })
+  distort({ amount: 2, at: list, more: 'of defs' })
+  distort()
+  createWarp({}, still, { uniforms: { amount: 0.5 } })({ amount: 1 })
+  createWarp({}, still)({ anything: 1 })
+  // @ts-expect-error a number
+  distort({ amount: [1] })
+  // @ts-expect-error no number
+  distort({ at: 1 })
+  // @ts-expect-error the warp reads "amount"
+  createWarp({}, twist, { uniforms: { at: 1 } })
+}
+
 // Own functions.
 compile((glsl) => {
   const [x, p, q] = [glsl.param('x'), glsl.vec3Param('p'), glsl.vec2Param('q')]
@@ -326,5 +421,8 @@ export async function load(sketch: Loading): Promise<number> {
   const model: WarpModel = await sketch.loadWarpModel('bunny.glb', { normalize: false })
   // @ts-expect-error no such option
   await sketch.loadWarpModel('bunny.glb', { size: 2 })
+  const told: WarpModel = await sketch.addSurfaceVariation(model)
+  // @ts-expect-error no shape
+  await sketch.addSurfaceVariation(told.vertices.length)
   return model.vertices.length + (model.texture ? 1 : 0) + model.warnings.length
 }

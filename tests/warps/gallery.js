@@ -1,5 +1,6 @@
 // The warps of the gallery as plain functions of numbers, by the names that sketches.js gives them. The sketches have the
 // other half. See stress.js.
+import { deformerSketches } from './deformer-sketches.js'
 import { fbm } from '../js/support/noise.js'
 import { clamp } from './plain.js'
 
@@ -19,6 +20,15 @@ const sinesByAxis =
   ([x, y, z], { millis }) =>
     [y, z, x].map((value, i) => amplitude * sin(frequency * value + millis / speed + phases[i]))
 
+/** Both warps of the sketch; what differs is whether they are told how the normal varies. */
+const bumpsAlongTheNormal = {
+  size: 100,
+  offset: ([x, y, z], { normal, millis }) => {
+    const wave = (value) => sin(0.1 * value + millis / 900)
+    const height = 4.5 * (wave(x) + wave(y) + wave(z))
+    return normal.map((n) => (n * height) / (hypot(...normal) || 1))
+  },
+}
 const add = (p, shift) => p.map((x, i) => x + shift[i])
 
 /**
@@ -42,6 +52,10 @@ const relief = (level) => ({
 })
 
 export const gallery = {
+  ...deformerSketches,
+  'along-the-normal-rough': bumpsAlongTheNormal,
+  'along-the-normal-exact': bumpsAlongTheNormal,
+
   'airplane-twist': {
     size: 100,
     offset(p, { millis }) {

@@ -33,13 +33,25 @@ const pieces = (glsl) => {
   }
 }
 
+const images = (glsl) => {
+  const uv = glsl.vec2Param('uv')
+  const height = glsl.texture('heightMap', uv).r()
+  return {
+    height,
+    slope: glsl.gradient(height, uv),
+    color: glsl.texture('picture', uv.add(height), { filter: 'bspline', wrap: 'mirror' }),
+  }
+}
+
 /** The texts by file name. */
 export const languageTexts = () =>
   Object.fromEntries(
     targets.flatMap((target) => {
       const ending = target === 'wgsl' ? 'wgsl' : `${target}.glsl`
       const { declarations, code } = compile(pieces, { target })
+      const image = compile(images, { target })
       return [
+        [`language-images.${ending}`, image.declarations + image.code],
         [`language-warp.${ending}`, compileWarp(turned, { target }).code],
         [`language-pieces.${ending}`, declarations + code],
       ]

@@ -1,5 +1,6 @@
 // The warps of the gallery, taken out of its sketches: each runs with a pretended p5, which only remembers.
 import { readFileSync, readdirSync } from 'node:fs'
+import * as deformers from '../../dist/deformers.js'
 import * as warpjet from '../../dist/warpjet.js'
 
 const examples = new URL('../../examples/', import.meta.url)
@@ -40,6 +41,7 @@ async function warpsOf(folder) {
     },
     warpjet: {
       ...warpjet,
+      ...deformers,
       gen(...args) {
         const text = warpjet.gen(...args)
         found.push({ name: name(), text })

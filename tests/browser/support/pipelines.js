@@ -42,7 +42,8 @@ export const targets = Object.keys(modules)
  * Starts a browser → { run, close }.
  *
  * `run(target, program, points)` computes a program at many points at once. The program is { code,
- * declarations, inputs, outputs }; inputs and outputs are lists of { name, shape }, the variables
+ * declarations, inputs, outputs, images }; images, which may be missing, are { width, height, data } by
+ * name, with four bytes a texel. Inputs and outputs are lists of { name, shape }, the variables
  * that the code reads and declares. Shapes are 1 for a number, 2 to 4 for vectors, 'mat2' to 'mat4'
  * (column after column) and 'bool' (1 or 0). A point is a list of the floats of all inputs, and so
  * is each result of all outputs, as a Float32Array. A text that does not compile throws an error
@@ -54,13 +55,13 @@ export async function openPipelines() {
   const { page } = await openPage(browser, server.page(html))
   await page.waitForFunction(() => window.run)
 
-  async function run(target, { code, declarations, inputs, outputs }, points) {
+  async function run(target, { code, declarations, inputs, outputs, images = {} }, points) {
     const given = Float32Array.from(points.flat())
     const text = await page.evaluate(
       ([target, program, points]) => window.run(target, program, points),
       [
         target,
-        { code, declarations, inputs, outputs },
+        { code, declarations, inputs, outputs, images },
         Buffer.from(given.buffer).toString('base64'),
       ],
     )

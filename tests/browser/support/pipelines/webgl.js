@@ -76,6 +76,40 @@ export function feed(gl, program, attributes, points, size) {
   }
 }
 
+/** Declarations of the images; WebGL 1 is told their sizes. */
+export const declareImages = (images) =>
+  Object.keys(images)
+    .map((name) => `uniform sampler2D ${name};\nuniform vec2 ${name}Size;`)
+    .join('\n')
+
+/** Hands the images, as WebGL filters them by itself, to a program that is in use → a function that takes them back. */
+export function showImages(gl, program, images) {
+  const textures = Object.entries(images).map(([name, { width, height, data }], unit) => {
+    const texture = gl.createTexture()
+    gl.activeTexture(gl.TEXTURE0 + unit)
+    gl.bindTexture(gl.TEXTURE_2D, texture)
+    for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T])
+      gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE)
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR)
+    gl.texImage2D(
+      gl.TEXTURE_2D,
+      0,
+      gl.RGBA,
+      width,
+      height,
+      0,
+      gl.RGBA,
+      gl.UNSIGNED_BYTE,
+      Uint8Array.from(data),
+    )
+    gl.uniform1i(gl.getUniformLocation(program, name), unit)
+    gl.uniform2f(gl.getUniformLocation(program, `${name}Size`), width, height)
+    return texture
+  })
+  gl.activeTexture(gl.TEXTURE0 + textures.length)
+  return () => textures.forEach((texture) => gl.deleteTexture(texture))
+}
+
 /**
  * Four floats of each point at a time, as `take(point, vector)` gives them → all the floats of each
  * point.

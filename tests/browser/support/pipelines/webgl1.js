@@ -2,17 +2,18 @@
 // which is then read. A draw gives four floats of each point. An infinite float comes back as NaN,
 // for the rasterizer multiplies it by zero. Runs in the page.
 import { totalSize } from './text.js'
-import { feed, gather, link, vertexParts } from './webgl.js'
+import { declareImages, feed, gather, link, showImages, vertexParts } from './webgl.js'
 
 const width = 1024
 
-const vertexSource = (declarations, { attributes, body }) => `
+const vertexSource = ({ declarations, images }, { attributes, body }) => `
 precision highp float;
 ${attributes.map((name) => `attribute vec4 ${name};`).join('\n')}
 attribute float pointIndex;
 uniform float pointCount, rowCount;
 uniform int pass;
 varying highp vec4 result0;
+${declareImages(images)}
 ${declarations}
 void main() {
 ${body}
@@ -56,12 +57,13 @@ function run(gl, program, points) {
   const size = totalSize(program.inputs)
   const count = points.length / size
   const parts = vertexParts(program, 1)
-  const linked = link(gl, vertexSource(program.declarations, parts), fragmentSource)
+  const linked = link(gl, vertexSource(program, parts), fragmentSource)
   gl.useProgram(linked)
   const rows = Math.ceil((parts.passes * count) / width)
   const discardTarget = drawTo(gl, rows)
   const indices = Float32Array.from({ length: count }, (_, i) => i)
   const fed = [
+    showImages(gl, linked, program.images),
     feed(gl, linked, parts.attributes, points, size),
     feed(gl, linked, ['pointIndex'], indices, 1),
   ]

@@ -1,6 +1,6 @@
 // The vertex shader of WebGL 2, read by transform feedback. Runs in the page.
 import { totalSize } from './text.js'
-import { feed, gather, link, vertexParts } from './webgl.js'
+import { declareImages, feed, gather, link, showImages, vertexParts } from './webgl.js'
 
 /**
  * vec4s that a draw gives back of each point. More than a few take SwiftShader longer to compile
@@ -9,11 +9,12 @@ import { feed, gather, link, vertexParts } from './webgl.js'
 const width = 2
 const names = Array.from({ length: width }, (_, i) => `result${i}`)
 
-const vertexSource = (declarations, { attributes, body }) => `#version 300 es
+const vertexSource = ({ declarations, images }, { attributes, body }) => `#version 300 es
 precision highp float;
 ${attributes.map((name) => `in vec4 ${name};`).join('\n')}
 uniform int pass;
 out vec4 ${names.join(', ')};
+${declareImages(images)}
 ${declarations}
 void main() {
 ${names.map((name) => `${name} = vec4(0.0);`).join('\n')}
@@ -34,11 +35,12 @@ function run(gl, program, points) {
   const size = totalSize(program.inputs)
   const count = points.length / size
   const parts = vertexParts(program, width)
-  const source = vertexSource(program.declarations, parts)
+  const source = vertexSource(program, parts)
   const linked = link(gl, source, fragmentSource, (unlinked) =>
     gl.transformFeedbackVaryings(unlinked, names, gl.INTERLEAVED_ATTRIBS),
   )
   gl.useProgram(linked)
+  const discardImages = showImages(gl, linked, program.images)
   const discardInputs = feed(gl, linked, parts.attributes, points, size)
   const taken = gl.createBuffer()
   gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, taken)
@@ -56,6 +58,7 @@ function run(gl, program, points) {
   const error = gl.getError()
   if (error) throw new Error(`WebGL 2 reports the error ${error}.`)
   discardInputs()
+  discardImages()
   gl.deleteBuffer(taken)
   gl.deleteProgram(linked)
   return gather(count, totalSize(program.outputs), (point, vector, k) => {

@@ -7,7 +7,7 @@ const group = 64
 /** How many vec4s hold the outputs: to write those takes SwiftShader less than to write floats. */
 const vectorCount = (outputs) => Math.ceil(totalSize(outputs) / 4)
 
-function computeSource({ code, declarations, inputs, outputs }) {
+function computeSource({ code, declarations, inputs, outputs, images }) {
   const [given, taken] = [totalSize(inputs), vectorCount(outputs)]
   const reads = declareInputs('wgsl', inputs, (i) => `allInputs[pointIndex * ${given}u + ${i}u]`)
   const writes = outputVectors('wgsl', outputs, 'vec4f').map(
@@ -16,6 +16,9 @@ function computeSource({ code, declarations, inputs, outputs }) {
   return `
 @group(0) @binding(0) var<storage, read> allInputs: array<f32>;
 @group(0) @binding(1) var<storage, read_write> allOutputs: array<vec4f>;
+${Object.keys(images)
+  .map((name, i) => `@group(0) @binding(${2 + i}) var ${name}: texture_2d<f32>;`)
+  .join('\n')}
 ${declarations}
 @compute @workgroup_size(${group})
 fn main(@builtin(global_invocation_id) invocation: vec3u) {
@@ -65,6 +68,7 @@ async function run(device, program, points) {
     const taken = device.createBuffer({ size: bytes, usage: STORAGE | COPY_SRC })
     const read = device.createBuffer({ size: bytes, usage: COPY_DST | MAP_READ })
     device.queue.writeBuffer(given, 0, points)
+    const textures = Object.values(program.images).map((image) => textureOf(device, image))
     const encoder = device.createCommandEncoder()
     const pass = encoder.beginComputePass()
     pass.setPipeline(pipeline)
@@ -72,7 +76,10 @@ async function run(device, program, points) {
       0,
       device.createBindGroup({
         layout: pipeline.getBindGroupLayout(0),
-        entries: [given, taken].map((buffer, binding) => ({ binding, resource: { buffer } })),
+        entries: [
+          ...[given, taken].map((buffer) => ({ buffer })),
+          ...textures.map((texture) => texture.createView()),
+        ].map((resource, binding) => ({ binding, resource })),
       }),
     )
     pass.dispatchWorkgroups(Math.ceil(count / group))
@@ -81,9 +88,21 @@ async function run(device, program, points) {
     device.queue.submit([encoder.finish()])
     await read.mapAsync(GPUMapMode.READ)
     const results = new Float32Array(read.getMappedRange().slice())
-    for (const buffer of [given, taken, read]) buffer.destroy()
+    for (const resource of [given, taken, read, ...textures]) resource.destroy()
     return withoutPadding(results, count, totalSize(program.outputs))
   })
+}
+
+function textureOf(device, { width, height, data }) {
+  const { COPY_DST, TEXTURE_BINDING } = GPUTextureUsage
+  const texture = device.createTexture({
+    size: [width, height],
+    format: 'rgba8unorm',
+    usage: COPY_DST | TEXTURE_BINDING,
+  })
+  const layout = { bytesPerRow: 4 * width }
+  device.queue.writeTexture({ texture }, Uint8Array.from(data), layout, [width, height])
+  return texture
 }
 
 /** The first `size` floats of each of `count` rows. */

@@ -1,0 +1,46 @@
+// Bumps along the normal of a ring: left, lit as if the normal were the same all
+// around a vertex; right, addSurfaceVariation has told how it varies, and the
+// light is right.
+let ring, rough, exact
+
+async function setup() {
+  createCanvas(640, 480, WEBGL)
+  noStroke()
+  ortho()
+
+  const bumps = ({ normal, position, millis }) => {
+    const wave = (x) => x.mult(0.1).add(millis.div(900)).sin()
+    const [x, y, z] = [position.x(), position.y(), position.z()]
+    const height = wave(x).add(wave(y), wave(z)).mult(4.5)
+    // buildGeometry leaves normals of other lengths than 1.
+    return normal.normalize().mult(height)
+  }
+  rough = createWarp(bumps, { surfaceVariation: false })
+  exact = createWarp(bumps)
+
+  ring = buildGeometry(() => torus(92, 38, 160, 80))
+  await addSurfaceVariation(ring)
+}
+
+function draw() {
+  background('#151823')
+  ambientLight(80)
+  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
+  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  specularMaterial(160)
+  shininess(40)
+
+  panel(-155, '#e9c46a', rough)
+  panel(155, '#43c6ac', exact)
+}
+
+function panel(x, color, warp) {
+  push()
+  translate(x, 0)
+  rotateX(0.5)
+  rotateY(0.3)
+  warp()
+  fill(color)
+  model(ring)
+  pop()
+}

@@ -1,0 +1,37 @@
+// Points move to the side, the further the higher they are:
+// upright letters become italic ones.
+let word, shear
+
+async function setup() {
+  createCanvas(640, 480, WEBGL)
+  noStroke()
+  const font = await loadFont('fredoka.woff')
+  textSize(200)
+  textAlign(CENTER, CENTER)
+  word = font.textToModel('lean', 0, -20, { extrude: 60, sampleFactor: 1 })
+
+  shear = createWarp(
+    warpjet.shear({
+      axis: 'y',
+      direction: 'x',
+      center: [0, 60, 0],
+      amount: ({ millis }) => millis.div(700).sin().mult(0.7),
+    }),
+  )
+}
+
+function draw() {
+  background('#151823')
+  orbitControl()
+  ambientLight(100)
+  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
+  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+
+  rotateX(-0.3)
+  rotateY(0.35)
+  fill('#ffd98a')
+  specularMaterial(90)
+  shininess(40)
+  shear()
+  model(word)
+}

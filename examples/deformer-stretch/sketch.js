@@ -1,0 +1,35 @@
+// Longer along an axis, and as much thinner across it that the
+// volume stays.
+let bunny, stretch
+
+async function setup() {
+  createCanvas(640, 480, WEBGL)
+  noStroke()
+  bunny = await loadModel('bunny.obj')
+
+  stretch = createWarp(
+    warpjet.stretch({
+      axis: 'y',
+      center: [0, 100, 0],
+      keepVolume: true,
+      amount: ({ millis }) => millis.div(350).sin().mult(0.45),
+    }),
+  )
+}
+
+function draw() {
+  background('#151823')
+  orbitControl()
+  ambientLight(100)
+  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
+  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+
+  translate(0, 20)
+  rotateY(0.5)
+  scale(1.3)
+  fill('#e9c46a')
+  specularMaterial(70)
+  shininess(30)
+  stretch()
+  model(bunny)
+}

@@ -1,0 +1,57 @@
+// Marbled paper: every pixel looks up the paint at a place that noise has moved, twice.
+// The paint is a p5.Graphics; beyond its edges comes its mirror image.
+// After Inigo Quilez, Domain warping, 2002.
+let paper
+
+function setup() {
+  createCanvas(640, 480, WEBGL)
+  pixelDensity(1)
+  noStroke()
+  const paint = paintStripes()
+  const { code, declarations } = warpjet.compile((glsl) => {
+    const [uv, time] = [glsl.vec2Param('uv'), glsl.param('time')]
+    const drift = (point, x, y) =>
+      glsl.vec2(
+        point.add(glsl.vec2(x, time.mult(0.06))).fbm({ octaves: 3 }),
+        point.add(glsl.vec2(time.mult(-0.05), y)).fbm({ octaves: 3, seed: 1 }),
+      )
+    const q = drift(uv.mult(2), 0, 5.2)
+    const r = drift(uv.mult(2).add(q), 1.7, 9.2)
+    const color = glsl.texture('paint', uv.add(r.mult(0.45)), { filter: 'bicubic', wrap: 'mirror' })
+    // Where the noise presses the paint together, it lies darker.
+    return { color: color.mult(r.length().mult(-0.5).add(1.1)) }
+  })
+  paper = baseMaterialShader().modify({
+    uniforms: { 'float time': () => millis() / 1000, 'sampler2D paint': () => paint },
+    fragmentDeclarations: declarations,
+    'Inputs getPixelInputs': `(Inputs inputs) {
+      vec2 uv = inputs.texCoord;
+      ${code}
+      inputs.color = vec4(color.rgb, 1.0);
+      return inputs;
+    }`,
+  })
+}
+
+function paintStripes() {
+  const paint = createGraphics(320, 240)
+  paint.pixelDensity(1)
+  paint.background('#f3e9d7')
+  paint.noStroke()
+  const colors = ['#1d3557', '#e4572e', '#f3e9d7', '#2a9d8f', '#f3e9d7', '#e9b44c']
+  for (let i = 0; i < 16; i++) {
+    paint.fill(colors[i % colors.length])
+    paint.rect(20 * i, 0, 13, 240)
+  }
+  paint.fill('#e4572e')
+  paint.circle(160, 120, 90)
+  paint.fill('#f3e9d7')
+  paint.circle(160, 120, 60)
+  return paint
+}
+
+function draw() {
+  background('#151823')
+  shader(paper)
+  plane(width, height)
+}

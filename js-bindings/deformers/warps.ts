@@ -1,0 +1,38 @@
+// What all compositions check.
+import { WarpError, describe } from '../errors.js'
+import type { Expression } from '../expression.js'
+import type { OffsetFunction, Vec3, WarpInputs } from '../types.js'
+import { isExpression } from './kinds.js'
+
+export function checkWarps(method: string, warps: readonly unknown[], first = 1) {
+  if (warps.length === 0)
+    throw new WarpError(`${method}: at least one offset function was expected, but none came.`)
+  warps.forEach((warp, i) => {
+    if (typeof warp !== 'function')
+      throw new WarpError(
+        `${method}: argument ${i + first} must be an offset function, such as twist({ angle: 1 }), but is ${describe(warp)}.`,
+      )
+  })
+}
+
+/** The offset of one of the warps; `number` is that of the argument. */
+export function offsetOf(
+  method: string,
+  number: number,
+  warp: OffsetFunction<never>,
+  inputs: WarpInputs,
+): Vec3 {
+  const offset: unknown = warp(inputs as WarpInputs<never>)
+  const expected = `${method}: the offset function that is argument ${number} must return a vec3`
+  if (!isExpression(offset))
+    throw new WarpError(
+      `${expected}, such as glsl.vec3(x, y, z), but returned ${describe(offset)}.`,
+    )
+  const { compilation } = inputs.position as unknown as Expression
+  const [columns, rows] = compilation.shapeOf(offset as unknown as Expression)
+  if (columns !== 1 || rows !== 3)
+    throw new WarpError(
+      `${expected}, but returned ${columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'}.`,
+    )
+  return offset as Vec3
+}

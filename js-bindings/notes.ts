@@ -1,0 +1,11 @@
+// What is said once on a page: nothing is wrong, but there is a better way.
+let isNoted = false
+
+/** That a warp's normals are approximate, and what makes them exact. */
+export function noteApproximation(method: string, remedy: string) {
+  if (isNoted) return
+  isNoted = true
+  console.warn(
+    `${method}: the offset depends on normal or uv, which count as constant over the surface here, so that normals are only nearly right; ${remedy} makes them exact, and surfaceVariation: false silences this.`,
+  )
+}

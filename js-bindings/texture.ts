@@ -1,0 +1,39 @@
+// `glsl.texture`: an image of the host as a function of texture coordinates. The interpolation is in src/texture.
+import type { Compilation } from './compilation.js'
+import { WarpError, describe, describeShape } from './errors.js'
+import { type Expression, toExpression } from './expression.js'
+import { checkOptions } from './options.js'
+
+/** In the order of their numbers in the wasm. */
+const choices = {
+  filter: ['bilinear', 'bicubic', 'bspline'],
+  wrap: ['clamp', 'repeat', 'mirror'],
+}
+
+export function callTexture(
+  compilation: Compilation,
+  [image, uv, options = {}, ...others]: readonly unknown[],
+): Expression {
+  if (typeof image !== 'string' || !/^[a-z_]\w*$/i.test(image))
+    throw new WarpError(
+      `texture: argument 1 must be the name of a sampler2D, such as "heightMap", but is ${describe(image)}.`,
+    )
+  const operand = toExpression(compilation, 'texture', uv, 2)
+  const shape = compilation.shapeOf(operand)
+  if (`${shape}` !== '1,2')
+    throw new WarpError(`texture: argument 2 must be a vec2, but is ${describeShape(shape)}.`)
+  if (others.length > 0)
+    throw new WarpError(
+      `texture: it takes a name, a vec2 and options; ${describe(others[0])} is too many.`,
+    )
+  checkOptions('texture', options, Object.keys(choices))
+  const [filter, wrap] = Object.entries(choices).map(([option, names]) => {
+    const { [option]: given = names[0] } = options as Record<string, unknown>
+    const number = names.indexOf(given as string)
+    if (number >= 0) return number
+    throw new WarpError(
+      `texture: the option "${option}" must be one of ${names.join(', ')}, but is ${describe(given)}.`,
+    )
+  })
+  return compilation.callTexture(image, operand, filter!, wrap!)
+}

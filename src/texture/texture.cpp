@@ -1,0 +1,112 @@
+#include "texture/texture.hpp"
+
+#include <string>
+
+namespace warpjet {
+
+namespace {
+
+constexpr int channels = 4, reach = 4;
+
+// Texel centres lie at half texels, where not even a linear filter of the host's mixes neighbours.
+constexpr ops::Helpers texelTexts{
+    R"(highp vec4 warpjetTexel(float x, float y, highp sampler2D image, float width, float height) {
+  return texelFetch(image, ivec2(int(x), int(y)), 0);
+}
+)",
+    R"(highp vec4 warpjetTexel(float x, float y, highp sampler2D image, float width, float height) {
+  return texture2D(image, vec2((x + 0.5) / width, (y + 0.5) / height));
+}
+)",
+    R"(fn warpjetTexel(x: f32, y: f32, image: texture_2d<f32>, width: f32, height: f32) -> vec4f {
+  return textureLoad(image, vec2i(i32(x), i32(y)), 0);
+}
+)"};
+
+// By filter and texel, its weight times the divisor as a polynomial of where the point lies between
+// the middle two, from 0 to 1; the highest power first.
+constexpr std::int8_t weights[3][reach][4] = {
+    {{}, {0, 0, -1, 1}, {0, 0, 1, 0}, {}},
+    {{-1, 2, -1, 0}, {3, -5, 0, 2}, {-3, 4, 1, 0}, {1, -1, 0, 0}},
+    {{-1, 3, -3, 1}, {3, -6, 0, 4}, {-3, 3, 3, 1}, {1, 0, 0, 0}}};
+constexpr double divisors[] = {1, 2, 6};
+
+// Formulas in half as many bytes of wasm as the operators of Expression take.
+struct Calculation {
+  Graph& graph;
+
+  NodeId operator()(Op op, NodeId x) const { return graph.apply(op, {x}); }
+  NodeId operator()(Op op, NodeId x, NodeId y) const { return graph.apply(op, {x, y}); }
+  NodeId operator()(Op op, NodeId x, double y) const { return (*this)(op, x, graph.constant(y)); }
+};
+
+constexpr Op add = ops::find("add"), sub = ops::find("sub"), mult = ops::find("mult");
+
+// A whole number of any size as the number of a texel. The half keeps a quotient that a GPU rounds
+// away from whole numbers.
+NodeId wrapped(Calculation make, NodeId i, NodeId size, Wrap wrap) {
+  constexpr Op least = ops::find("min");
+  if (wrap == Wrap::Clamp) return make(least, make(ops::find("max"), i, 0.0), make(sub, size, 1.0));
+  const NodeId period = make(mult, size, wrap == Wrap::Mirror ? 2.0 : 1.0);
+  const NodeId times = make(ops::find("floor"), make(ops::find("div"), make(add, i, 0.5), period));
+  const NodeId inside = make(sub, i, make(mult, period, times));
+  if (wrap == Wrap::Repeat) return inside;
+  return make(least, inside, make(sub, make(sub, period, 1.0), inside));
+}
+
+// Along one side of the image, the texels near a point, and how much of each there is.
+struct Axis {
+  NodeId texels[reach], shares[reach];
+
+  Axis(Calculation make, NodeId x, NodeId size, std::uint32_t filter, Wrap wrap) {
+    const NodeId first = make(ops::find("floor"), x), inside = make(ops::find("fract"), x);
+    for (int i = 0; i < reach; ++i) {
+      texels[i] = wrapped(make, make(add, first, i - 1.0), size, wrap);
+      shares[i] = make.graph.constant(0);
+      for (const double weight : weights[filter][i])
+        shares[i] = make(add, make(mult, shares[i], inside), weight / divisors[filter]);
+    }
+  }
+};
+
+Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments) {
+  const std::uint32_t filter = settings & 3;
+  const Wrap wrap{static_cast<std::uint8_t>(settings >> 2)};
+  Numbers place = arguments;
+  const Calculation make{*place[0].graph};
+  const Axis across(make, place[0].id, place[3].id, filter, wrap);
+  const Axis down(make, place[1].id, place[4].id, filter, wrap);
+  const Definition texel{.function = {"warpjetTexel", 5, channels, 0}, .texts = &texelTexts};
+  const Expression zero{&make.graph, make.graph.constant(0)};
+  Numbers values{zero, zero, zero, zero};
+  const auto addTo = [&](Numbers& sums, NodeId share, const Numbers& x) {
+    for (int i = 0; i < channels; ++i)
+      sums[i].id = make(add, sums[i].id, make(mult, share, x[i].id));
+  };
+  for (int row = 0; row < reach; ++row) {
+    place[1].id = down.texels[row];
+    Numbers sums{zero, zero, zero, zero};
+    for (int column = 0; column < reach; ++column) {
+      place[0].id = across.texels[column];
+      addTo(sums, across.shares[column], library.call(texel, place));
+    }
+    addTo(values, down.shares[row], sums);
+  }
+  return values;
+}
+
+}  // namespace
+
+Definition definitionOf(const Sampling& sampling) {
+  constexpr const char* filterNames[] = {"Bilinear", "Bicubic", "Bspline"};
+  constexpr const char* wrapNames[] = {"Clamp", "Repeat", "Mirror"};
+  const auto filter = static_cast<std::uint32_t>(sampling.filter);
+  const auto wrap = static_cast<std::uint32_t>(sampling.wrap);
+  const std::string name = std::string("warpjet") + filterNames[filter] + wrapNames[wrap];
+  return {.function = {name, 5, channels, 2},
+          .body = body,
+          .settings = filter | wrap << 2,
+          .parameters = Definition::imageParameters};
+}
+
+}  // namespace warpjet

@@ -1,0 +1,31 @@
+// Images as functions of a place: x and y in texels enter, 0 at the centre of the first one, and
+// red, green, blue and alpha of the interpolant between the texels leave. To read a texel is the
+// only step that is no node, and it is locally constant; so derivatives of every order are those of
+// the interpolant itself, whatever filter the host has set.
+#pragma once
+
+#include <cstdint>
+
+#include "functions/library.hpp"
+
+namespace warpjet {
+
+// Bilinear is continuous. Bicubic passes through the texels too and is continuously differentiable
+// (Keys, "Cubic Convolution Interpolation for Digital Image Processing", 1981, with a = -1/2: the
+// Catmull-Rom spline). Bspline is the uniform cubic B-spline with the texels as control points: it
+// smooths them and is twice continuously differentiable (Sigg, Hadwiger, "Fast Third-Order Texture
+// Filtering", GPU Gems 2, chapter 20, 2005).
+enum class Filter : std::uint8_t { Bilinear, Bicubic, Bspline };
+
+// What is beyond the edges: the texels there, the image again, or its mirror image.
+enum class Wrap : std::uint8_t { Clamp, Repeat, Mirror };
+
+struct Sampling {
+  Filter filter;
+  Wrap wrap;
+};
+
+// A function of x, y, an image, and its width and height.
+Definition definitionOf(const Sampling& sampling);
+
+}  // namespace warpjet

@@ -1,0 +1,192 @@
+// glsl.texture in p5 sketches: heights that displace a plane, with its normals, and an image sampled where a warp says in
+// a fragment shader. The picture on the canvas is judged by the interpolant in double.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { compile } from '../../dist/warpjet.js'
+import { randomImage, sample } from '../operations/textures.js'
+import { launchBrowser } from './support/browser.js'
+import { normalize } from './support/matrix.js'
+import { colorAt } from './support/pixels.js'
+import { servePages } from './support/server.js'
+import { drawScenes, p5Versions, runSketch } from './support/sketch.js'
+
+const addon = '/dist/p5.warpjet.min.js'
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+const [size, side, height] = [200, 160, 30]
+const image = randomImage(7, 5, 4)
+// p5 keeps images with their colours multiplied by alpha.
+image.data = image.data.map((byte, i) => (i % 4 === 3 ? 255 : byte))
+
+/** The image as each of p5's things that hold pixels. */
+const sources = {
+  image: `warps.image = createImage(${image.width}, ${image.height})
+    fillPixels(warps.image)`,
+  graphics: `warps.graphics = createGraphics(${image.width}, ${image.height})
+    warps.graphics.pixelDensity(1)
+    fillPixels(warps.graphics)`,
+  framebuffer: `warps.framebuffer = createFramebuffer({
+      width: ${image.width}, height: ${image.height}, density: 1, format: UNSIGNED_BYTE, depth: false, antialias: false,
+    })
+    fillPixels(warps.framebuffer)`,
+  drawn: `warps.drawn = createFramebuffer({
+      width: ${image.width}, height: ${image.height}, density: 1,
+    })
+    warps.drawn.begin()
+    noStroke()
+    image(warps.image, ${-image.width / 2}, ${-image.height / 2})
+    warps.drawn.end()`,
+}
+
+const setup = `
+  const fillPixels = (target) => {
+    target.loadPixels()
+    const bytes = ${JSON.stringify(image.data)}
+    bytes.forEach((byte, i) => (target.pixels[i] = byte))
+    target.updatePixels()
+  }
+  ${Object.values(sources).join('\n')}
+  ortho()`
+
+const grid = (count) =>
+  Array.from({ length: count * count }, (_, i) => [
+    ((i % count) + 0.37) / count,
+    (Math.floor(i / count) + 0.41) / count,
+  ])
+
+const onCanvas = (u) => (size - side) / 2 + side * u
+
+function assertColor(picture, [u, v], wanted, tolerance, what) {
+  const color = colorAt(picture, onCanvas(u), onCanvas(v))
+  const error = Math.max(...wanted.map((x, i) => Math.abs(color[i] - x)))
+  assert.ok(error <= tolerance, `${what} at ${[u, v]}: ${color} for ${wanted}`)
+}
+
+for (const [version, p5] of Object.entries(p5Versions)) {
+  const draw = (options) => drawScenes(browser, server, [p5, addon], { size, ...options })
+
+  describe(`glsl.texture on p5 ${version}`, () => {
+    for (const filter of ['bicubic', 'bspline'])
+      test(`a height map displaces a plane, with its normals: ${filter}`, async () => {
+        const pictures = await draw({
+          setup: `${setup}
+          warps.displace = createWarp(({ glsl, position }) => {
+            const uv = position.xy().add(0.5)
+            const heights = glsl.texture('heights', uv, { filter: '${filter}' })
+            return glsl.vec3(0, 0, heights.r().mult(${height}))
+          }, { type: 'normal', defs: 'uniform sampler2D heights;' })`,
+          scenes: Object.fromEntries(
+            Object.keys(sources).map((name) => [
+              name,
+              `warps.displace({ heights: warps.${name} }); plane(${side}, ${side}, 160, 160)`,
+            ]),
+          ),
+        })
+        const heightAt = (u, v) => height * sample(image, u, v, { filter })[0]
+        const step = 1e-4
+        for (const [name, picture] of Object.entries(pictures))
+          for (const [u, v] of grid(12)) {
+            const normal = normalize([
+              -(heightAt(u + step, v) - heightAt(u - step, v)) / (2 * step * side),
+              -(heightAt(u, v + step) - heightAt(u, v - step)) / (2 * step * side),
+              1,
+            ])
+            const wanted = normal.map((x) => 255 * Math.max(x, 0))
+            assertColor(picture, [u, v], wanted, 4, name)
+          }
+      })
+
+    test('an image sampled at a warped place, in the fragment stage', async () => {
+      const { code, declarations, uniforms } = compile((glsl) => {
+        const uv = glsl.vec2Param('vTexCoord')
+        const moved = uv.add(uv.yx().mult(5).sin().mult(0.1))
+        return { color: glsl.texture('picture', moved, { wrap: 'mirror', filter: 'bicubic' }) }
+      })
+      assert.deepEqual(uniforms, ['vTexCoord', 'picture'])
+      const vertex = `#version 300 es
+precision highp float;
+in vec3 aPosition;
+in vec2 aTexCoord;
+uniform mat4 uModelViewMatrix, uProjectionMatrix;
+out vec2 vTexCoord;
+void main() {
+  vTexCoord = aTexCoord;
+  gl_Position = uProjectionMatrix * uModelViewMatrix * vec4(aPosition, 1.0);
+}`
+      const fragment = `#version 300 es
+precision highp float;
+in vec2 vTexCoord;
+uniform sampler2D picture;
+out vec4 result;
+${declarations}
+void main() {
+  ${code}
+  result = color;
+}`
+      const pictures = await draw({
+        setup: `${setup}
+        noStroke()
+        warps.show = createShader(${JSON.stringify(vertex)}, ${JSON.stringify(fragment)})`,
+        scenes: {
+          image: `shader(warps.show); warps.show.setUniform('picture', warps.image); plane(${side}, ${side})`,
+        },
+      })
+      const moved = (u, v) => [u + 0.1 * Math.sin(5 * v), v + 0.1 * Math.sin(5 * u)]
+      const options = { wrap: 'mirror', filter: 'bicubic' }
+      // A pixel shows what is at its middle.
+      for (const [u, v] of grid(20).map((place) =>
+        place.map((t) => (Math.floor(t * side) + 0.5) / side),
+      )) {
+        const color = sample(image, ...moved(u, v), options).slice(0, 3)
+        const wanted = color.map((channel) => 255 * Math.min(Math.max(channel, 0), 1))
+        assertColor(pictures.image, [u, v], wanted, 1.5, 'color')
+      }
+    })
+
+    test('says in a WarpError what is wrong with an image', async () => {
+      const cases = {
+        'createWarp(warp)': /reads "heights", .* "uniform sampler2D heights;"/,
+        'distort({ heights: 5 })':
+          /uniform "heights" must be an image, such as one of loadImage or createGraphics, but is the number 5/,
+        'distort({ heights: null })': /uniform "heights" must be an image, .* but is null/,
+        'distort({ heights: "a.png" })': /must be an image, .* but is the text "a.png"/,
+        'distort({ heights: Promise.resolve() })': /must be an image, .* but is a promise/,
+      }
+      const { page, messages } = await runSketch(
+        browser,
+        server,
+        [p5, addon],
+        `const warp = ({ glsl, position }) =>
+          glsl.vec3(0, 0, glsl.texture('heights', position.xy()).r())
+        function setup() {
+          createCanvas(100, 100, WEBGL)
+          distort = createWarp(warp, { defs: 'uniform sampler2D heights;' })
+          noLoop()
+        }
+        function draw() {
+          distort({ heights: createImage(2, 2) })
+          sphere(20)
+          window.done = true
+        }`,
+      )
+      for (const [code, message] of Object.entries(cases)) {
+        const error = await page.evaluate(`(() => {
+          try { ${code} } catch (error) { return { name: error.name, message: error.message } }
+        })()`)
+        assert.equal(error?.name, 'WarpError', code)
+        assert.match(error.message, message)
+      }
+      await page.close()
+      assert.deepEqual(messages, [])
+    })
+  })
+}

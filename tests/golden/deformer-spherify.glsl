@@ -1,0 +1,38 @@
+vec3 offset, warpedPosition, warpedNormal;
+{
+  float t0 = position.x * position.x + position.y * position.y + position.z * position.z;
+  float t1 = inversesqrt(t0);
+  bool t2 = t0 > 0.0;
+  float t3 = t1 * t1 * t1 * -0.5;
+  float t4 = t2 ? t1 : 0.0;
+  float t5 = max(sin(millis / 1200.0) * 0.45 + 0.4, 0.0);
+  float t6 = t2 ? t3 * (position.x + position.x) : 0.0;
+  float t7 = t2 ? t3 * (position.y + position.y) : 0.0;
+  float t8 = t2 ? t3 * (position.z + position.z) : 0.0;
+  float t9 = t5 * (position.y * t6 * 75.0);
+  float t10 = t5 * (position.z * t6 * 75.0);
+  float t11 = t5 * ((t4 + position.x * t6) * 75.0 - 1.0) + 1.0;
+  float t12 = t5 * (position.x * t7 * 75.0);
+  float t13 = t5 * (position.z * t7 * 75.0);
+  float t14 = t5 * ((t4 + position.y * t7) * 75.0 - 1.0) + 1.0;
+  float t15 = t5 * (position.x * t8 * 75.0);
+  float t16 = t5 * (position.y * t8 * 75.0);
+  float t17 = t5 * ((t4 + position.z * t8) * 75.0 - 1.0) + 1.0;
+  offset = vec3((position.x * t4 * 75.0 - position.x) * t5, (position.y * t4 * 75.0 - position.y) * t5, (position.z * t4 * 75.0 - position.z) * t5);
+  float t18 = (t14 * t17 - t13 * t16) * normal.x;
+  float t19 = (t16 * t10 - t17 * t9) * normal.y;
+  float t20 = (t13 * t15 - t12 * t17) * normal.x;
+  float t21 = (t17 * t11 - t15 * t10) * normal.y;
+  float t22 = (t12 * t16 - t14 * t15) * normal.x;
+  float t23 = (t15 * t9 - t16 * t11) * normal.y;
+  float t24 = (t9 * t13 - t10 * t14) * normal.z;
+  float t25 = t18 + t19 + t24;
+  float t26 = (t10 * t12 - t11 * t13) * normal.z;
+  float t27 = (t11 * t14 - t9 * t12) * normal.z;
+  float t28 = t20 + t21 + t26;
+  float t29 = t22 + t23 + t27;
+  float t30 = t25 * t25 + t28 * t28 + t29 * t29;
+  float t31 = t30 > 0.0 ? inversesqrt(t30) : 0.0;
+  warpedNormal = vec3(t25 * t31, t28 * t31, t29 * t31);
+  warpedPosition = position + offset;
+}

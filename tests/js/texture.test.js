@@ -1,0 +1,126 @@
+// glsl.texture in Node: what the result names, what is shared, and what is refused.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compile, compileWarp, targets, WarpError } from '../../dist/warpjet.js'
+
+const inverted = ({ glsl, position }) =>
+  glsl.vec3(0, 0, glsl.texture('heightMap', position.xy().add(0.5)).r())
+
+const count = (text, word) => text.split(word).length - 1
+
+function refuses(work, pattern) {
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof WarpError, String(error))
+    assert.match(error.message, pattern)
+    assert.doesNotMatch(error.message, /\n/)
+    return true
+  })
+}
+
+test('the image is among the uniforms, and its size where it must be told', () => {
+  for (const target of targets) {
+    const { uniforms, attributes } = compileWarp(inverted, { target })
+    const wanted = target === 'glsl100' ? ['heightMap', 'heightMapSize'] : ['heightMap']
+    assert.deepEqual(uniforms, wanted, target)
+    assert.deepEqual(attributes, ['position', 'normal'])
+  }
+})
+
+test('an image whose colour cancels is not read', () => {
+  const { uniforms, declarations } = compile((glsl) => ({
+    r: glsl.texture('map', glsl.vec2(0.1, 0.2)).r().mult(0).add(glsl.param('x')),
+  }))
+  assert.deepEqual(uniforms, ['x'])
+  assert.equal(declarations, '')
+})
+
+test('one function serves all images, and equal calls are one', () => {
+  const { code, declarations } = compile((glsl) => {
+    const uv = glsl.vec2Param('uv')
+    const color = glsl.texture('first', uv).add(glsl.texture('second', uv))
+    return {
+      color,
+      again: glsl.texture('first', uv, { filter: 'bilinear', wrap: 'clamp' }).g(),
+    }
+  })
+  assert.equal(count(declarations, 'vec4 warpjetBilinearClamp('), 1)
+  assert.equal(count(declarations, 'vec4 warpjetTexel('), 1)
+  assert.equal(count(code, 'warpjetBilinearClamp('), 2)
+})
+
+test('value and gradient are one call, and a value alone computes no gradient', () => {
+  const textOf = (...results) =>
+    compile((glsl) => {
+      const uv = glsl.vec2Param('uv')
+      const red = glsl.texture('map', uv, { filter: 'bspline', wrap: 'repeat' }).r()
+      const all = { red, slope: glsl.gradient(red, uv) }
+      return Object.fromEntries(results.map((name) => [name, all[name]]))
+    })
+  const both = textOf('red', 'slope')
+  assert.equal(count(both.code, 'warpjetBsplineRepeatGradient('), 1)
+  assert.equal(count(both.declarations, 'warpjetTexel('), 17)
+  assert.doesNotMatch(textOf('red').declarations, /Gradient/)
+})
+
+test('what is refused', () => {
+  const of =
+    (...args) =>
+    () =>
+      compile((glsl) => ({
+        r: glsl.texture(...args.map((arg) => (typeof arg === 'function' ? arg(glsl) : arg))),
+      }))
+  const uv = (glsl) => glsl.vec2Param('uv')
+  refuses(of(), /texture: argument 1 must be the name of a sampler2D.*is undefined/)
+  refuses(of(5, uv), /texture: argument 1 must be the name.*is the number 5/)
+  refuses(of('a b', uv), /texture: argument 1 must be the name.*is the text "a b"/)
+  refuses(of('maps[0]', uv), /texture: argument 1 must be the name/)
+  refuses(of('sampler2D', uv), /texture: "sampler2D" cannot be read in a shader/)
+  refuses(of('map'), /texture: argument 2 must be a number or an expression, but is undefined/)
+  refuses(of('map', [0, 1]), /texture: argument 2 must be .*an array of 2/)
+  refuses(of('map', 0.5), /texture: argument 2 must be a vec2, but is a single number/)
+  refuses(
+    of('map', (glsl) => glsl.vec3Param('p')),
+    /texture: argument 2 must be a vec2, but is a vec3/,
+  )
+  refuses(of('map', uv, { filtre: 'x' }), /texture: there is no option "filtre"/)
+  refuses(of('map', uv, 'bicubic'), /texture: the options must be an object/)
+  refuses(
+    of('map', uv, { filter: 'linear' }),
+    /texture: the option "filter" must be one of bilinear, bicubic, bspline, but is the text "linear"/,
+  )
+  refuses(
+    of('map', uv, { wrap: 3 }),
+    /texture: the option "wrap" must be one of clamp, repeat, mirror, but is the number 3/,
+  )
+  refuses(of('map', uv, {}, 1), /texture: it takes a name, a vec2 and options; the number 1/)
+})
+
+test('one name is one thing', () => {
+  const both = (first, second) => () =>
+    compile((glsl) => {
+      const reads = {
+        image: () => glsl.texture('map', glsl.vec2(0, 0)).r(),
+        number: () => glsl.param('map'),
+      }
+      return { r: reads[first]().add(reads[second]()) }
+    })
+  refuses(both('image', 'number'), /"map" was read as an image before, and now as a single number/)
+  refuses(both('number', 'image'), /"map" was read as a single number before, and now as an image/)
+  refuses(
+    () => compile((glsl) => ({ map: glsl.texture('map', glsl.vec2(0, 0)).r() })),
+    /The result "map" has the name of a variable/,
+  )
+})
+
+test('the CPU cannot read images yet', () => {
+  refuses(
+    () => compile((glsl) => ({ r: glsl.texture('map', glsl.vec2(0, 0)).r() })).evaluate({ map: 1 }),
+    /evaluate: only the GPU can .* read an image by glsl\.texture/,
+  )
+  const warp = compileWarp(inverted)
+  refuses(() => warp.evaluate({ positions: [0, 0, 0] }), /reads an image by glsl\.texture/)
+  refuses(
+    () => warp.bounds({ min: [0, 0, 0], max: [1, 1, 1] }),
+    /bounds: .*reads an image by glsl\.texture/,
+  )
+})

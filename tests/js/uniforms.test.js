@@ -1,0 +1,234 @@
+// The option `uniforms` of compileWarp: types from values, and what they are worth on the CPU.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { WarpError, compileWarp } from 'warpjet'
+import { bakeWarp, subdivide } from 'warpjet/mesh'
+
+const origin = [0, 0, 0]
+
+/** Where the warp of this offset and these uniforms moves the origin. */
+const movedTo = (offset, uniforms, given) =>
+  compileWarp(offset, { uniforms }).evaluateAt(origin, { uniforms: given }).position
+
+const refuses = (work, message) =>
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof WarpError, error.stack)
+    assert.match(error.message, message)
+    assert.ok(!error.message.includes('\n'))
+    return true
+  })
+
+const read = ({ glsl, uniforms }) => glsl.vec3(uniforms.value, 0, 0)
+const declare = (value) => compileWarp(read, { uniforms: { value } })
+
+describe('types come from the values:', () => {
+  test('a number, true and false are floats', () => {
+    const offset = ({ glsl, uniforms: { a, b, c } }) => glsl.vec3(a, b, c.add(4))
+    assert.deepEqual(movedTo(offset, { a: 0.5, b: true, c: false }), [0.5, 1, 4])
+  })
+
+  test('arrays, typed ones too, are vectors', () => {
+    const offset = ({ glsl, uniforms: { a, b, c } }) =>
+      glsl.vec3(a.y(), b.z(), c.w().add(a.x(), b.x(), c.x()))
+    const uniforms = { a: [1, 2], b: new Float32Array([3, 4, 5]), c: [6, 7, 8, 9] }
+    assert.deepEqual(movedTo(offset, uniforms), [2, 5, 9 + 1 + 3 + 6])
+  })
+
+  test('9 and 16 numbers are matrices, column by column', () => {
+    const offset = ({ glsl, uniforms: { turn, place } }) =>
+      turn.mult(glsl.vec3(1, 10, 100)).add(place.mult(glsl.vec4(0, 0, 0, 1)).xyz())
+    const uniforms = {
+      turn: [1, 2, 3, 4, 5, 6, 7, 8, 9],
+      place: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1000, 2000, 3000, 1],
+    }
+    assert.deepEqual(movedTo(offset, uniforms), [1741, 2852, 3963])
+  })
+
+  test('the vectors of p5 are vec3s and its colours vec4s, and give the first of their numbers to less', () => {
+    const vector = { x: 1, y: 2, z: 3 }
+    const color = { _array: [0.5, 0.25, 0, 1] }
+    const offset = ({ uniforms: { v, c } }) => v.add(c.xyz().mult(c.w()))
+    assert.deepEqual(movedTo(offset, { v: vector, c: color }), [1.5, 2.25, 3])
+    const flat = ({ glsl, uniforms: { a, b } }) => b.add(glsl.vec3(a, 0))
+    const given = { a: vector, b: color }
+    assert.deepEqual(movedTo(flat, { a: [0, 0], b: [0, 0, 0] }, given), [1.5, 2.25, 0])
+  })
+
+  test('those that the text reads are listed, and each is read under its own name', () => {
+    const warp = compileWarp(
+      ({ glsl, millis, uniforms }) => glsl.vec3(uniforms.wind, millis.mult(uniforms.amount)),
+      { uniforms: { amount: 1, unused: 2, wind: [1, 0] } },
+    )
+    assert.deepEqual(warp.uniforms.toSorted(), ['amount', 'millis', 'wind'])
+    assert.match(warp.code, /\bwind\b/)
+    assert.match(warp.code, /\bamount \* millis|millis \* amount\b/)
+    assert.doesNotMatch(warp.code, /unused/)
+  })
+
+  test('glsl.param reads the same uniform', () => {
+    const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.a.sub(glsl.param('a')), 1, 0)
+    const warp = compileWarp(offset, { uniforms: { a: 3 } })
+    assert.deepEqual(warp.uniforms, [])
+  })
+})
+
+describe('on the CPU', () => {
+  test('a given value counts before the declared one, for that call', () => {
+    const warp = declare(0.5)
+    const x = (uniforms) => warp.evaluateAt(origin, { uniforms }).position[0]
+    assert.deepEqual([x(), x({ value: 2 }), x({}), x({ value: true })], [0.5, 2, 0.5, 1])
+  })
+
+  test('every method takes it', () => {
+    const warp = compileWarp(({ glsl, position, uniforms }) => position.mult(uniforms.grow), {
+      uniforms: { grow: 1 },
+    })
+    const mesh = { positions: [1, 0, 0, 0, 1, 0, 0, 0, 2], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] }
+    const box = { min: [0, 0, 0], max: [1, 1, 1] }
+    const twice = [2, 0, 0, 0, 2, 0, 0, 0, 4]
+    const thrice = [3, 0, 0, 0, 3, 0, 0, 0, 6]
+    assert.deepEqual([...warp.evaluate(mesh).positions], twice)
+    assert.deepEqual([...warp.evaluate({ ...mesh, uniforms: { grow: 2 } }).positions], thrice)
+    const [x, grown] = [warp.bounds(box), warp.bounds(box, { grow: 2 })].map(({ max }) => max[0])
+    assert.ok(x >= 2 && x < 2.001 && grown >= 3 && grown < 3.001, `${x}, ${grown}`)
+    assert.equal(warp.foldover(mesh).count, 0)
+    assert.equal(warp.foldover(mesh, { grow: -3 }).count, 3)
+    assert.deepEqual([...bakeWarp(mesh, warp).positions], twice)
+    assert.deepEqual([...bakeWarp(mesh, warp, { grow: 2 }).positions], thrice)
+  })
+
+  test('a function is called once for its type, then at every use, but not where a value is given', () => {
+    let calls = 0
+    const warp = declare(() => ++calls)
+    assert.equal(calls, 1)
+    const x = (uniforms) => warp.evaluateAt(origin, { uniforms }).position[0]
+    assert.deepEqual([x(), x(), x({ value: 9 }), x()], [2, 3, 9, 4])
+    assert.equal(calls, 4)
+  })
+
+  test('a function that the warp does not read is not called again', () => {
+    let calls = 0
+    const count = () => ++calls
+    const warp = compileWarp(({ position }) => position, { uniforms: { count } })
+    warp.evaluateAt(origin)
+    assert.equal(calls, 1)
+    assert.deepEqual(warp.evaluateAt([1, 2, 3], { uniforms: { count: 7 } }).position, [2, 4, 6])
+  })
+
+  test('an array is copied, and nothing that comes in is changed', () => {
+    const value = [1, 2, 3]
+    const warp = compileWarp(({ uniforms }) => uniforms.value, { uniforms: { value } })
+    value[0] = 100
+    const given = Object.freeze({ value: Object.freeze([4, 5, 6]) })
+    assert.deepEqual(warp.evaluateAt(origin).position, [1, 2, 3])
+    assert.deepEqual(warp.evaluateAt(origin, { uniforms: given }).position, [4, 5, 6])
+    assert.deepEqual(value, [100, 2, 3])
+  })
+
+  test('a subdivision asks a function once, so that all of it agrees', () => {
+    const plane = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] }
+    let calls = 0
+    const options = { uniforms: { value: () => ++calls } }
+    const offset = ({ glsl, position, uniforms }) =>
+      glsl.vec3(0, 0, position.x().mult(3).add(uniforms.value).sin())
+    const fine = subdivide(plane, { warp: compileWarp(offset, options), tolerance: 0.01 })
+    assert.ok(fine.positions.length > 30)
+    assert.equal(calls, 2)
+    const given = { value: 2 }
+    const same = subdivide(plane, {
+      warp: compileWarp(offset, options),
+      uniforms: given,
+      tolerance: 0.01,
+    })
+    assert.deepEqual(same.positions, fine.positions)
+    assert.equal(calls, 3)
+  })
+})
+
+describe('one sentence says what is wrong:', () => {
+  test('with the option', () => {
+    const option = (uniforms) => () => compileWarp(({ position }) => position, { uniforms })
+    refuses(option(3), /option "uniforms" must be an object, such as \{ amount: .*the number 3/)
+    refuses(option([1, 2]), /must be an object, .* but is an array of 2/)
+    refuses(option(null), /must be an object, .* but is null/)
+  })
+
+  test('with a value', () => {
+    const cases = [
+      ['red', /"value" must be a number, .* but is the text "red"/],
+      [undefined, /"value" must be a number, .* but is undefined/],
+      [[1], /but is an array of 1/],
+      [[1, 2, 3, 4, 5], /must be .* an array of 2, 3, 4, 9 or 16 numbers, .* but is an array of 5/],
+      [{ a: 1 }, /but is an object/],
+      [() => undefined, /a function that gives one of them, but its function gives undefined/],
+      [async () => 1, /but its function gives a promise/],
+      [NaN, /"value" must be a finite number, but is NaN/],
+      [[1, Infinity], /must have finite numbers, but has Infinity among them/],
+      [[1, 'a', 2], /must have finite numbers, but has the text "a" among them/],
+      [[1, , 2], /must have finite numbers, but has undefined among them/],
+      [() => [0, NaN], /must have finite numbers, but has NaN among them/],
+    ]
+    for (const [value, message] of cases) refuses(() => declare(value), message)
+  })
+
+  test('with a name', () => {
+    const named = (name, names) => () =>
+      compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms[name]), {
+        uniforms: { [name]: 1 },
+        names,
+      })
+    refuses(named('millis'), /uniform "millis" has the name of an input; .* such as "myMillis"/)
+    refuses(named('position'), /uniform "position" has the name of an input/)
+    refuses(named('uTime', { millis: 'uTime' }), /the name that the option "names" gives to millis/)
+    refuses(named('float'), /^compileWarp uniforms\.float: "float" cannot be read in a shader/)
+    refuses(named('offset'), /"offset" has the name of a variable .* read/)
+    assert.deepEqual(named('toString')().uniforms, ['toString'])
+  })
+
+  test('reading what is not declared, and writing', () => {
+    const reading = (uniforms) => () =>
+      compileWarp(({ glsl, uniforms: { amont } }) => glsl.vec3(amont), { uniforms })
+    refuses(reading({ amount: 1, wind: [1, 0] }), /declares no "amont"; there are amount, wind\./)
+    refuses(reading({}), /nothing declares; add the option \{ uniforms: \{ amont: 0\.5 \} \}/)
+    refuses(reading(), /^compileWarp: the offset reads uniforms\.amont, which nothing declares/)
+    const writing = ({ uniforms, position }) => {
+      uniforms.amount = 3
+      return position
+    }
+    refuses(
+      () => compileWarp(writing, { uniforms: { amount: 1 } }),
+      /uniforms\.amount cannot be set/,
+    )
+  })
+
+  test('values of a call', () => {
+    const warp = compileWarp(({ uniforms }) => uniforms.center.mult(uniforms.amount), {
+      uniforms: { center: [0, 0, 0], amount: 1, unread: [1, 2] },
+    })
+    const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
+    refuses(call({ amount: [1, 2] }), /"amount" is a float and takes a number, but a vec2 came/)
+    refuses(call({ amount: 'a' }), /takes a number, but the text "a" came/)
+    refuses(call({ amount: () => 3 }), /takes a number, but a function came/)
+    refuses(
+      call({ center: 3 }),
+      /"center" is a vec3 and takes an array of 3 numbers, but a float came/,
+    )
+    refuses(call({ center: [1, NaN, 2] }), /"center" must have finite numbers, but has NaN/)
+    refuses(call({ unread: 1 }), /"unread" is a vec2 and takes an array of 2 numbers/)
+    refuses(call({ centre: [1, 2, 3] }), /no uniform "centre"; there are .*center, amount, unread/)
+  })
+
+  test('a function that changes its type', () => {
+    let now = 1
+    const warp = declare(() => now)
+    now = [1, 2]
+    refuses(
+      () => warp.evaluateAt(origin),
+      /^evaluateAt: the uniform "value" was a float when the warp was made, but its function now gives a vec2; it must stay what it was/,
+    )
+    now = undefined
+    refuses(() => warp.bounds({ min: origin, max: origin }), /now gives undefined/)
+    now = NaN
+    refuses(() => warp.evaluateAt(origin), /"value" must be a finite number, but is NaN/)
+  })
+})

@@ -1,0 +1,130 @@
+// The sketches of deformers as plain functions of numbers; see gallery.js.
+import { add, normalize } from '../browser/support/matrix.js'
+import { deformers } from './deformers.js'
+
+const { cos, max, sin } = Math
+
+const {
+  bend,
+  bulge,
+  genie,
+  inflate,
+  melt,
+  noiseDisplace,
+  ripple,
+  shear,
+  spherify,
+  stretch,
+  taper,
+  twist,
+  wave,
+} = deformers
+
+const times = (v, factor) => v.map((x) => x * factor)
+const smoothstep = (low, high, x) => {
+  const t = max(0, Math.min(1, (x - low) / (high - low)))
+  return t * t * (3 - 2 * t)
+}
+
+/** A deformer whose options depend on the inputs. */
+const moving = (deformer, options) => (p, inputs) => deformer(options(inputs.millis, p))(p, inputs)
+
+const swing = (millis) => cos(millis / 1500)
+const twisted = moving(twist, (millis) => ({ length: 150, angle: 2.6 * swing(millis) }))
+const bent = moving(bend, (millis) => ({ from: -75, to: 75, angle: 2.1 * swing(millis) }))
+const after = (a, b) => (p, inputs) => {
+  const first = a(p, inputs)
+  return add(first, b(add(p, first), inputs))
+}
+
+// As wide as the bar: with the distance from its middle the errors of a GPU's sine grow.
+const bar = { size: 21 }
+
+export const deformerSketches = {
+  'deformer-twist': {
+    size: 100,
+    offset: moving(twist, (millis) => ({ angle: 2.8 * cos(millis / 1200) })),
+  },
+  'deformer-bend': {
+    size: 190,
+    offset: moving(bend, (millis) => ({ from: -90, to: 90, angle: 2.6 * sin(millis / 1300) })),
+  },
+  'deformer-taper': {
+    size: 100,
+    offset: moving(taper, (millis) => ({
+      center: [0, 60, 0],
+      length: 160,
+      amount: -0.9 * sin(millis / 1000),
+    })),
+  },
+  'deformer-bulge': {
+    size: 250,
+    offset: moving(bulge, (millis) => ({
+      axis: 'x',
+      center: [800 * ((millis / 3000) % 1) - 400, 0, 0],
+      radius: 110,
+      amount: 1.4,
+    })),
+  },
+  'deformer-stretch': {
+    size: 100,
+    offset: moving(stretch, (millis) => ({
+      center: [0, 100, 0],
+      keepVolume: true,
+      amount: 0.45 * sin(millis / 350),
+    })),
+  },
+  'deformer-wave': {
+    size: 200,
+    offset: wave({ axis: [1, 0, 0.4], amount: 28, wavelength: 240, speed: 130 }),
+  },
+  'deformer-ripple': {
+    size: 250,
+    offset: ripple({ axis: 'y', amount: 16, wavelength: 75, speed: 60, radius: 300 }),
+  },
+  'deformer-melt': {
+    size: 100,
+    offset: moving(melt, (millis) => ({ height: 60, amount: 0.42 + 0.42 * sin(millis / 1400) })),
+  },
+  'deformer-inflate': {
+    size: 100,
+    offset: moving(inflate, (millis, [, y]) => ({ amount: 2 + 4 * sin(y / 16 - millis / 300) })),
+  },
+  'deformer-noise': {
+    // Not on the borders of cells, where noise has no third derivative, and the differences stumble.
+    size: 130,
+    offset: noiseDisplace({ amount: 55, scale: 75, speed: 0.4 }),
+  },
+  'deformer-genie': {
+    size: 150,
+    offset: moving(genie, (millis) => ({
+      center: [90, 215, 0],
+      length: 400,
+      neck: 0.06,
+      amount: max(0, 0.26 + 0.42 * sin(millis / 1100)),
+    })),
+  },
+  'deformer-spherify': {
+    size: 100,
+    offset: moving(spherify, (millis) => ({
+      radius: 75,
+      amount: max(0, 0.4 + 0.45 * sin(millis / 1200)),
+    })),
+  },
+  'deformer-shear': {
+    size: 150,
+    offset: moving(shear, (millis) => ({ center: [0, 60, 0], amount: 0.7 * sin(millis / 700) })),
+  },
+
+  'composition-twist': { ...bar, offset: twisted },
+  'composition-bend': { ...bar, offset: bent },
+  'composition-twistthenbend': { ...bar, offset: after(twisted, bent) },
+  'composition-bendthentwist': { ...bar, offset: after(bent, twisted) },
+  'composition-sum': { ...bar, offset: (p, i) => add(twisted(p, i), bent(p, i)) },
+  'composition-halfway': { ...bar, offset: (p, i) => times(add(twisted(p, i), bent(p, i)), 0.5) },
+  'composition-above': {
+    ...bar,
+    offset: (p, i) => times(twisted(p, i), smoothstep(20, -20, p[1])),
+  },
+  'composition-aside': { ...bar, offset: (p, i) => twisted(add(p, [25, 0, 0]), i) },
+}
