@@ -33,7 +33,7 @@ const add = (p, shift) => p.map((x, i) => x + shift[i])
 
 /**
  * The relief of domain-warping-3d. Its slope changes so fast that differences need small steps, and that at the third
- * level the rounding of a point to float32 turns the normal by 0.01° in places.
+ * level rounding the shifted points to float32, 1e-6 fine from 8 to 16, alone turns the normal by up to 0.02°.
  */
 const relief = (level) => ({
   size: 1,
