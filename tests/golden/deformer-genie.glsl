@@ -1,10 +1,10 @@
 vec3 offset, warpedPosition, warpedNormal;
 {
-  float t0 = abs(fract(millis / 5000.0) - 0.5) * -1.4;
+  float t0 = abs(fract(millis / 5000.0) - 0.5) * -1.2;
   float t1 = 215.0 - position.y;
-  float t2 = clamp((t0 + 0.4) / 0.7, 0.0, 1.0);
+  float t2 = clamp((t0 + 0.3) / 0.7, 0.0, 1.0);
   float t3 = t2 * t2 * (t2 * -2.0 + 3.0) * 400.0;
-  float t4 = clamp((t0 + 0.7) / 0.6, 0.0, 1.0);
+  float t4 = clamp((t0 + 0.6) / 0.6, 0.0, 1.0);
   float t5 = t4 * t4 * (t4 * -2.0 + 3.0);
   float t6 = max(t1, 0.0);
   float t7 = min(t6, t3);
