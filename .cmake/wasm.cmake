@@ -72,6 +72,7 @@ target_compile_options(warpjet_core PRIVATE -fno-rtti)
 target_compile_definitions(warpjet_core_wasm PRIVATE EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
 target_link_options(warpjet_core_wasm PRIVATE
   -flto
+  -Oz                                   # Binaryen's passes; what is compiled at -O3 stays so
   --no-entry
   -fno-exceptions                       # no exception crosses the border: a throw that is left in the code does not link
   "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"  # not simd128: it does not link if it got in
