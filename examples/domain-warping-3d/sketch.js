@@ -54,6 +54,6 @@ function ball(x, color, warp) {
   rotateY(millis() / 9000)
   warp()
   fill(color)
-  sphere(88, 200, 160)
+  sphere(88, 160, 120)
   pop()
 }
