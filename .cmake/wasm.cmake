@@ -13,7 +13,7 @@ set_source_files_properties(
   src/builder/host.cpp src/builder/results.cpp src/builder/sentences.cpp src/diff/partials.cpp src/emit/dialect.cpp src/emit/emit.cpp src/emit/literal.cpp src/emit/lower.cpp src/emit/bundle.cpp src/emit/names.cpp src/emit/statements.cpp src/functions/library.cpp src/functions/inline_calls.cpp
   src/builder/declarations.cpp src/builder/noise.cpp src/builder/texture.cpp src/texture/texture.cpp src/noise/curl.cpp src/noise/fractal.cpp src/noise/lattice.cpp src/noise/noise.cpp
   src/noise/random.cpp src/noise/simplex.cpp src/noise/worley.cpp src/graph/functions.cpp src/graph/multi_index.cpp src/graph/schedule.cpp
-  src/emit/syntax.cpp src/eval/program.cpp src/ops/ops.cpp src/warp/warp.cpp
+  src/emit/syntax.cpp src/emit/writer.cpp src/eval/program.cpp src/ops/ops.cpp src/warp/warp.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
 
 # The same for meshes: what runs once per file or name in it.
@@ -72,7 +72,6 @@ target_compile_options(warpjet_core PRIVATE -fno-rtti)
 target_compile_definitions(warpjet_core_wasm PRIVATE EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
 target_link_options(warpjet_core_wasm PRIVATE
   -flto
-  -Oz                                   # Binaryen's passes; what is compiled at -O3 stays so
   --no-entry
   -fno-exceptions                       # no exception crosses the border: a throw that is left in the code does not link
   "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"  # not simd128: it does not link if it got in
