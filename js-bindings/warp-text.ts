@@ -162,17 +162,25 @@ export function buildWarp(
   compilation.output(outputs.offset, offset, place)
   const moved = operate('add', position, offset)
   compilation.outputSum(outputs.position, moved, position!, 0, place)
-  const constant = () => operate('deformation', offset, position)
+  const varying = variationNames.map((_, i) =>
+    i < 3 ? part(compilation, normal!, i) : part(compilation, inputs.uv!, i - 3),
+  )
+  // Most warps read neither, and then there is nothing to derive.
+  const readsIn = [normal, inputs.uv].map(
+    (input) => normals && compilation.dependsOn(offset, input!),
+  )
+  const read = varying.map(
+    (input, i) => readsIn[i < 3 ? 0 : 1]! && compilation.dependsOn(offset, input),
+  )
+  const constant = normals ? operate('deformation', offset, position) : undefined
   const whole = () =>
-    variationNames.reduce((deformation, name, i) => {
-      const input = i < 3 ? part(compilation, normal!, i) : part(compilation, inputs.uv!, i - 3)
-      // Most warps read neither, and then there is nothing to derive.
-      return compilation.dependsOn(offset, input)
-        ? operate('varied', offset, deformation, input, inputs[name])
-        : deformation
-    }, constant())
-  if (normals) {
-    const deformation = surfaceVariation ? whole() : constant()
+    variationNames.reduce(
+      (deformation, name, i) =>
+        read[i] ? operate('varied', offset, deformation, varying[i], inputs[name]) : deformation,
+      constant!,
+    )
+  if (constant) {
+    const deformation = surfaceVariation ? whole() : constant
     const turned = operate('turnNormal', deformation, normal)
     compilation.output(outputs.normal, turned, place)
     if (tangents)
@@ -183,10 +191,10 @@ export function buildWarp(
       )
   }
 
-  const { code, declarations, stats, inputs: read } = compilation.build()
-  const used = read.map(({ name }) => name)
+  const { code, declarations, stats, inputs: given } = compilation.build()
+  const used = given.map(({ name }) => name)
   const isRead = (name: string) => used.includes(names[name]!)
-  const parameters = read.filter(({ name }) => !Object.values(names).includes(name))
+  const parameters = given.filter(({ name }) => !Object.values(names).includes(name))
   const text = {
     code,
     declarations,
@@ -194,9 +202,9 @@ export function buildWarp(
     uniforms: [...Object.keys(drawInputs).filter(isRead), ...parameters.map(({ name }) => name)],
     attributes: Object.keys(vertexInputs).filter(isRead),
   }
-  const deformation = normals ? whole() : undefined
+  const deformation = constant && whole()
   const varies = variationNames.some(
-    (name) => deformation && compilation.dependsOn(deformation, inputs[name]!),
+    (name, i) => read[i] && compilation.dependsOn(deformation!, inputs[name]!),
   )
   const isApproximate = varies && !surfaceVariation && !isAccepted
   return { text, parameters, names, inputs, moved, deformation, varies, isAccepted, isApproximate }
