@@ -237,7 +237,8 @@ std::string outputLines(Address session) {
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(warpjet) {
-  // The only type that needs a conversion, in core-module.ts. Without libembind nobody else tells of it.
+  // The only type that needs a conversion, in core-module.ts. Without libembind nobody else tells
+  // of it.
   emscripten::internal::_embind_register_std_string(
       emscripten::internal::TypeID<std::string>::get(), "std::string");
   emscripten::function("operationNames", &operationNames);
