@@ -227,7 +227,10 @@ export class Compilation {
   program(results: readonly Expression[]): Program | undefined {
     const session = this.open('program')
     for (const { handle } of results) this.core._push(session, handle)
-    if (!this.core._makeProgram(session)) return undefined
+    if (!this.core._makeProgram(session)) {
+      if (this.core.problem(session)) this.refuse()
+      return undefined
+    }
     const at = this.core._programWords(session) / 4
     return {
       words: this.core.HEAPU32.slice(at, at + this.core._programSize(session)),

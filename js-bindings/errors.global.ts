@@ -2,7 +2,7 @@
  * `errors.ts` for the script of deformers, which stands beside the one that holds the compiler: both throw one class, so
  * that `instanceof` holds.
  */
-export { describe, shorten } from './describe.js'
+export { describe, describeShape, shorten } from './describe.js'
 
 const { warpjet } = globalThis as { warpjet?: typeof import('./p5.global.js') }
 if (!warpjet)

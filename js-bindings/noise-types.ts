@@ -1,15 +1,15 @@
 // The noise functions as a sketch sees them. They are in src/noise, where their sources are named.
 //
 // A coordinate counts cells: noise has one bump a cell or so, hence `position.mult(0.01).noise()` one
-// every 100 pixels. It repeats after 4,091 cells along each axis (simplex: of its pressed grid), and
-// is exact in a shader up to a few thousand cells from the origin. The same point and seed give the
+// every 100 pixels. It repeats after 4,091 cells along each axis (simplex: of its pressed grid). In a
+// shader, within a thousand cells of the origin, values are right to 1e-4. The same point and seed give the
 // same number in every language and on the CPU. In a fragment shader it needs `precision highp float`.
 // Derivatives of any kind can be taken three times. All throw a `WarpError` for unknown or wrong options.
 import type { Operand, Scalar, Vec2, Vec3, Vec4 } from './types.js'
 
 export interface NoiseOptions {
-  /** Which of the fields: a whole number from -8,388,608 to 8,388,608; 0 unless given. Unlike seeds give fields that have
-   * nothing to do with each other. */
+  /** Another field of the same kind: a whole number from -8,388,608 to 8,388,608; 0 unless given. Each is the same field
+   * moved along the first axis, to one of 4,091 places in no order, hundreds of cells apart as a rule. */
   seed?: number
 }
 

@@ -6,6 +6,6 @@ export function noteApproximation(method: string, remedy: string) {
   if (isNoted) return
   isNoted = true
   console.warn(
-    `${method}: the offset depends on normal or uv, which count as constant over the surface here, so that normals are only nearly right; ${remedy} makes them exact, and surfaceVariation: false silences this.`,
+    `${method}: the offset depends on normal or uv, which count as constant over the surface in the shader, so that normals there are only nearly right; ${remedy} makes them exact, and surfaceVariation: false silences this.`,
   )
 }

@@ -7,14 +7,15 @@ function stackLines(): string[] {
 const fileOf = (line: string) =>
   line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at )(?=\S*$)/, '')
 
-/** The file that this code is in, a bundle or this one, found when it is first needed. */
-let ownFile: string | undefined
+/** How the names of our files begin: the one that this code is in, or all that the package's entries share. Found when it is
+ * first needed. */
+let ours: string | undefined
 
 /** The first line of the stack that is not ours, such as `setup (sketch.js:12:5)`. */
 export function callerOutside(): string {
   const lines = stackLines()
-  ownFile ??= fileOf(lines[0] ?? '')
-  const line = lines.find((line) => fileOf(line) !== ownFile) ?? 'an unknown line'
+  ours ??= fileOf(lines[0] ?? '').replace(/(?<=[/\\]shared-)[\w-]+\.js$/, '')
+  const line = lines.find((line) => !fileOf(line).startsWith(ours!)) ?? 'an unknown line'
   return (
     'From ' +
     line

@@ -115,7 +115,7 @@ export function imageFor(place: string, value: unknown): ImageLike {
 
 /**
  * Nothing if it is no value of a uniform. A p5.Vector has three numbers and a p5.Color four, of which the first are taken
- * where `count` is less.
+ * where a shorter vector is wanted.
  */
 function numbersOf(value: unknown, count = Infinity): number[] | undefined {
   if (typeof value === 'number') return [value]
@@ -123,11 +123,14 @@ function numbersOf(value: unknown, count = Infinity): number[] | undefined {
   if (isList(value)) return value.length > 1 ? Array.from(value) : undefined
   if (typeof value !== 'object' || value === null) return undefined
   if ('x' in value && 'y' in value && 'z' in value)
-    return ([value.x, value.y, value.z] as number[]).slice(0, count)
+    return shortened([value.x, value.y, value.z] as number[], count)
   return '_array' in value && isList(value._array)
-    ? Array.from(value._array).slice(0, count)
+    ? shortened(Array.from(value._array), count)
     : undefined
 }
+
+const shortened = (numbers: number[], count: number) =>
+  count > 1 ? numbers.slice(0, count) : numbers
 
 function checkFinite(place: string, numbers: readonly unknown[]) {
   const wrong = numbers.find((number) => !Number.isFinite(number))

@@ -16,7 +16,7 @@ function setup() {
       const height = glsl.texture('heights', uv, { filter: 'bspline' }).r()
       return glsl.vec3(0, 0, height.mult(14))
     },
-    { defs: 'uniform sampler2D heights;' },
+    { defs: 'uniform highp sampler2D heights;' },
   )
 }
 

@@ -1,4 +1,4 @@
-import { WarpError, describe } from '../errors.js'
+import { WarpError, describe, describeShape } from '../errors.js'
 import type { Expression } from '../expression.js'
 import { isList } from '../options.js'
 import type { Glsl, Mat3, Mat4, OffsetFunction, UniformValues, Vec3, WarpInputs } from '../types.js'
@@ -57,7 +57,7 @@ function readSpace({ glsl, position }: WarpInputs, matrix: unknown): Space {
   const { compilation } = position as unknown as Expression
   const [columns, rows] = compilation.shapeOf(matrix as unknown as Expression)
   if (columns !== rows || columns < 3)
-    refuse(columns > 1 ? 'a matrix of another size' : rows > 1 ? `a vec${rows}` : 'a single number')
+    refuse(columns > 1 ? 'a matrix of another size' : describeShape([columns, rows]))
   return columns === 3
     ? { linear: matrix as unknown as Mat3, shift: glsl.vec3(0) }
     : spaceOf(glsl, matrix as unknown as Mat4)

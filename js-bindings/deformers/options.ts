@@ -1,6 +1,6 @@
 // From what a caller hands to a deformer to what its formula works with. Constants are checked at once, what is computed
 // when the warp is made.
-import { WarpError, describe } from '../errors.js'
+import { WarpError, describe, describeShape } from '../errors.js'
 import { checkOptions } from '../options.js'
 import type { Expression } from '../expression.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types.js'
@@ -79,6 +79,5 @@ function wrongShape(place: string, expected: 1 | 3, value: unknown, inputs: Warp
       `${place} comes from another warp; give a function such as ({ millis }) => millis.div(1000), or make the deformer inside of the offset function.`,
     )
   const [columns, rows] = compilation.shapeOf(expression)
-  if (columns === 1 && rows === expected) return undefined
-  return columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'
+  return columns === 1 && rows === expected ? undefined : describeShape([columns, rows])
 }

@@ -1,5 +1,5 @@
 // What all compositions check.
-import { WarpError, describe } from '../errors.js'
+import { WarpError, describe, describeShape } from '../errors.js'
 import type { Expression } from '../expression.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types.js'
 import { isExpression } from './kinds.js'
@@ -31,8 +31,6 @@ export function offsetOf(
   const { compilation } = inputs.position as unknown as Expression
   const [columns, rows] = compilation.shapeOf(offset as unknown as Expression)
   if (columns !== 1 || rows !== 3)
-    throw new WarpError(
-      `${expected}, but returned ${columns > 1 ? 'a matrix' : rows > 1 ? `a vec${rows}` : 'a single number'}.`,
-    )
+    throw new WarpError(`${expected}, but returned ${describeShape([columns, rows])}.`)
   return offset as Vec3
 }

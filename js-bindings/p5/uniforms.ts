@@ -1,5 +1,5 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
-import type { Variable } from '../compilation.js'
+import type { Shape, Variable } from '../compilation.js'
 import { WarpError, describe } from '../errors.js'
 import {
   type DeclaredUniforms,
@@ -67,9 +67,12 @@ export function declarationsOf(declared: DeclaredUniforms, parameters: readonly 
   const labels = [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`])
   return parameters
     .filter(({ name }) => labels.includes(name))
-    .map(({ name, shape }) => `uniform ${typeOf(shape)} ${name};\n`)
+    .map(({ name, shape }) => `uniform ${precisely(shape)} ${name};\n`)
     .join('')
 }
+
+/** Images have low precision unless told otherwise, which cuts heights off. */
+const precisely = (shape: Shape) => (shape[0] === 0 ? 'highp ' : '') + typeOf(shape)
 
 /** A parameter that neither p5 nor `defs` declares would break the shader, and p5 would print all of it. */
 export function refuseUndeclared(
@@ -83,7 +86,7 @@ export function refuseUndeclared(
       throw new WarpError(
         uniforms.has(name)
           ? `createWarp: the warp reads "${name}" by glsl.${shape[1] > 1 ? `${typeOf(shape)}Param` : 'param'}; a uniform of the option "uniforms" is read as uniforms.${name}.`
-          : `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform ${typeOf(shape)} ${name};" }.`,
+          : `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform ${precisely(shape)} ${name};" }.`,
       )
   }
 }
@@ -96,9 +99,9 @@ export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
 function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUniforms) {
   const labels = labelsOf(declared)
   for (const [name, { shape, numbers, image }] of declared) {
+    const own = given[name]
+    const label = labels.get(name)!
     if (image) {
-      const own = given[name]
-      const label = labels.get(name)!
       if (shader.uniforms[label])
         setImage(
           shader,
@@ -107,13 +110,11 @@ function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUnif
         )
       continue
     }
-    const own = Object.hasOwn(given, name)
-      ? numbersFor(`The warp's uniform "${name}"`, shape, given[name])
-      : undefined
-    const label = labels.get(name)!
+    const replaced =
+      own === undefined ? own : numbersFor(`The warp's uniform "${name}"`, shape, own)
     // One that the warp never reads does not reach the shader.
     if (!shader.uniforms[label]) continue
-    const values = own ?? numbers('The function that createWarp returned')
+    const values = replaced ?? numbers('The function that createWarp returned')
     shader.setUniform(label, unlisted(values))
   }
 }

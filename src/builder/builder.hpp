@@ -119,6 +119,7 @@ class Builder {
   bool fitsInput(const Value& operand, std::size_t place, const Site& site);
   std::optional<Shape> commonShape(Operands operands, const Site& site);
   bool hasAllPartials(const Value& value);
+  bool isFull() const { return graph_.full() || library_.isFull(); }
   bool hidesWhatIsRead(const Emitted& emitted);
   std::vector<NodeId> roots() const;
   std::vector<Output> lowered(Comments& comments);

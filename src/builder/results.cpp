@@ -60,10 +60,15 @@ std::optional<Program> Builder::program() {
   for (const Value& value : operands_)
     nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
   operands_.clear();
-  for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
-    if (graph_.input(i).shape == oneImage) return std::nullopt;
+  problem_.clear();
+  for (const NodeId id : reachable(graph_, nodes)) {
+    const bool isImage =
+        graph_.isInput(id) && graph_.input(graph_.node(id).operands[0]).shape == oneImage;
+    if (isImage) return std::nullopt;
   }
-  return warpjet::program(graph_, inlineCalls(graph_, library_, nodes));
+  const std::vector<NodeId> inlined = inlineCalls(graph_, library_, nodes);
+  if (isFull()) return refuse("A result", {tooLarge});
+  return warpjet::program(graph_, inlined);
 }
 
 std::optional<Built> Builder::build(std::optional<int> maxDepth) {
@@ -77,7 +82,7 @@ std::optional<Built> Builder::build(std::optional<int> maxDepth) {
   }
   Comments comments = comments_;
   const std::vector<Output> outputs = lowered(comments);
-  if (graph_.full()) return refuse(site, {tooLarge});
+  if (isFull()) return refuse(site, {tooLarge});
 
   EmitOptions options;
   if (maxDepth) {
@@ -90,6 +95,7 @@ std::optional<Built> Builder::build(std::optional<int> maxDepth) {
   Declarations declarations(dialect_, library_);
   declarations.add(graph_, built.emitted);
   built.declarations += declarations.text();
+  if (isFull()) return refuse(site, {tooLarge});
   if (hidesWhatIsRead(built.emitted)) return std::nullopt;
   return built;
 }

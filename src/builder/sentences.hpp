@@ -23,7 +23,8 @@ inline constexpr std::string_view tooLarge =
     "these are more than four million operations; does a loop never end, or is a derivative of a "
     "very high order?";
 inline constexpr std::string_view tooHighOrder =
-    "derivatives of noise and textures can be taken three times, but not more often.";
+    "derivatives of noise and textures can be taken three times, of which a warp's normal takes "
+    "one.";
 
 // A text from outside, on one line and not too long, in quotation marks.
 std::string quotedShort(std::string_view text);

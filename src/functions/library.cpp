@@ -22,6 +22,13 @@ Body* Library::find(std::string_view name) {
   return nullptr;
 }
 
+bool Library::isFull() const {
+  for (const auto& body : bodies_) {
+    if (body->graph.full()) return true;
+  }
+  return false;
+}
+
 Numbers Library::call(const Definition& definition, const Numbers& arguments) {
   const Function& function = definition.function;
   if (!find(function.name)) bodies_.push_back(std::make_unique<Body>(definition));

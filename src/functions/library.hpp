@@ -35,6 +35,9 @@ class Library {
   Body& withResults(std::string_view name, int order);
   Body& withoutCalls(std::string_view name, int order);
 
+  // Whether the nodes of one of them are too many, and so without meaning.
+  bool isFull() const;
+
  private:
   Body* find(std::string_view name);
 

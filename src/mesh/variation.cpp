@@ -14,7 +14,7 @@ namespace warpjet {
 
 namespace {
 
-using Numbers = std::vector<std::uint32_t>;
+using Ids = std::vector<std::uint32_t>;
 
 // Parts of the mesh's size, of a unit normal, and of a unit of uv that count as nothing. Only what
 // rounding errors part is one: the two ends of a circle, sin(0) and sin(2 pi).
@@ -31,10 +31,10 @@ double largest(const std::vector<float>& numbers) {
   return most;
 }
 
-// For each vertex the number of what it has, where all within one grain of `size` are the same.
-Numbers numbered(const std::vector<float>& numbers, std::size_t size, double grain) {
+// For each vertex the number of what it has, where all that one grain of a grid holds are the same.
+Ids numbered(const std::vector<float>& numbers, std::size_t size, double grain) {
   Welder welder;
-  Numbers found;
+  Ids found;
   for (std::size_t i = 0; i < numbers.size(); i += size) {
     Position snapped{};
     for (std::size_t k = 0; k < size; ++k)
@@ -44,9 +44,9 @@ Numbers numbered(const std::vector<float>& numbers, std::size_t size, double gra
   return found;
 }
 
-Numbers paired(const Numbers& first, const Numbers& second) {
+Ids paired(const Ids& first, const Ids& second) {
   Pairs pairs;
-  Numbers found;
+  Ids found;
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
     found.push_back(pairs.findOrAdd(first[i], second[i], count));
@@ -157,14 +157,14 @@ class Estimate {
   }
 
   template <std::size_t size>
-  static void write(const std::vector<Mean<size>>& means, const Numbers& numbers,
+  static void write(const std::vector<Mean<size>>& means, const Ids& numbers,
                     std::vector<float>* arrays) {
     for (std::size_t i = 0; i < size; ++i) arrays[i].resize(3 * means.size());
     for (std::size_t i = 0; i < means.size(); ++i) means[numbers[i]].writeTo(arrays, i);
   }
 
   Mesh& mesh_;
-  Numbers places_, smooth_, seamless_;  // by vertex, with whom it shares what
+  Ids places_, smooth_, seamless_;  // by vertex, with whom it shares what
   std::vector<Mean<3>> ofNormals_;
   std::vector<Mean<2>> ofUvs_;
 };

@@ -35,7 +35,7 @@ Numbers ranks(const Numbers& x) {
 // Whether the way to a corner, counted from 0 to n, has gone along the coordinate of this rank: 1
 // or 0.
 Expression isTaken(Expression rank, int corner, int n) {
-  if (corner == 0 || corner == n) return {rank.graph, rank.graph->constant(corner / n)};
+  if (corner == 0 || corner == n) return {rank.graph, rank.graph->constant(corner == n ? 1 : 0)};
   return step(static_cast<double>(n - corner), rank);
 }
 

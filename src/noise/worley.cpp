@@ -6,9 +6,10 @@ namespace warpjet {
 namespace {
 
 // The four cells nearest to the point along each axis. What lies beyond is at least 1.5 away, and
-// some point of the 2 cells that are nearest is at most √n away, √2 on a plane. In space all eight
-// nearest points would have to lie within a hundredth of their cells for a jump: once in 10^14
-// places.
+// some point of the 2^n cells that are nearest is at most √n away, √2 on a plane. In space all
+// eight nearest points would have to lie in a hundredth of their cells for the nearest to jump,
+// once in 10^16 places; for the second nearest seven of them would, or all but one of those around
+// a cell.
 constexpr int cells = 4;
 
 class Search {

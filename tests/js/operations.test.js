@@ -13,6 +13,9 @@ const targets = ['glsl300', 'glsl100', 'wgsl']
 const groups = [...new Set(cases.map(({ group }) => group))]
 const casesOf = (group) => cases.filter((operation) => operation.group === group)
 
+/** tests/js/noise.test.js and tests/browser/noise.test.js have these. */
+const noises = ['noise', 'simplex', 'valueNoise', 'worley', 'curl', 'fbm', 'ridged', 'turbulence']
+
 /** Results are asked for, not computed; and those of a warp: tests/js/compile.test.js and tests/cpp/warp_test.cpp have them. */
 const results = [
   'output',
@@ -36,7 +39,7 @@ function surface() {
       names.method.push(...Object.getOwnPropertyNames(at))
     return { y: x }
   })
-  const isOperation = (name) => !['constructor', ...results].includes(name)
+  const isOperation = (name) => !['constructor', ...results, ...noises].includes(name)
   return {
     builder: names.builder.filter(isOperation),
     method: names.method.filter(isOperation),
