@@ -13,8 +13,18 @@ const targets = ['glsl300', 'glsl100', 'wgsl']
 const groups = [...new Set(cases.map(({ group }) => group))]
 const casesOf = (group) => cases.filter((operation) => operation.group === group)
 
-/** tests/js/noise.test.js and tests/browser/noise.test.js have these. */
-const noises = ['noise', 'simplex', 'valueNoise', 'worley', 'curl', 'fbm', 'ridged', 'turbulence']
+/** tests/js and tests/browser have files of their own for these. */
+const functions = [
+  'texture',
+  'noise',
+  'simplex',
+  'valueNoise',
+  'worley',
+  'curl',
+  'fbm',
+  'ridged',
+  'turbulence',
+]
 
 /** Results are asked for, not computed; and those of a warp: tests/js/compile.test.js and tests/cpp/warp_test.cpp have them. */
 const results = [
@@ -39,7 +49,7 @@ function surface() {
       names.method.push(...Object.getOwnPropertyNames(at))
     return { y: x }
   })
-  const isOperation = (name) => !['constructor', ...results, ...noises].includes(name)
+  const isOperation = (name) => !['constructor', ...results, ...functions].includes(name)
   return {
     builder: names.builder.filter(isOperation),
     method: names.method.filter(isOperation),
