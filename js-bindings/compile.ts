@@ -77,7 +77,11 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
     const returned: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (isUnfinished(returned))
       throw new WarpError('gen: the function must be a plain one, not async and no generator.')
-    const { code } = compilation.build(maxDepthPerVariable)
+    const { code, declarations } = compilation.build(maxDepthPerVariable)
+    if (declarations.includes('warpjet'))
+      throw new WarpError(
+        'gen: noise and images need functions above main, which only compile gives.',
+      )
     if (returned !== undefined && code === '')
       throw new WarpError(
         'gen: no result was asked for; call .output(name) on an expression instead of returning it.',

@@ -6,6 +6,7 @@ export function describe(value: unknown): string {
   if (typeof value === 'function') return 'a function'
   if (Array.isArray(value)) return `an array of ${value.length}`
   if (typeof value === 'object' && 'then' in value) return 'a promise'
+  if (typeof value === 'object' && 'compilation' in value) return 'an expression'
   if (typeof value === 'object') return Object.keys(value).length ? 'an object' : 'an empty object'
   return `the ${typeof value} ${shorten(String(value))}`
 }

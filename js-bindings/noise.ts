@@ -1,7 +1,7 @@
 // `glsl.noise` and its kin. The functions themselves are in src/noise; here their options are read.
 import type { Compilation } from './compilation.js'
 import { WarpError, describe } from './errors.js'
-import { type Expression, toExpression } from './expression.js'
+import { Expression, toExpression } from './expression.js'
 import { checkOptions } from './options.js'
 
 /** In the order of their numbers in the wasm, `noiseNames`. */
@@ -45,6 +45,8 @@ export function callNoise(
     throw new WarpError(
       `${kind}: it takes ${isMethod ? 'options' : 'a point and options'}; ${describe(others[0])} is too many.`,
     )
+  if (options instanceof Expression || typeof options === 'number')
+    throw new WarpError(`${kind}: make one point of several numbers, such as glsl.vec2(x, y).`)
   const known = optionsOf[kind]
   checkOptions(kind, options, known)
   const {

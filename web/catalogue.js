@@ -219,8 +219,8 @@ export const sections = [
     ],
   },
   {
-    title: 'Beyond them',
-    source: 'what neither of them does',
+    title: 'Displacement',
+    source: 'That a surface turns, and its normal with it, counts for the light',
     examples: [
       {
         name: 'along-the-normal',

@@ -50,15 +50,20 @@ Offset functions that are ready made, for \`createWarp\` and \`compileWarp\`. Th
 \`\`\`js
 import { twist } from 'warpjet/deformers'
 
-distort = createWarp(twist({ axis: 'y', angle: ({ millis }) => millis.div(1000).sin() }))
+distort = createWarp(twist({ axis: 'y', angle: ({ millis }) => millis.div(1000).sin() }), {
+  space: 'world',
+})
 \`\`\`
+
+Lengths are in the units of the warp's space, and defaults suit pixels, which p5 has with \`space: 'world'\` and in models: in its
+own space, \`sphere()\` has a radius of 1.
 
 With script tags, \`dist/warpjet.deformers.min.js\` after \`dist/p5.warpjet.min.js\` adds them to the global \`warpjet\`:
 \`warpjet.twist({ angle: 1 })\`.
 
 All options may be left out. A number may be a constant, a function of what an offset function is given, such as
 \`({ millis }) => millis.div(1000)\` or \`({ uniforms }) => uniforms.amount\`, or, inside of an offset function, an expression. A
-point or a vector is an array of three of those, a vec3, or a function that gives one of them; an axis may also be \`'x'\`, \`'y'\` or
+point or a vector is an array of three numbers or expressions, a vec3, or a function that gives one of them; an axis may also be \`'x'\`, \`'y'\` or
 \`'z'\`, and needs no length of 1.
 
 Lengths are in the units of the warp's space: pixels with \`{ space: 'world' }\`, and in the default space of p5 those of the shape's

@@ -111,5 +111,7 @@ function readUniforms(settings: readonly string[], wrong: Wrong): Uniforms {
 function checkUniforms(file: string, warp: CompiledWarp, uniforms: object) {
   const missing = warp.uniforms.find((name) => !Object.hasOwn(uniforms, name))
   if (missing !== undefined)
-    throw new WarpError(`${file} reads ${missing}; add --set ${missing}=<number>.`)
+    throw new WarpError(
+      `${file} reads ${missing}; add --set ${missing}=<number>, or, if it is an image, know that only a GPU can run it.`,
+    )
 }

@@ -86,7 +86,7 @@ export const vector = (
   standard: Triple | ((inputs: WarpInputs) => Vec3) = [0, 0, 0],
 ): Kind<Vec3> => ({
   standard,
-  expected: 'an array of 3 numbers',
+  expected: 'an array of 3 finite numbers',
   rows: 3,
   allows: isTriple,
   make: (glsl, value: Vec3 | Triple) => (isExpression(value) ? value : glsl.vec3(...value)),
@@ -105,7 +105,7 @@ export function constantDirection(value: unknown): number[] | undefined {
 /** A direction, of length 1 when it is made. */
 export const axis = (standard: AxisName): Kind<Vec3> => ({
   standard,
-  expected: '"x", "y", "z" or an array of 3 numbers that are not all 0',
+  expected: '"x", "y", "z" or an array of 3 finite numbers that are not all 0',
   rows: 3,
   allows: (value) =>
     (isTriple(value) && Array.from(value).some((x) => x !== 0)) ||

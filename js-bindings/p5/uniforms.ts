@@ -102,12 +102,7 @@ function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUnif
     const own = given[name]
     const label = labels.get(name)!
     if (image) {
-      if (shader.uniforms[label])
-        setImage(
-          shader,
-          label,
-          own === undefined ? image() : imageFor(`The warp's uniform "${name}"`, own),
-        )
+      if (shader.uniforms[label]) setImage(shader, label, name, own === undefined ? image() : own)
       continue
     }
     const replaced =
@@ -119,8 +114,18 @@ function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUnif
   }
 }
 
+function p5Image(name: string, value: unknown) {
+  const image = imageFor(`The warp's uniform "${name}"`, value)
+  if ('nodeType' in image)
+    throw new WarpError(
+      `The warp's uniform "${name}" must be an image of p5, but is an element of the page.`,
+    )
+  return image
+}
+
 /** An image, and its size in texels where the warp is told it, in WebGL 1. */
-function setImage(shader: Shader, label: string, image: unknown) {
+function setImage(shader: Shader, label: string, name: string, image: unknown) {
+  p5Image(name, image)
   shader.setUniform(label, image)
   const { width, height } = shader.uniforms[label]!.texture!
   if (shader.uniforms[`${label}Size`]) shader.setUniform(`${label}Size`, [width, height])
@@ -157,7 +162,7 @@ function readValue(name: string, value: unknown, { type, isArray: isList = false
     throw new WarpError(
       `The warp's uniform "${name}" is a mat2, which this p5 cannot set; declare a mat3, or use p5 2.`,
     )
-  if (type === sampler2D) return imageFor(`The warp's uniform "${name}"`, value)
+  if (type === sampler2D) return p5Image(name, value)
   const wrong =
     value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
   if (wrong || (isList && typeof value !== 'object'))

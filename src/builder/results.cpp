@@ -4,6 +4,7 @@
 #include "builder/builder.hpp"
 #include "builder/declarations.hpp"
 #include "builder/sentences.hpp"
+#include "emit/bundle.hpp"
 #include "emit/lower.hpp"
 #include "emit/names.hpp"
 #include "graph/reachable.hpp"
@@ -129,8 +130,11 @@ bool Builder::hidesWhatIsRead(const Emitted& emitted) {
       if (refuses(word, label)) return true;
     }
   }
-  for (const std::uint32_t i : emitted.functions) {
-    const std::string& name = graph_.function(i).name;
+  std::vector<std::string> called;
+  for (const std::uint32_t i : emitted.functions) called.push_back(graph_.function(i).name);
+  for (const auto& [number, order] : emitted.ourFunctions)
+    called.push_back(nameWithDerivatives(graph_.function(number), order));
+  for (const std::string& name : called) {
     if (refuses(name, name)) return true;
     for (const std::uint32_t input : emitted.inputs) {
       if (graph_.input(input).label != name) continue;

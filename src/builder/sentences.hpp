@@ -23,8 +23,9 @@ inline constexpr std::string_view tooLarge =
     "these are more than four million operations; does a loop never end, or is a derivative of a "
     "very high order?";
 inline constexpr std::string_view tooHighOrder =
-    "derivatives of noise and textures can be taken three times, of which a warp's normal takes "
-    "one.";
+    "derivatives of noise and textures can be taken three times; a warp's normal takes one, and so "
+    "does "
+    "each normal that a chain hands on.";
 
 // A text from outside, on one line and not too long, in quotation marks.
 std::string quotedShort(std::string_view text);

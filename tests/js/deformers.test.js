@@ -364,7 +364,7 @@ describe('says what is wrong:', () => {
     refuses(() => wave({ wavelength: -1 }), /"wavelength" must be a number above 0/)
     refuses(
       () => twist({ axis: 'w' }),
-      /"axis" must be "x", "y", "z" or an array of 3 numbers that are not all 0, a vec3, or a function that returns one, but is the text "w"/,
+      /"axis" must be "x", "y", "z" or an array of 3 finite numbers that are not all 0, a vec3, or a function that returns one, but is the text "w"/,
     )
     refuses(
       () => twist({ axis: [0, 0, 0] }),
@@ -373,9 +373,9 @@ describe('says what is wrong:', () => {
     refuses(() => twist({ axis: [1, 0] }), /"axis" must be .* but is an array of 2/)
     refuses(
       () => twist({ center: 5 }),
-      /"center" must be an array of 3 numbers, a vec3, .* but is the number 5/,
+      /"center" must be an array of 3 finite numbers, a vec3, .* but is the number 5/,
     )
-    refuses(() => twist({ center: [0, 'a', 0] }), /"center" must be an array of 3 numbers/)
+    refuses(() => twist({ center: [0, 'a', 0] }), /"center" must be an array of 3 finite numbers/)
     refuses(
       () => stretch({ keepVolume: 1 }),
       /"keepVolume" must be true or false, but is the number 1\.$/,
@@ -385,7 +385,10 @@ describe('says what is wrong:', () => {
       /must be true or false, but is a function\.$/,
     )
     refuses(() => bulge({ axis: 7 }), /^bulge: the option "axis" must be "x"/)
-    refuses(() => inflate({ direction: 'normal' }), /"direction" must be an array of 3 numbers/)
+    refuses(
+      () => inflate({ direction: 'normal' }),
+      /"direction" must be an array of 3 finite numbers/,
+    )
     refuses(
       () => deformers.noiseDisplace({ seed: () => 1 }),
       /"seed" must be a whole number of at most 8388608, but is a function/,
