@@ -22,7 +22,7 @@ function setup() {
     return { color: color.mult(r.length().mult(-0.5).add(1.1)) }
   })
   paper = baseMaterialShader().modify({
-    uniforms: { 'float time': () => millis() / 1000, 'highp sampler2D paint': () => paint },
+    uniforms: { 'float time': () => millis() / 1000, 'sampler2D paint': () => paint },
     fragmentDeclarations: declarations,
     'Inputs getPixelInputs': `(Inputs inputs) {
       vec2 uv = inputs.texCoord;
