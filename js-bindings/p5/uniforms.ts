@@ -99,17 +99,16 @@ export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
 function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUniforms) {
   const labels = labelsOf(declared)
   for (const [name, { shape, numbers, image }] of declared) {
-    const own = given[name]
+    const isReplaced = Object.hasOwn(given, name)
     const label = labels.get(name)!
     if (image) {
-      if (shader.uniforms[label]) setImage(shader, label, name, own === undefined ? image() : own)
+      if (shader.uniforms[label]) setImage(shader, label, name, isReplaced ? given[name] : image())
       continue
     }
-    const replaced =
-      own === undefined ? own : numbersFor(`The warp's uniform "${name}"`, shape, own)
+    const replaced = isReplaced && numbersFor(`The warp's uniform "${name}"`, shape, given[name])
     // One that the warp never reads does not reach the shader.
     if (!shader.uniforms[label]) continue
-    const values = replaced ?? numbers('The function that createWarp returned')
+    const values = replaced || numbers('The function that createWarp returned')
     shader.setUniform(label, unlisted(values))
   }
 }

@@ -218,7 +218,7 @@ void main() {
 
     test('says in a WarpError what is wrong with an image', async () => {
       const cases = {
-        'createWarp(warp)': /reads "heights", .* "uniform sampler2D heights;"/,
+        'createWarp(warp)': /reads "heights", .* "uniform highp sampler2D heights;"/,
         'distort({ heights: 5 })':
           /uniform "heights" must be an image, such as one of loadImage or createGraphics, but is the number 5/,
         'inUniforms({ heights: 5 })': /uniform "heights" must be an image, .* but is the number 5/,
