@@ -53,5 +53,5 @@ function paintStripes() {
 function draw() {
   background('#151823')
   shader(paper)
-  plane(width, height)
+  plane(600, 440)
 }
