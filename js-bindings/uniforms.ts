@@ -122,15 +122,17 @@ function numbersOf(value: unknown, count = Infinity): number[] | undefined {
   if (typeof value === 'boolean') return [Number(value)]
   if (isList(value)) return value.length > 1 ? Array.from(value) : undefined
   if (typeof value !== 'object' || value === null) return undefined
-  if ('x' in value && 'y' in value && 'z' in value)
-    return shortened([value.x, value.y, value.z] as number[], count)
-  return '_array' in value && isList(value._array)
-    ? shortened(Array.from(value._array), count)
-    : undefined
+  const list = componentsOf(value)
+  if (!isList(list)) return undefined
+  const numbers = Array.from(list)
+  return count > 1 ? numbers.slice(0, count) : numbers
 }
 
-const shortened = (numbers: number[], count: number) =>
-  count > 1 ? numbers.slice(0, count) : numbers
+/** The numbers of a p5.Vector or p5.Color; of anything else itself. */
+export function componentsOf(value: object): unknown {
+  if ('x' in value && 'y' in value && 'z' in value) return [value.x, value.y, value.z]
+  return '_array' in value ? value._array : value
+}
 
 function checkFinite(place: string, numbers: readonly unknown[]) {
   const wrong = numbers.find((number) => !Number.isFinite(number))

@@ -3,6 +3,7 @@ import type { Shape, Variable } from '../compilation.js'
 import { WarpError, describe } from '../errors.js'
 import {
   type DeclaredUniforms,
+  componentsOf,
   imageFor,
   listed,
   numbersFor,
@@ -124,8 +125,7 @@ function p5Image(name: string, value: unknown) {
 
 /** An image, and its size in texels where the warp is told it, in WebGL 1. */
 function setImage(shader: Shader, label: string, name: string, image: unknown) {
-  p5Image(name, image)
-  shader.setUniform(label, image)
+  shader.setUniform(label, p5Image(name, image))
   const { width, height } = shader.uniforms[label]!.texture!
   if (shader.uniforms[`${label}Size`]) shader.setUniform(`${label}Size`, [width, height])
 }
@@ -173,11 +173,6 @@ function readValue(name: string, value: unknown, { type, isArray: isList = false
     throw new WarpError(
       `The warp's uniform "${name}" must be an array of ${size} numbers, column by column, but is ${describe(value)}.`,
     )
-  return isList ? listOf(value as object) : value
-}
-
-/** p5 1.11 takes neither its own vectors nor its own colours as the value of a uniform. */
-function listOf(value: object): unknown {
-  if ('x' in value && 'y' in value && 'z' in value) return [value.x, value.y, value.z]
-  return '_array' in value ? value._array : value
+  // p5 1.11 takes neither its own vectors nor its own colours as the value of a uniform.
+  return isList ? componentsOf(value as object) : value
 }
