@@ -30,9 +30,9 @@ class Library {
   // The values of a call, in the graph of the arguments.
   Numbers call(const Definition& definition, const Numbers& arguments);
 
-  // With all results up to that order of derivatives, or with as many, free of calls; with none if
-  // the function is a text.
+  // With all `results` up to that order of derivatives; with none if the function is a text.
   Body& withResults(std::string_view name, int order);
+  // The same, and as many in `withoutCalls`. Not of a function that is a text.
   Body& withoutCalls(std::string_view name, int order);
 
   // Whether the nodes of one of them are too many, and so without meaning.

@@ -1,10 +1,11 @@
 // The expression graph: operations enter, interned and folded scalar nodes leave.
 //
-// Every node is one float or one bool; a vec3 is three ids, held by whoever wants a vector. Equal
-// nodes are one node, so a value and its derivatives share their work. Operands always have smaller
-// ids than their users, so ascending ids are a topological order and nothing recurses by depth. The
-// graph knows nothing of shaders: an input is a label and a component, a function of the host is a
-// name.
+// Every node is one float or one bool, but for images, lists of arguments, and calls of functions
+// of ours, which only calls and results read; a vec3 is three ids, held by whoever wants a vector.
+// Equal nodes are one node, so a value and its derivatives share their work. Operands always have
+// smaller ids than their users, so ascending ids are a topological order and nothing recurses by
+// depth. The graph knows nothing of shaders: an input is a label and a component, a function of the
+// host is a name.
 #pragma once
 
 #include <array>
