@@ -15,6 +15,7 @@ export const leftOut = {
       'what it does differently is little and changes seldom; p5-1.test.js has a smoke test',
     'all dialects':
       'WebGL 1 and WebGPU run the same nodes as WebGL 2, in words that tests/golden keeps for each dialect',
+    'every model': 'models differ in their vertices alone; every day each warp meets one of them',
     'deep domain warping': 'its texts take a compiler without a GPU half a minute',
   },
 }
