@@ -78,12 +78,15 @@ export const modules = settings(
 
 // Errors name the class of what was thrown.
 const keepNames = { class: true, function: false }
-const minify = { compress: { keepNames }, mangle: { keepNames }, codegen: true }
+const minified = {
+  minify: { compress: { keepNames }, mangle: { keepNames }, codegen: true },
+  comments: false,
+}
 
 const single = (entry, fileName, format, others) =>
   settings(
     { entry: path(entry), name, formats: [format], fileName: () => fileName },
-    { minify },
+    minified,
     others,
   )
 

@@ -1,8 +1,7 @@
 /** The addon for a p5 that is a global of the page, whichever of the two comes first. */
-import { WarpError } from '../errors.js'
 import { warpjet } from './addon.js'
 
-const globals = globalThis as { p5?: unknown; createWarp?: unknown }
+const globals = globalThis as { p5?: unknown }
 
 /** Registers with p5 if it is a global, and says whether it was. If not, it does so as soon as p5 becomes one. */
 export function registerGlobally(): boolean {
@@ -15,27 +14,15 @@ export function registerGlobally(): boolean {
   return false
 }
 
-/**
- * No event would do: where the page has loaded already, p5 starts the sketch right after its script. p5 1.11 does even
- * before it is a global, and such a sketch is told why it has no `createWarp`.
- */
+/** No event would do: where the page has loaded already, p5 starts the sketch right after its script. */
 function waitForP5() {
-  globals.createWarp ??= tooEarly
   Object.defineProperty(globals, 'p5', {
     configurable: true,
     enumerable: true,
     get: () => undefined,
     set(value: unknown) {
       Object.defineProperty(globals, 'p5', { value, writable: true })
-      if (typeof value !== 'function') return
-      if (globals.createWarp === tooEarly) delete globals.createWarp
-      warpjet(value)
+      if (typeof value === 'function') warpjet(value)
     },
   })
-}
-
-function tooEarly() {
-  throw new WarpError(
-    "createWarp: p5 did not know of it when the sketch began; put p5's script tag before the one of warpjet.",
-  )
 }
