@@ -36,9 +36,10 @@ test('the shipped types stand on their own', () => {
   writeFileSync(
     `${project}/use.ts`,
     "import { compileWarp, version } from 'warpjet'\nimport { gen } from 'warpjet/autodiff'\n" +
+      "import { compileWarp as compileText } from 'warpjet/text'\n" +
       "import { createWarp } from 'warpjet/p5'\nimport { loadMesh, type Mesh } from 'warpjet/mesh'\n" +
       "import { chain, twist, type TwistOptions } from 'warpjet/deformers'\n" +
-      'export const all: unknown[] = [compileWarp, gen, createWarp, chain(twist())]\n' +
+      'export const all: unknown[] = [compileWarp, compileText, gen, createWarp, chain(twist())]\n' +
       'export const options: TwistOptions = { axis: "x", angle: ({ millis }) => millis.div(1000) }\n' +
       'export const mesh: Promise<Mesh> = loadMesh(new Uint8Array(8))\n' +
       'export const text: string = version\n',
