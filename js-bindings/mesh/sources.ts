@@ -74,7 +74,7 @@ function parsed(text: string, base?: string | URL): URL | undefined {
 
 async function fetchBytes(url: URL, method: string): Promise<Uint8Array> {
   if (isNode() && url.protocol === 'file:') return readFile(url, method)
-  const sentence = (why: string) => `${method}: ${shorten(url.href)} cannot be loaded; ${why}.`
+  const sentence = (why: string) => `${method}: ${addressOf(url)} cannot be loaded; ${why}.`
   let response: Response
   try {
     response = await fetch(url)
@@ -91,6 +91,12 @@ async function fetchBytes(url: URL, method: string): Promise<Uint8Array> {
   } catch {
     throw new WarpError(sentence('the connection broke off'))
   }
+}
+
+/** Without what follows the file's name, which must be seen; data: has no end. */
+function addressOf({ href }: URL): string {
+  const address = href.split(/[?#]/)[0]!
+  return address.length <= 160 ? address : `${address.slice(0, 60)}…${address.slice(-100)}`
 }
 
 async function readFile(url: URL, method: string): Promise<Uint8Array> {
@@ -115,6 +121,20 @@ function pathOf({ pathname }: URL): string {
   }
 }
 
+/** Whether no symbolic link leads from there out of the folder. */
+async function staysIn(folder: string, url: URL): Promise<boolean> {
+  const { realpath } = await import(/* @vite-ignore */ fileSystem)
+  const { fileURLToPath, pathToFileURL } = await import(/* @vite-ignore */ nodeUrl)
+  try {
+    const file: URL = pathToFileURL(await realpath(fileURLToPath(url)))
+    const home: URL = pathToFileURL((await realpath(fileURLToPath(folder))) + '/')
+    return file.href.startsWith(home.href)
+  } catch {
+    // It does not exist, or nobody may look there.
+    return false
+  }
+}
+
 /**
  * The further files of a model where it lies itself: only those beside or below it, so that a file from a stranger reads
  * nothing else. Nothing for those that are not there, since a model can do without its pictures.
@@ -125,6 +145,7 @@ export function resolveBeside(model: URL, method: string): Resolve {
   return async (uri) => {
     const url = parsed(uri, model)
     if (folder === undefined || !url?.href.startsWith(folder)) return undefined
+    if (isNode() && url.protocol === 'file:' && !(await staysIn(folder, url))) return undefined
     try {
       return await fetchBytes(url, method)
     } catch (error) {
