@@ -2,6 +2,7 @@
 import type { Variable } from './compilation.js'
 import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
+import { own } from './options.js'
 
 /** src/eval/program.hpp: plain words, which outlive the compilation. */
 export interface Program {
@@ -43,7 +44,7 @@ export function evaluate(
 }
 
 function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>): number[] {
-  const value: unknown = given?.[input.name]
+  const value = own(given ?? {}, input.name)
   const size = sizeOf(input)
   const list = size === 1 && typeof value === 'number' ? [value] : value
   const fits =
