@@ -1,6 +1,7 @@
 // Named expressions on the CPU, in double.
 import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
+import { own } from './options.js'
 import type { Variable } from './shapes.js'
 
 /** src/eval/program.hpp: plain words, which outlive the compilation. */
@@ -43,7 +44,7 @@ export function evaluate(
 }
 
 function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>): number[] {
-  const value: unknown = given?.[input.name]
+  const value = own(given ?? {}, input.name)
   const size = sizeOf(input)
   const list = size === 1 && typeof value === 'number' ? [value] : value
   const fits =

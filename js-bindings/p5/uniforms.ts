@@ -11,6 +11,7 @@ import {
   unlisted,
 } from '../uniforms.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
+import { own } from '../options.js'
 import type { WarpSettings } from './options.js'
 
 /** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
@@ -139,7 +140,7 @@ export function setUniforms(
   setDeclared(shader, given, declared)
   for (const [name, value] of Object.entries(given)) {
     if (declared.has(name)) continue
-    const uniform = shader.uniforms[name]
+    const uniform = own(shader.uniforms, name) as Uniform | undefined
     if (uniform) shader.setUniform(name, readValue(name, value, uniform))
     else if (!defs.match(/\w+/g)?.includes(name))
       throw new WarpError(
