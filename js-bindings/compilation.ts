@@ -58,7 +58,7 @@ export class Compilation {
   }
 
   close() {
-    if (this.session) this.core._closeSession(this.session)
+    if (this.session && !this.core.isBroken) this.core._closeSession(this.session)
     this.session = 0
   }
 
@@ -66,6 +66,10 @@ export class Compilation {
     if (!this.session)
       throw new WarpError(
         `${method}: the function that made this expression is over; use expressions only inside it.`,
+      )
+    if (this.core.isBroken)
+      throw new WarpError(
+        `${method}: the compiler ran out of memory, and this warp was lost with it; make it again.`,
       )
     return this.session
   }

@@ -66,9 +66,11 @@ export const labelsOf = (declared: DeclaredUniforms) =>
 
 /** Of those that the warp reads, which `parameters` tells. */
 export function declarationsOf(declared: DeclaredUniforms, parameters: readonly Variable[]) {
-  const labels = [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`])
+  const labels = new Set(
+    [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`]),
+  )
   return parameters
-    .filter(({ name }) => labels.includes(name))
+    .filter(({ name }) => labels.has(name))
     .map(({ name, shape }) => `uniform ${precisely(shape)} ${name};\n`)
     .join('')
 }
@@ -138,11 +140,12 @@ export function setUniforms(
   { defs, uniforms: declared }: WarpSettings,
 ) {
   setDeclared(shader, given, declared)
+  const words = new Set(defs.match(/\w+/g))
   for (const [name, value] of Object.entries(given)) {
     if (declared.has(name)) continue
     const uniform = own(shader.uniforms, name) as Uniform | undefined
     if (uniform) shader.setUniform(name, readValue(name, value, uniform))
-    else if (!defs.match(/\w+/g)?.includes(name))
+    else if (!words.has(name))
       throw new WarpError(
         declared.size
           ? `The warp has no uniform "${name}"; there are ${listed(declared)}.`
