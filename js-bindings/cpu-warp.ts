@@ -5,6 +5,7 @@ import type { Program } from './evaluate.js'
 import { type Stream, boundProgram, inputsRead, runProgram } from './evaluation.js'
 import { type VertexInput, variationInputs, vertexInputs } from './inputs.js'
 import { noteApproximation } from './notes.js'
+import { readNumbers } from './numbers.js'
 import { checkOptions } from './options.js'
 import { type DeclaredUniforms, withDeclared } from './uniforms.js'
 import {
@@ -15,7 +16,6 @@ import {
   arrayNames,
   checkUniforms,
   checkVertices,
-  readNumbers,
   readRanges,
 } from './vertices.js'
 

@@ -1,7 +1,8 @@
 // Named expressions on the CPU, in double.
 import type { Variable } from './compilation.js'
 import { getCore } from './core.js'
-import { WarpError, describe } from './errors.js'
+import { WarpError } from './errors.js'
+import { finiteDouble, readNumbers } from './numbers.js'
 
 /** src/eval/program.hpp: plain words, which outlive the compilation. */
 export interface Program {
@@ -30,7 +31,7 @@ export function evaluate(
     )
   const isRead = (input: Variable) => read.some(({ name }) => name === input.name)
   const numbers = program.inputs.flatMap((input) =>
-    isRead(input) ? readNumbers(input, given) : Array<number>(sizeOf(input)).fill(0),
+    isRead(input) ? numbersOf(input, given) : Array<number>(sizeOf(input)).fill(0),
   )
   const results = run(program, numbers, totalSize(outputs))
   let at = 0
@@ -42,19 +43,14 @@ export function evaluate(
   )
 }
 
-function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>): number[] {
-  const value: unknown = given?.[input.name]
-  const size = sizeOf(input)
-  const list = size === 1 && typeof value === 'number' ? [value] : value
-  const fits =
-    (Array.isArray(list) || ArrayBuffer.isView(list)) &&
-    (list as number[]).length === size &&
-    [...(list as number[])].every((number) => typeof number === 'number')
-  if (fits) return [...(list as number[])]
-  throw new WarpError(
-    `evaluate: "${input.name}" must be ${size === 1 ? 'a number' : `an array of ${size} numbers${input.shape[0] > 1 ? ', column by column' : ''}`}, but is ${describe(value)}.`,
+const numbersOf = (input: Variable, given: Readonly<Record<string, Numbers>>): number[] =>
+  readNumbers(
+    `evaluate: "${input.name}"`,
+    given?.[input.name],
+    sizeOf(input),
+    finiteDouble,
+    input.shape[0] > 1 ? ', column by column' : '',
   )
-}
 
 function run({ words, instructions }: Program, inputs: number[], resultCount: number): number[] {
   const core = getCore()
