@@ -9,8 +9,8 @@ namespace warpjet {
 
 namespace {
 
-// Then only a ten-thousandth of the way is left.
-constexpr int mostHalvings = 14;
+// Then a thousandth of the way is left, of an edge that is short already.
+constexpr int mostHalvings = 10;
 
 Weights halfway(const Weights& a, const Weights& b) {
   return {0.5f * (a[0] + b[0]), 0.5f * (a[1] + b[1]), 0.5f * (a[2] + b[2])};
