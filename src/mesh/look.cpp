@@ -1,95 +1,98 @@
-// How the refiner judges pieces: a first look at all, and a closer one at those that seem well.
+#include "mesh/look.hpp"
+
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
-#include "mesh/crease.hpp"
-#include "mesh/points.hpp"
-#include "mesh/refiner.hpp"
+#include "mesh/sentences.hpp"
+#include "mesh/uri.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// What the closer look may have missed, as a share of what still surprises.
-constexpr float doubtLeft = 0.25f;
+const tinygltf::Material& materialAt(const Gltf& gltf, int material) {
+  const auto& materials = gltf.model.materials;
+  return materials[checkedIndex("material", material, materials.size())];
+}
+
+// The picture of a texture, or noPlace where only an extension knows it.
+int pictureOfTexture(const Gltf& gltf, int texture) {
+  if (texture == noPlace) return noPlace;
+  const auto& textures = gltf.model.textures;
+  return textures[checkedIndex("texture", texture, textures.size())].source;
+}
+
+// By the first bytes, for pictures whose type nobody says.
+std::string sniffedType(const std::vector<std::uint8_t>& bytes) {
+  const std::string_view text = textOf(bytes);
+  if (text.starts_with("\x89PNG")) return "image/png";
+  if (text.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
+  if (text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP")) return "image/webp";
+  if (text.starts_with("\xABKTX 20")) return "image/ktx2";
+  return "application/octet-stream";
+}
+
+std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, const Files& files) {
+  if (image.bufferView != noPlace) {
+    const Bytes bytes = bytesOfView(gltf, image.bufferView);
+    return Image{{bytes.begin(), bytes.end()}, image.mimeType};
+  }
+  if (isDataUri(image.uri)) {
+    auto data = decodedDataUri(image.uri);
+    if (!data) return std::nullopt;
+    return Image{std::move(data->bytes), image.mimeType.empty() ? data->mimeType : image.mimeType};
+  }
+  if (const auto* file = fileOf(image.uri, files)) return Image{*file, image.mimeType};
+  return std::nullopt;
+}
 
 }  // namespace
 
-std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
-                                            std::span<const Scrutiny> scrutinies) {
-  auto deviations = measure(surface_.mesh(), warped_, middles_, pieces, warp_);
-  std::vector<Finding> findings(pieces.size());
-  findCreases(pieces, scrutinies, deviations, findings);
-
-  std::vector<Piece> closer;
-  std::vector<std::size_t> numbers;
-  std::vector<bool> isInDoubt;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (findings[i].score > 1) continue;
-    const float surprise = score(deviations[i].surprise, countsAngle(findings[i], scrutinies[i]));
-    const bool mayBeMore = findings[i].score + 4 * surprise > 1;
-    const std::uint32_t samples =
-        std::max(scrutinies[i].always, mayBeMore ? scrutinies[i].inDoubt : 0);
-    if (samples <= pieces[i].samples) continue;
-    // The others of an edge lie elsewhere when there are more.
-    const std::uint32_t known = pieces[i].isEdge() ? 1 : pieces[i].samples;
-    closer.push_back({pieces[i].corners, pieces[i].sides, samples, known});
-    numbers.push_back(i);
-    isInDoubt.push_back(mayBeMore);
-  }
-  const auto again = measure(surface_.mesh(), warped_, middles_, closer, warp_);
-  for (std::size_t i = 0; i < closer.size(); ++i) {
-    Deviation& deviation = deviations[numbers[i]];
-    if (again[i].most.angle > deviation.most.angle) deviation.where = again[i].where;
-    deviation.most.raise(again[i].most);
-    deviation.surprise.raise(again[i].surprise);
-    deviation.unresolved = std::max(deviation.unresolved, again[i].unresolved);
-    deviation.isDefined = deviation.isDefined && again[i].isDefined;
-  }
-  findCreases(pieces, scrutinies, deviations, findings);
-  for (std::size_t i = 0; i < closer.size(); ++i) {
-    Finding& finding = findings[numbers[i]];
-    if (isInDoubt[i])
-      finding.score += doubtLeft * score(deviations[numbers[i]].surprise,
-                                         countsAngle(finding, scrutinies[numbers[i]]));
-  }
-  for (const Deviation& deviation : deviations) note(deviation);
-  return findings;
+Look lookOf(const Gltf& gltf, int material) {
+  Look look;
+  if (material == noPlace) return look;
+  const auto& info = materialAt(gltf, material).pbrMetallicRoughness;
+  std::copy_n(info.baseColorFactor.begin(), 4, look.baseColor.begin());
+  look.picture = pictureOfTexture(gltf, info.baseColorTexture.index);
+  return look;
 }
 
-// And the scores, in which the angle across a crease does not count.
-void Refiner::findCreases(std::span<const Piece> pieces, std::span<const Scrutiny> scrutinies,
-                          std::span<const Deviation> deviations,
-                          std::vector<Finding>& findings) const {
-  std::vector<Turn> turns;
-  std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    findings[i].off = deviations[i].most;
-    if (!countsAngle(findings[i], scrutinies[i]) || scrutinies[i].warpedLength > crease_ ||
-        findings[i].off.angle <= refinement_.angle)
-      continue;
-    turns.push_back({pieces[i].corners, deviations[i].where});
-    numbers.push_back(i);
+void warnOfTexture(Gltf& gltf, int material) {
+  if (material == noPlace) return;
+  const auto& info = materialAt(gltf, material).pbrMetallicRoughness.baseColorTexture;
+  if (info.index == noPlace) return;
+  if (pictureOfTexture(gltf, info.index) == noPlace)
+    gltf.warn("A base-colour texture has no PNG or JPEG picture; it is left out.");
+  if (info.extensions.count("KHR_texture_transform") != 0)
+    gltf.warn("A texture is moved or scaled by KHR_texture_transform, which is ignored.");
+  if (info.texCoord != 0)
+    gltf.warn("A texture uses other uvs than TEXCOORD_0, the only ones that are read.");
+}
+
+std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files) {
+  if (picture == noPlace) return std::nullopt;
+  const auto& images = gltf.model.images;
+  const tinygltf::Image& image = images[checkedIndex("image", picture, images.size())];
+  std::optional<Image> found = bytesOf(gltf, image, files);
+  if (!found || found->bytes.empty()) {
+    gltf.warn("The picture of the base colour (image " + std::to_string(picture) + ", " +
+              quotedText(image.uri) + ") is missing or broken; it is left out.");
+    return std::nullopt;
   }
-  const auto hasJump = findJumps(surface_.mesh(), turns, refinement_.angle, warp_);
-  for (std::size_t i = 0; i < turns.size(); ++i) findings[numbers[i]].isCreased = hasJump[i];
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    findings[i].score = score(findings[i].off, countsAngle(findings[i], scrutinies[i]));
+  if (found->mimeType.empty()) found->mimeType = sniffedType(found->bytes);
+  return found;
 }
 
-void Refiner::note(const Deviation& deviation) {
-  isDefined_ = isDefined_ && deviation.isDefined;
-  if (deviation.unresolved > refinement_.tolerance)
-    unresolved_ = std::max(unresolved_, deviation.unresolved);
-}
-
-bool Refiner::countsAngle(const Finding& finding, const Scrutiny& scrutiny) const {
-  return !finding.isCreased && scrutiny.warpedLength > shortest_;
-}
-
-float Refiner::score(const Off& off, bool countsAngle) const {
-  return std::max(off.distance / refinement_.tolerance,
-                  countsAngle ? off.angle / refinement_.angle : 0);
+std::vector<std::string> picturesOf(const Gltf& gltf) {
+  std::vector<std::string> uris;
+  const auto& images = gltf.model.images;
+  for (std::size_t i = 0; i < gltf.model.materials.size(); ++i) {
+    const int picture = lookOf(gltf, static_cast<int>(i)).picture;
+    if (picture != noPlace)
+      uris.push_back(images[checkedIndex("image", picture, images.size())].uri);
+  }
+  return uris;
 }
 
 }  // namespace warpjet

@@ -33,7 +33,7 @@ class Refiner {
   void measureSides();
   void measureInsides();
 
-  // In look.cpp.
+  // In scrutiny.cpp.
   struct Scrutiny {
     std::uint32_t inDoubt, always;  // samples of the closer look
     float warpedLength;             // of the edge that would be split
