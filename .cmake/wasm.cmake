@@ -99,6 +99,7 @@ warpjet_module(mesh
   SOURCES js-bindings/mesh.cpp
   LINK_OPTIONS
     --js-library ${PROJECT_SOURCE_DIR}/.cmake/mesh.js
+    -sMALLOC=dlmalloc                     # JSON is many small pieces, for which emmalloc takes half as long again
     -fwasm-exceptions                     # every current browser has them; -fexceptions leaves C++ at each call that might throw
     -sMAXIMUM_MEMORY=4GB
     -sINITIAL_MEMORY=4MB

@@ -5,12 +5,13 @@
 #include "mesh/mesh.hpp"
 
 #include <emscripten.h>
-#include <emscripten/emmalloc.h>
+#include <malloc.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -33,6 +34,7 @@ struct Job {
   Mesh mesh;
   // A file, as it enters or leaves; further files that it needs, the next of them with its name.
   std::vector<std::uint8_t> file, name, contents;
+  std::optional<ModelFile> model;  // made of the file when it is first asked about
   Files files;
   std::vector<std::uint8_t> picture, mimeType;
   std::vector<std::string> texts;
@@ -164,7 +166,7 @@ EMSCRIPTEN_KEEPALIVE int keepFile(Job* job) {
 // The texts are the URIs of the further files that the file needs.
 EMSCRIPTEN_KEEPALIVE int findFiles(Job* job) {
   return attempt(*job, [&] {
-    job->texts = externalFiles(job->file);
+    job->texts = job->model.emplace(job->file).externalFiles();
     return true;
   });
 }
@@ -172,7 +174,9 @@ EMSCRIPTEN_KEEPALIVE int findFiles(Job* job) {
 // From file to mesh. The texts are warnings, or the sentence.
 EMSCRIPTEN_KEEPALIVE int loadFile(Job* job) {
   return attempt(*job, [&] {
-    Loaded loaded = loadMesh(job->file, job->files);
+    if (!job->model) job->model.emplace(job->file);
+    Loaded loaded = job->model->load(job->files);
+    job->model.reset();
     if (!loaded.mesh) {
       job->texts = {withoutMethod(loaded.problem)};
       return false;
@@ -259,7 +263,7 @@ EMSCRIPTEN_KEEPALIVE int refineUniformly(Job* job, int levels, std::uint32_t max
 
 // Bytes that are allocated now.
 EMSCRIPTEN_KEEPALIVE std::uint32_t memoryInUse() {
-  return static_cast<std::uint32_t>(emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory());
+  return static_cast<std::uint32_t>(mallinfo().uordblks);
 }
 
 }  // extern "C"

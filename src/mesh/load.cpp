@@ -16,29 +16,36 @@
 
 namespace warpjet {
 
-namespace {
+struct ModelFile::Description {
+  Gltf gltf;
+  std::optional<Bytes> binary;
+};
 
-Chunks chunksOf(Bytes bytes, Format format) {
-  return format == Format::Glb ? chunksOfGlb(bytes) : Chunks{textOf(bytes), std::nullopt};
+ModelFile::ModelFile(Bytes bytes) : bytes_(bytes) {}
+ModelFile::~ModelFile() = default;
+
+ModelFile::Description& ModelFile::description() {
+  if (!description_) {
+    const bool isGlb = formatOf(bytes_) == Format::Glb;
+    const Chunks chunks = isGlb ? chunksOfGlb(bytes_) : Chunks{textOf(bytes_), std::nullopt};
+    description_ = std::make_unique<Description>(describedGltf(chunks.json), chunks.binary);
+  }
+  return *description_;
 }
 
-Mesh read(Bytes bytes, const Files& files, std::vector<std::string>& warnings) {
-  const Format format = formatOf(bytes);
-  if (format == Format::Obj) return meshOfObj(textOf(bytes), warnings);
-  const Chunks chunks = chunksOf(bytes, format);
-  Gltf gltf = describedGltf(chunks.json);
-  findBuffers(gltf, chunks.binary, files);
+Mesh ModelFile::read(const Files& files, std::vector<std::string>& warnings) {
+  if (formatOf(bytes_) == Format::Obj) return meshOfObj(textOf(bytes_), warnings);
+  auto& [gltf, binary] = description();
+  findBuffers(gltf, binary, files);
   Mesh mesh = mergedMesh(gltf, files);
   warnings = gltf.warnings;
   return mesh;
 }
 
-}  // namespace
-
-Loaded loadMesh(Bytes bytes, const Files& files) {
+Loaded ModelFile::load(const Files& files) {
   Loaded loaded;
   try {
-    Mesh mesh = read(bytes, files, loaded.warnings);
+    Mesh mesh = read(files, loaded.warnings);
     if (const std::string problem = problemOf(mesh); !problem.empty())
       throw FileProblem("export the model again, for its " + problem);
     loaded.mesh = std::move(mesh);
@@ -59,11 +66,10 @@ Loaded loadMesh(Bytes bytes, const Files& files) {
   return loaded;
 }
 
-std::vector<std::string> externalFiles(Bytes bytes) {
+std::vector<std::string> ModelFile::externalFiles() {
   try {
-    const Format format = formatOf(bytes);
-    if (format == Format::Obj) return {};
-    const Gltf gltf = describedGltf(chunksOf(bytes, format).json);
+    if (formatOf(bytes_) == Format::Obj) return {};
+    const Gltf& gltf = description().gltf;
     std::vector<std::string> uris;
     std::set<std::string> known;
     const auto add = [&](const std::string& uri) {
@@ -76,5 +82,9 @@ std::vector<std::string> externalFiles(Bytes bytes) {
     return {};
   }
 }
+
+Loaded loadMesh(Bytes bytes, const Files& files) { return ModelFile(bytes).load(files); }
+
+std::vector<std::string> externalFiles(Bytes bytes) { return ModelFile(bytes).externalFiles(); }
 
 }  // namespace warpjet

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,9 +30,30 @@ struct Loaded {
 // All the arrays of a mesh together may take so much: 10 million triangles without indices, with
 // positions, normals and uvs, fit. A file that says more is refused before its arrays are
 // allocated, as are 2^20 parts (primitives times the nodes that show them), 2^22 elements without
-// bytes of their own, and descriptions of 2^20 JSON objects, 2^23 values or 64 levels. A program may
-// define a limit of its own in place of that in limits.cpp, as tests/fuzz, which must reach it, does.
+// bytes of their own, and descriptions of 2^20 JSON objects, 2^23 values or 64 levels. A program
+// may define a limit of its own in place of that in limits.cpp, as tests/fuzz, which must reach it,
+// does.
 extern const std::size_t mostMeshBytes;
+
+// A file whose description is read once, for both questions about it. The bytes must outlive it.
+class ModelFile {
+ public:
+  explicit ModelFile(std::span<const std::uint8_t> bytes);
+  ~ModelFile();
+
+  // See the functions below. A file is loaded once.
+  std::vector<std::string> externalFiles();
+  Loaded load(const Files& files);
+
+ private:
+  struct Description;
+
+  Mesh read(const Files& files, std::vector<std::string>& warnings);
+  Description& description();
+
+  std::span<const std::uint8_t> bytes_;
+  std::unique_ptr<Description> description_;  // none yet, or none for an OBJ
+};
 
 // The format is found from the bytes. All triangles of the default scene are merged, each at the
 // place that its nodes give it; attributes that only some have are filled (uvs 0, colors 1, normals
