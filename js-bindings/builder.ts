@@ -1,11 +1,12 @@
 // `glsl`, as a sketch gets it: makes inputs and constants, and has every operation as a function. Operations are also
 // methods of expressions.
-import type { Compilation, Shape } from './compilation.js'
+import type { Compilation } from './compilation.js'
 import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './functions.js'
 import { callNoise, noiseKinds } from './noise.js'
+import type { Shape } from './shapes.js'
 import { callTexture } from './texture.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>
@@ -80,12 +81,12 @@ export function createBuilder(compilation: Compilation): Builder {
 /** Methods that ask for results, as glsl-autodiff has them. */
 const results = {
   output(this: Expression, name: unknown) {
-    this.compilation.output(name, this, 'output')
+    this.compilation.ask(name, this, 'output')
   },
   outputDeriv(this: Expression, name: unknown, input: unknown) {
     const { compilation } = this
     const by = toExpression(compilation, 'outputDeriv', input, 2)
-    compilation.output(
+    compilation.ask(
       name,
       compilation.call(operationNumber('derivative'), 'outputDeriv', [this, by]),
       'outputDeriv',

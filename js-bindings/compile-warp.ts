@@ -1,8 +1,9 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
 import type { Compilation } from './compilation.js'
 import { withCompilation } from './compiled.js'
-import { type CpuWarp, type WarpProgram, createCpuWarp } from './cpu-warp.js'
+import { type CpuWarp, createCpuWarp } from './cpu-warp.js'
 import type { OffsetFunction, UniformValues } from './types.js'
+import type { WarpProgram } from './warp-program.js'
 import {
   type BuiltWarp,
   type WarpOptions,
@@ -34,7 +35,7 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
 ): CompiledWarp {
   const settings = readOptions('compileWarp', given as OffsetFunction, options)
   const { offset, declared } = declareUniforms('compileWarp', given as OffsetFunction, options)
-  return withCompilation(settings.target, false, (compilation) => {
+  return withCompilation(settings.target, (compilation) => {
     const warp = buildWarp(compilation, 'compileWarp', offset, settings)
     noteIfApproximate(warp)
     return { ...warp.text, ...createCpuWarp({ declared, ...programOf(compilation, warp) }) }

@@ -1,9 +1,10 @@
 // From an offset function to the text of its warp.
 import { createBuilder, operationNumber } from './builder.js'
-import type { Compilation, Variable } from './compilation.js'
+import type { Compilation } from './compilation.js'
 import { type Compiled, type CompileOptions, withCompilation } from './compiled.js'
+import { isExpression } from './describe.js'
 import { WarpError, describe, describeShape } from './errors.js'
-import { Expression, toExpression } from './expression.js'
+import { type Expression, toExpression } from './expression.js'
 import {
   type InputName,
   drawInputs,
@@ -14,6 +15,7 @@ import {
 } from './inputs.js'
 import { noteApproximation } from './notes.js'
 import { checkCallback, checkOptions } from './options.js'
+import type { Variable } from './shapes.js'
 import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from './types.js'
 import { type DeclaredUniforms, readDeclared, withUniforms } from './uniforms.js'
 
@@ -53,7 +55,7 @@ export interface WarpText extends Compiled {
 export function compileWarpText(method: string, given: OffsetFunction, options: WarpOptions) {
   const settings = readOptions(method, given, options)
   const { offset } = declareUniforms(method, given, options)
-  return withCompilation(settings.target, false, (compilation) => {
+  return withCompilation(settings.target, (compilation) => {
     const { text, parameters, isApproximate } = buildWarp(compilation, method, offset, settings)
     return { text, parameters, isApproximate }
   })
@@ -192,14 +194,17 @@ export function buildWarp(
   }
 
   const { code, declarations, stats, inputs: given } = compilation.build()
-  const used = given.map(({ name }) => name)
-  const isRead = (name: string) => used.includes(names[name]!)
-  const parameters = given.filter(({ name }) => !Object.values(names).includes(name))
+  const used = new Set(given.map(({ name }) => name))
+  const isRead = (name: string) => used.has(names[name]!)
+  const labels = new Set(Object.values(names))
+  const parameters = given.filter(({ name }) => !labels.has(name))
+  const drawn = Object.keys(drawInputs).filter(isRead)
+  refuseNamesakes(method, names, drawn, parameters)
   const text = {
     code,
     declarations,
     stats,
-    uniforms: [...Object.keys(drawInputs).filter(isRead), ...parameters.map(({ name }) => name)],
+    uniforms: [...drawn, ...parameters.map(({ name }) => name)],
     attributes: Object.keys(vertexInputs).filter(isRead),
   }
   const deformation = constant && whole()
@@ -208,6 +213,20 @@ export function buildWarp(
   )
   const isApproximate = varies && !surfaceVariation && !isAccepted
   return { text, parameters, names, inputs, moved, deformation, varies, isAccepted, isApproximate }
+}
+
+/** A parameter under the name of an input that the shader calls otherwise: both would be one uniform. */
+function refuseNamesakes(
+  method: string,
+  labels: Record<string, string>,
+  inputs: readonly string[],
+  parameters: readonly Variable[],
+) {
+  for (const { name } of parameters)
+    if (inputs.includes(name))
+      throw new WarpError(
+        `${method}: the shader's "${name}" has the name of the input ${name}, which the warp reads as "${labels[name]}"; rename it.`,
+      )
 }
 
 /** For `compileWarp`. */
@@ -257,12 +276,12 @@ function warpInputs(compilation: Compilation, inputs: Record<string, Expression>
 
 function checkOffset(compilation: Compilation, method: string, offset: unknown): Expression {
   const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
-  if (!(offset instanceof Expression))
+  if (!isExpression(offset))
     throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
-  toExpression(compilation, method, offset, 'the offset')
-  const [columns, rows] = compilation.shapeOf(offset)
+  const vector = toExpression(compilation, method, offset, 'the offset')
+  const [columns, rows] = compilation.shapeOf(vector)
   if (columns !== 1 || rows !== 3)
     throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)
   // A condition becomes 0 or 1 here, as it does in any sum.
-  return operations(compilation)('add', offset, compilation.constant(0, method))
+  return operations(compilation)('add', vector, compilation.constant(0, method))
 }

@@ -158,6 +158,40 @@ for (const [version, p5] of p5InThisRun) {
       }
     })
 
+    test('follows normalMaterial() before and after the warp, from frame to frame, until another material', async () => {
+      const setup = `
+        distort = createWarp(${waves(1).code})
+        again = createWarp(${waves(1).code})`
+      const normals = 'normalMaterial(); distort(); sphere(60)'
+      const scenes = {
+        first: normals,
+        second: normals,
+        'the other order': 'distort(); normalMaterial(); sphere(60)',
+        third: `lights(); ${normals}`,
+        'another warp': 'normalMaterial(); distort(); again(); sphere(60)',
+        'after push and pop': 'normalMaterial(); push(); distort(); pop(); again(); sphere(60)',
+        'in vain': `normalMaterial(); distort(); fill('red'); again(); sphere(60)`,
+      }
+      // Frames without push() and pop() around them, as sketches have them.
+      const { first, 'in vain': red, ...others } = await draw({ setup, scenes, isPushed: false })
+      for (const [name, image] of Object.entries(others)) assert.deepEqual(image, first, name)
+      assert.deepEqual(colorAt(red, size / 2, size / 2), [255, 0, 0])
+    })
+
+    test('lets p5 pick one of several expressions, friendly errors or not', async () => {
+      // As p5.warp's own stress test does; either one moves by 40 to the right.
+      const setup = `
+        distort = createWarp(({ glsl, position }) => {
+          const { x, y } = { x: position.x().mult(0).add(40), y: position.y().mult(0).add(40) }
+          return glsl.vec3(random([x, y]), 0, 0)
+        }, { space: 'world' })`
+      for (const file of [p5, p5.replace('.js', '.min.js')]) {
+        const scenes = { image: `noStroke(); distort(); fill('red'); plane(20)` }
+        const { image } = await drawScenes(browser, server, [file, addon], { size, setup, scenes })
+        assert.deepEqual(colorAt(image, size / 2 + 40, size / 2), [255, 0, 0])
+      }
+    })
+
     test('keeps the normals in view under lights and textures', async () => {
       const setup = `
         distort = createWarp(${waves(1).code}, { type: 'normal' })
