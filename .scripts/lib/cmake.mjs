@@ -1,15 +1,31 @@
 // Configures and builds one preset of CMakePresets.json, all of it or only some targets, incrementally, in .build/<preset>.
-import { existsSync } from 'node:fs'
+import { copyFileSync, existsSync, readFileSync, rmSync } from 'node:fs'
 import { availableParallelism } from 'node:os'
 import { path } from './files.mjs'
 import { run } from './run.mjs'
 import { onPath } from './which.mjs'
 
+const presets = path('CMakePresets.json')
+
+/** Whether the folder was configured by the presets as they are; CMake itself would keep another compiler. */
+function isConfigured(folder) {
+  const used = path(folder, 'CMakePresets.json')
+  return (
+    existsSync(path(folder, 'CMakeCache.txt')) &&
+    existsSync(used) &&
+    readFileSync(used, 'utf8') === readFileSync(presets, 'utf8')
+  )
+}
+
 export async function cmakeBuild(preset, ...targets) {
-  if (!existsSync(path('.build', preset, 'CMakeCache.txt'))) {
+  const folder = `.build/${preset}`
+  if (!isConfigured(folder)) {
+    for (const made of ['CMakeCache.txt', 'CMakeFiles'])
+      rmSync(path(folder, made), { recursive: true, force: true })
     const env = onPath('ninja') && !process.env.CMAKE_GENERATOR ? { CMAKE_GENERATOR: 'Ninja' } : {}
     const [command, ...first] = preset === 'wasm' ? ['emcmake', 'cmake'] : ['cmake']
     await run(command, [...first, '--preset', preset], { env })
+    copyFileSync(presets, path(folder, 'CMakePresets.json'))
   }
   const only = targets.length ? ['--target', ...targets] : []
   const parallel = ['--parallel', `${availableParallelism()}`]

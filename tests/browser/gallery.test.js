@@ -15,9 +15,9 @@ const config = { configFile: path('web/vite.config.js'), logLevel: 'warn', clear
 const screenshots = path('.build/screenshots')
 const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
 
-/** A model, its light, and a text from a file, one of them at the end of the page. */
-const shownAsTheyAre = ['airplane-twist', 'sine-sphere', 'text-bulge']
-const shown = isRun('every example through the page') ? names : shownAsTheyAre
+/** Through the page, every day: a model, a text from a file, and what needs a second script. */
+const everyday = ['airplane-twist', 'text-bulge', 'deformer-bend']
+const shown = isRun('every example through the page') ? names : everyday
 
 // Without a GPU, and beside other work, a frame may take seconds.
 const patience = { timeout: 180_000 }
@@ -36,8 +36,8 @@ test('the gallery shows every folder of examples', () => {
   assert.deepEqual([...names].sort(), readdirSync(path('examples')).sort())
 })
 
-/** Sketches other than these are drawn with a sixteenth of their pixels; without a GPU pixels are what takes long. */
-const lower = (context, exceptions, before = '') =>
+/** Sketches other than `exceptions` are drawn with a sixteenth of their pixels; without a GPU pixels are what takes long. */
+const lower = (context, { exceptions = [], before = '' } = {}) =>
   context.route('**/examples/*/sketch.js', async (route) => {
     const [, name] = /([\w-]+)\/sketch\.js/.exec(route.request().url())
     const response = await route.fetch()
@@ -68,7 +68,7 @@ describe('the gallery of npm start', () => {
     let context
     before(async () => {
       context = await browser.newContext(desktop)
-      await lower(context, [], 'noLoop()')
+      await lower(context, { before: 'noLoop()' })
     })
     after(() => context.close())
 
@@ -87,7 +87,7 @@ describe('the gallery of npm start', () => {
     let page, messages
     before(async () => {
       const context = await browser.newContext(desktop)
-      await lower(context, shownAsTheyAre)
+      await lower(context, { exceptions: names.slice(0, 1) })
       ;({ page, messages } = await openPage(context, url))
     })
     after(() => page.context().close())
@@ -123,7 +123,9 @@ describe('the gallery of npm start', () => {
   })
 
   test('fits a phone', async () => {
-    const { page, messages } = await openPage(await browser.newContext(phone), url)
+    const context = await browser.newContext(phone)
+    await lower(context)
+    const { page, messages } = await openPage(context, url)
     const width = await page.evaluate(() => document.documentElement.scrollWidth)
     assert.equal(width, phone.viewport.width)
     await page.screenshot({ path: `${screenshots}/phone-top.png` })
@@ -132,7 +134,7 @@ describe('the gallery of npm start', () => {
     assertPicture(await statistics(frame))
     assert.equal(await frame.evaluate('innerWidth >= document.documentElement.scrollWidth'), true)
     await page.screenshot({ path: `${screenshots}/phone-${names[0]}.png` })
-    await page.context().close()
+    await context.close()
     assert.deepEqual(messages, [])
   })
 })

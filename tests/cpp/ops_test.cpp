@@ -34,14 +34,12 @@ struct Case {
 void expectValue(const Case& expected) {
   const auto [a, b, c] = expected.operands;
   const double value = valueOf(expected.row, a, b, c);
-  const auto at = [&] {
-    return std::string(expected.row) + " of " + std::to_string(a) + ", " + std::to_string(b) +
-           ", " + std::to_string(c);
-  };
+  const std::string at = std::string(expected.row) + " of " + std::to_string(a) + ", " +
+                         std::to_string(b) + ", " + std::to_string(c);
   if (std::isnan(expected.value)) {
-    EXPECT_TRUE(std::isnan(value)) << at();
+    EXPECT_TRUE(std::isnan(value)) << at;
   } else {
-    EXPECT_DOUBLE_EQ(value, expected.value) << at();
+    EXPECT_DOUBLE_EQ(value, expected.value) << at;
   }
 }
 
