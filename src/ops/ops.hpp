@@ -63,7 +63,9 @@ auto spread(const Function& function, const Scalar* arguments, const Extra&... e
 template <std::size_t Row, std::size_t K>
 inline constexpr bool takesDerivative = []<std::size_t... I>(std::index_sequence<I...>) {
   using Partial = std::tuple_element_t<K, std::decay_t<decltype(std::get<Row>(table).partials)>>;
-  return !std::is_invocable_v<Partial, decltype(I, 1.0)..., double>;
+  constexpr auto types = infos[Row].signature.operands;
+  return !std::is_invocable_v<
+      Partial, std::conditional_t<types[I] == Type::Bool, bool, double>..., double>;
 }
 (std::make_index_sequence<infos[Row].arity>{});
 

@@ -38,9 +38,9 @@ inline constexpr auto inversesqrtOrZero = [](auto x) {
   return ifElse(gt(x, 0.0), inversesqrt(x), 0.0);
 };
 
-// Where a value, or a share of one, is smaller, or one over it is larger, its derivative is lost
-// beside all others.
-inline constexpr double least = 1e-30, most = 1e30;
+// Where what may be infinite is multiplied by less, or divided by more, the product is lost beside
+// the ones of I + J; float32 ends early enough beyond for what is still finite to stay so.
+inline constexpr double least = 1e-25, most = 1e30;
 
 // x d / (x² + y²), or 0 at zero: scaled, since float32 may have no x² where it has the quotient.
 inline constexpr auto turn = [](auto x, auto y, auto d) {

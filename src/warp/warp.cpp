@@ -85,13 +85,13 @@ Value turnedNormal(const Value& given, const Value& normal) {
   const Value m = sized(given);
   const Value a = cross(m.column(1), m.column(2)), b = cross(m.column(2), m.column(0)),
               c = cross(m.column(0), m.column(1));
-  const double most = std::max({mostOf(a), mostOf(b), mostOf(c)});
-  return unit(a * normal[0] + b * normal[1] + c * normal[2], most);
+  const double most = mostOf(given);
+  return unit(a * normal[0] + b * normal[1] + c * normal[2], most * most);
 }
 
 Value turnedTangent(const Value& given, const Value& tangent, const Value& normal) {
   const Value m = sized(given), moved = multiply(m, tangent);
-  return unit(moved - normal * dot(normal, moved), mostOf(m));
+  return unit(moved - normal * dot(normal, moved), mostOf(given));
 }
 
 }  // namespace warpjet

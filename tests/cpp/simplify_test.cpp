@@ -342,13 +342,17 @@ class Judge {
  private:
   double at(NodeId id) const { return values_[index(id)]; }
   bool isKnown(NodeId id, double value) const { return graph_.known(id) == value; }
+  // A number as a condition is such a step too.
   bool isStepOfConstants(Op op, const Operands& operands, double found) const {
+    const ops::Info& info = ops::info(op);
     std::array<double, ops::maxArity> x{};
-    for (int i = 0; i < ops::info(op).arity; ++i) {
-      if (!graph_.known(operands[i])) return false;
-      x[i] = static_cast<float>(at(operands[i]));
+    for (int i = 0; i < info.arity; ++i) {
+      const bool isKnown = graph_.known(operands[i]).has_value();
+      if (info.isStep && !isKnown) return false;
+      const bool jumps = info.isStep || info.signature.operands[i] == ops::Type::Bool;
+      x[i] = isKnown && jumps ? static_cast<float>(at(operands[i])) : at(operands[i]);
     }
-    return ops::info(op).isStep && same(ops::evaluate(op, x), found);
+    return same(ops::evaluate(op, x), found);
   }
   NodeId withoutSign(NodeId id) const { return graph_.is(id, Neg) ? graph_.operand(id, 0) : id; }
 

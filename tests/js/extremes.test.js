@@ -30,7 +30,7 @@ test('foldover tells the side where the derivative of the offset is hard to comp
   })
   const { mask } = turned.foldover({ positions: [-100, 0, 0, 0, 0, 0], normals: [0, 1, 0, 0, 1, 0] })
   assert.deepEqual([...mask], [1, 1])
-  const huge = compileWarp(({ position }) => position.mult(1e20))
+  const huge = compileWarp(({ position }) => position.mult(1e10))
   assert.equal(huge.foldover({ positions: [1, 2, 3], normals: [0, 1, 0] }).count, 0)
 })
 

@@ -1,5 +1,5 @@
 // Offsets that are finite where something on the way to their derivative is not: with points, normals, and the normals
-// that the exact derivative gives. `y` and `z` say along which axis the surface is displaced.
+// that the exact derivative gives.
 const heightOverX = (name, height, slope, at) => ({
   name,
   offset: ({ glsl, position }) => glsl.vec3(0, height(position.x(), glsl), 0),
@@ -50,14 +50,14 @@ export const extremes = [
       expected: unit([y / (x * x + y * y), -x / (x * x + y * y), 1]),
     })),
   },
-  ...[1e10, 1e20, 1e30].map((factor) => ({
+  ...[1e8, 1e10].map((factor) => ({
     name: `position times ${factor}`,
     offset: ({ position }) => position.mult(factor),
     points: [keeps([1, 2, 3], [0, 0.6, 0.8]), keeps([1, 2, 3], [1, 0, 0])],
   })),
   {
-    name: 'a shear by 1e20',
-    offset: ({ glsl, position }) => glsl.vec3(position.y().mult(1e20), 0, 0),
+    name: 'a shear by 1e10',
+    offset: ({ glsl, position }) => glsl.vec3(position.y().mult(1e10), 0, 0),
     points: [keeps([1, 2, 3], [0, 1, 0]), { position: [1, 2, 3], normal: [1, 0, 0], expected: [0, -1, 0] }],
   },
   {
