@@ -64,8 +64,8 @@ template <std::size_t Row, std::size_t K>
 inline constexpr bool takesDerivative = []<std::size_t... I>(std::index_sequence<I...>) {
   using Partial = std::tuple_element_t<K, std::decay_t<decltype(std::get<Row>(table).partials)>>;
   constexpr auto types = infos[Row].signature.operands;
-  return !std::is_invocable_v<
-      Partial, std::conditional_t<types[I] == Type::Bool, bool, double>..., double>;
+  return !std::is_invocable_v<Partial, std::conditional_t<types[I] == Type::Bool, bool, double>...,
+                              double>;
 }
 (std::make_index_sequence<infos[Row].arity>{});
 

@@ -42,7 +42,8 @@ TEST(NoiseSlopes, AreNoSteeperThanTheirBound) {
       while (arguments.size() < static_cast<std::size_t>(definition.function.arity))
         arguments.push_back(scalar(graph, "x" + std::to_string(arguments.size())));
       library.call(definition, arguments);
-      const double found = steepestFound(library, definition, kind == NoiseKind::Worley ? 3000 : 20'000);
+      const double found =
+          steepestFound(library, definition, kind == NoiseKind::Worley ? 3000 : 20'000);
       const std::string name = definition.function.name;
       EXPECT_LE(found, definition.steepest) << name;
       EXPECT_GE(found, definition.steepest / 5) << name << ": the bound is loose";

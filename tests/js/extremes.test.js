@@ -10,9 +10,15 @@ describe('a finite offset has a finite normal, and the right one:', () => {
       const warp = compileWarp(offset)
       for (const { position, normal, expected } of points) {
         const found = warp.evaluateAt(position, { normal })
-        assert.ok(found.position.every(Number.isFinite), `${name} is ${found.position} at ${position}`)
+        assert.ok(
+          found.position.every(Number.isFinite),
+          `${name} is ${found.position} at ${position}`,
+        )
         found.normal.forEach((x, i) =>
-          assert.ok(Math.abs(x - expected[i]) < 1e-6, `${found.normal}, not ${expected}, at ${position}`),
+          assert.ok(
+            Math.abs(x - expected[i]) < 1e-6,
+            `${found.normal}, not ${expected}, at ${position}`,
+          ),
         )
       }
     })
@@ -28,7 +34,10 @@ test('foldover tells the side where the derivative of the offset is hard to comp
     const x = position.x()
     return glsl.vec3(glsl.val(1).div(x.neg().exp().add(1)).sub(x.mult(2)), 0, 0)
   })
-  const { mask } = turned.foldover({ positions: [-100, 0, 0, 0, 0, 0], normals: [0, 1, 0, 0, 1, 0] })
+  const { mask } = turned.foldover({
+    positions: [-100, 0, 0, 0, 0, 0],
+    normals: [0, 1, 0, 0, 1, 0],
+  })
   assert.deepEqual([...mask], [1, 1])
   const huge = compileWarp(({ position }) => position.mult(1e10))
   assert.equal(huge.foldover({ positions: [1, 2, 3], normals: [0, 1, 0] }).count, 0)

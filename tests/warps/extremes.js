@@ -3,7 +3,11 @@
 const heightOverX = (name, height, slope, at) => ({
   name,
   offset: ({ glsl, position }) => glsl.vec3(0, height(position.x(), glsl), 0),
-  points: at.map((x) => ({ position: [x, 0.5, 0.25], normal: [0, 1, 0], expected: unit([-slope(x), 1, 0]) })),
+  points: at.map((x) => ({
+    position: [x, 0.5, 0.25],
+    normal: [0, 1, 0],
+    expected: unit([-slope(x), 1, 0]),
+  })),
 })
 
 const unit = (v) => v.map((x) => x / Math.hypot(...v))
@@ -23,7 +27,12 @@ export const extremes = [
     (x) => -Math.tanh(x) * sech(x),
     [-100, -3, 0, 0.5, 88, 100],
   ),
-  heightOverX('atan(exp(x))', (x) => x.exp().atan(), (x) => sech(x) / 2, [-100, -3, 0.5, 50, 100]),
+  heightOverX(
+    'atan(exp(x))',
+    (x) => x.exp().atan(),
+    (x) => sech(x) / 2,
+    [-100, -3, 0.5, 50, 100],
+  ),
   heightOverX(
     'exp(-1 / x²)',
     (x, glsl) => glsl.val(-1).div(x.mult(x)).exp(),
@@ -58,7 +67,10 @@ export const extremes = [
   {
     name: 'a shear by 1e10',
     offset: ({ glsl, position }) => glsl.vec3(position.y().mult(1e10), 0, 0),
-    points: [keeps([1, 2, 3], [0, 1, 0]), { position: [1, 2, 3], normal: [1, 0, 0], expected: [0, -1, 0] }],
+    points: [
+      keeps([1, 2, 3], [0, 1, 0]),
+      { position: [1, 2, 3], normal: [1, 0, 0], expected: [0, -1, 0] },
+    ],
   },
   {
     name: 'the unit vector from the axis',
