@@ -23,7 +23,7 @@ set_source_files_properties(
   TARGET_DIRECTORY warpjet_mesh PROPERTIES COMPILE_OPTIONS -Oz)
 
 # Or clang would make exp2 of pow(2, x), which JavaScript's Math lacks.
-set_property(SOURCE src/ops/ops.cpp TARGET_DIRECTORY warpjet_core APPEND PROPERTY COMPILE_OPTIONS -fno-builtin)
+set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp TARGET_DIRECTORY warpjet_core APPEND PROPERTY COMPILE_OPTIONS -fno-builtin)
 
 # What computes four vertices at a time. The core links none of it, for link-time optimisation would give SIMD to all
 # functions of a module that has one with it.

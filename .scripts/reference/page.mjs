@@ -154,9 +154,12 @@ Where a function has no derivative, it still gets one that lighting can live wit
 | \`sqrt(0)\`, \`pow(0, exponent)\` unless it is a product | 0 |
 | \`asin\` and \`acos\` of 1 and -1, \`acosh(1)\`, \`atan(0, 0)\` | 0 |
 | \`log(0)\`, \`inversesqrt(0)\`, \`atanh(1)\`, \`1 / 0\` | infinite, as the value is |
+| \`1 / x\`, \`exp(-x)\`, \`atan(x)\`, \`tanh(x)\` and the like, where \`x\` is infinite | 0 |
+| \`atan(y / x)\` where \`x\` is 0 | that of \`atan(y, x)\` |
 
 Values follow GLSL, and where it leaves them open: a half rounds to the even neighbour, \`normalize\` of zero is zero, and
-\`clamp(x, low, high)\` is \`min(max(x, low), high)\` even where \`low\` is above \`high\`.
+\`clamp(x, low, high)\` is \`min(max(x, low), high)\` even where \`low\` is above \`high\`. Constants keep all their digits, but
+what jumps, such as a comparison or \`floor\`, sees them as the shader does, in float32: 0.1 + 0.2 equals 0.3.
 `
 
 /** `a` and `b` are `c`, `d` is `e`, … */

@@ -11,16 +11,52 @@ namespace warpjet {
 
 namespace {
 
+constexpr Op Neg = ops::find("neg"), Mult = ops::find("mult"), Div = ops::find("div"),
+             Atan = ops::find("atan"), Atan2 = ops::find("atan2");
+
+// ±numerator / denominator.
+struct Quotient {
+  Expression numerator, denominator;
+};
+
+std::optional<Quotient> quotientOf(Expression x) {
+  Graph& graph = *x.graph;
+  const bool isNegative = graph.is(x.id, Neg);
+  const NodeId id = isNegative ? graph.operand(x.id, 0) : x.id;
+  if (!graph.is(id, Div)) return {};
+  const Expression numerator{&graph, graph.operand(id, 0)};
+  return Quotient{isNegative ? -numerator : numerator, {&graph, graph.operand(id, 1)}};
+}
+
+// a / y + b / y is (a + b) / y: the derivative of a quotient stays one.
+Expression together(Expression x, Expression y) {
+  const auto a = quotientOf(x), b = quotientOf(y);
+  if (a && b && a->denominator.id == b->denominator.id)
+    return (a->numerator + b->numerator) / a->denominator;
+  return x + y;
+}
+
+// The node whose operands an operation is differentiated by. The angle atan(y / x) turns as
+// atan2(y, x) does, also where the quotient is infinite.
+NodeId operandsOf(const Graph& graph, NodeId id) {
+  const bool isAngle = graph.is(id, Atan) && graph.is(graph.operand(id, 0), Div);
+  return isAngle ? graph.operand(id, 0) : id;
+}
+
+const Partials& partialsOf(const Graph& graph, NodeId id) {
+  return partialsOf(operandsOf(graph, id) == id ? graph.node(id).op : Atan2);
+}
+
 // The sum of the products, without those whose factor is zero.
 class Sum {
  public:
   explicit Sum(Graph& graph) : graph_(graph) {}
 
-  template <class Partial>
-  void add(NodeId tangent, Partial partial) {
+  template <class Product>
+  void add(NodeId tangent, Product product) {
     if (graph_.isConstant(tangent, 0)) return;
-    const Expression term = Expression{&graph_, partial()} * Expression{&graph_, tangent};
-    sum_ = sum_ ? *sum_ + term : term;
+    const Expression term = product(Expression{&graph_, tangent});
+    sum_ = sum_ ? together(*sum_, term) : term;
   }
 
   NodeId total() const { return sum_ ? sum_->id : graph_.constant(0); }
@@ -40,7 +76,7 @@ void Differentiator::forgetIfTooMuch() {
 }
 
 NodeId Differentiator::whole(const Tangent& tangent) {
-  return graph_.apply(ops::find("mult"), {tangent.factor, tangent.base});
+  return graph_.apply(Mult, {tangent.factor, tangent.base});
 }
 
 // The base of all operands, if they depend on the same components as the node does. A choice begins
@@ -53,8 +89,9 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Tangents& tang
   if (std::find(std::begin(choices), std::end(choices), graph_.node(id).op) != std::end(choices))
     return {};
   std::optional<NodeId> base;
-  for (int i = 0; i < graph_.arity(id); ++i) {
-    const NodeId operand = graph_.operand(id, i);
+  const NodeId from = operandsOf(graph_, id);
+  for (int i = 0; i < graph_.arity(from); ++i) {
+    const NodeId operand = graph_.operand(from, i);
     if (components[operand] == 0) continue;
     // The arguments of a call, each with a tangent.
     if (graph_.isList(operand) || graph_.isResult(id)) return {};
@@ -69,28 +106,50 @@ void Differentiator::findTangent(NodeId id, Tangents& tangents, const Components
   auto& [factor, base] = tangents.set(id) = {graph_.constant(1), graph_.constant(1)};
   // Not zero; who reads the call asks for the tangent of each argument.
   if (graph_.isList(id) || graph_.isOurCall(id)) return;
-  const auto common = commonBase(id, tangents, components);
-  (common ? factor : base) = chainRule(id, [&](NodeId operand) {
-    return common ? tangents[operand].factor : whole(tangents[operand]);
-  });
-  if (common) base = *common;
+  if (const auto common = commonBase(id, tangents, components)) {
+    factor = chainRule(id, [&](NodeId operand) { return tangents[operand].factor; });
+    base = *common;
+    if (!canOverflow(id, tangents)) return;
+    factor = graph_.constant(1);
+  }
+  base = chainRule(id, [&](NodeId operand) { return whole(tangents[operand]); });
+}
+
+// Whether the factor or the base may, though their product does not: 1 / r² near r = 0, where r
+// dr is as small as the factor -2 / r⁴ is large.
+bool Differentiator::canOverflow(NodeId id, const Tangents& tangents) {
+  if (!graph_.isOperation(id)) return false;
+  const NodeId from = operandsOf(graph_, id);
+  const Partials& partials = partialsOf(graph_, id);
+  for (int i = 0; i < graph_.arity(from); ++i) {
+    const bool moves = !graph_.isConstant(tangents[graph_.operand(from, i)].factor, 0);
+    if (moves && partials[i].canOverflow)
+      return canBeInfinite({&graph_, tangents[id].factor}) ||
+             canBeInfinite({&graph_, tangents[id].base});
+  }
+  return false;
 }
 
 template <class TangentOf>
 NodeId Differentiator::chainRule(NodeId id, TangentOf tangent) {
   Sum sum(graph_);
-  const auto add = [&](NodeId operand, auto partial) { sum.add(tangent(operand), partial); };
   if (graph_.isCall(id) || graph_.isResult(id)) {
     for (const auto& [argument, partial] : slopesOf(graph_, id))
-      add(argument, [&by = partial] { return by; });
+      sum.add(tangent(argument), [&, by = partial](Expression d) {
+        return Expression{&graph_, by} * d;
+      });
     return sum.total();
   }
-  const int arity = graph_.arity(id);
-  const Partials& partials = partialsOf(graph_.node(id).op);
+  const NodeId from = operandsOf(graph_, id);
+  const Partials& partials = partialsOf(graph_, id);
+  const int arity = graph_.arity(from);
   Arguments x{};
-  for (int i = 0; i < arity; ++i) x[i] = {&graph_, graph_.operand(id, i)};
+  for (int i = 0; i < arity; ++i) x[i] = {&graph_, graph_.operand(from, i)};
   for (int i = 0; i < arity; ++i) {
-    if (partials[i] != nullptr) add(x[i].id, [&] { return partials[i](graph_, x, {&graph_, id}); });
+    if (partials[i].times == nullptr) continue;
+    sum.add(tangent(x[i].id), [&](Expression d) {
+      return partials[i].times(graph_, x, {&graph_, id}, d);
+    });
   }
   return sum.total();
 }

@@ -44,6 +44,7 @@ class Differentiator {
   void findTangent(NodeId id, Tangents& tangents, const Components& components);
   std::optional<NodeId> commonBase(NodeId id, const Tangents& tangents,
                                    const Components& components) const;
+  bool canOverflow(NodeId id, const Tangents& tangents);
   template <class TangentOf>
   NodeId chainRule(NodeId id, TangentOf tangent);
   NodeId whole(const Tangent& tangent);

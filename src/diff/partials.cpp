@@ -9,15 +9,16 @@ namespace warpjet {
 namespace {
 
 template <std::size_t Row, std::size_t K>
-NodeId partial(Graph& graph, const Arguments& x, Expression v) {
-  constexpr auto function = std::get<K>(std::get<Row>(ops::table).partials);
-  return toNode(graph, ops::spread<ops::infos[Row].arity>(function, x.data(), v));
+Expression times(Graph& graph, const Arguments& x, Expression value, Expression derivative) {
+  return {&graph, toNode(graph, ops::term<Row, K>(x.data(), value, derivative))};
 }
 
 template <std::size_t Row>
 constexpr Partials partialsOfRow() {
   using Functions = decltype(std::get<Row>(ops::table).partials);
-  return []<std::size_t... K>(std::index_sequence<K...>) { return Partials{&partial<Row, K>...}; }
+  return []<std::size_t... K>(std::index_sequence<K...>) {
+    return Partials{Partial{&times<Row, K>, ops::takesDerivative<Row, K>}...};
+  }
   (std::make_index_sequence<std::tuple_size_v<Functions>>{});
 }
 

@@ -10,9 +10,14 @@ namespace warpjet {
 
 using Arguments = std::array<Expression, ops::maxArity>;
 
-// From an operation's operands and its own node to the node of a partial derivative.
-using Partial = NodeId (*)(Graph&, const Arguments&, Expression);
-// One for each operand; null where the operation is locally constant.
+// By an operand of an operation.
+struct Partial {
+  // From all operands, the operation's own node and the derivative of that operand to the node of
+  // their product; null where the operation is locally constant.
+  Expression (*times)(Graph&, const Arguments&, Expression value, Expression derivative) = nullptr;
+  // Whether it may overflow where the product does not.
+  bool canOverflow = false;
+};
 using Partials = std::array<Partial, ops::maxArity>;
 
 const Partials& partialsOf(Op op);

@@ -26,7 +26,7 @@ struct BoundsOptions {
 
 // For each of the `wanted` results, by number, a range that holds all its values where each input
 // is in its range. It also holds what float32 gives on the CPU, and on a GPU whose functions are as
-// accurate: see eval/interval.hpp, and `float32Slack`. One whose sine is off by more goes beyond by
+// accurate: see ops/interval.hpp, and `float32Slack`. One whose sine is off by more goes beyond by
 // as much, times the amplitude. Points where the result is not a number, like the root of a
 // negative one, are left out. An input may be infinite or not a number. No input's range is empty:
 // that is the caller's error.

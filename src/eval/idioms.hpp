@@ -2,8 +2,8 @@
 // value occurs in them twice, and whose range is known: found by their form.
 #pragma once
 
-#include "eval/interval.hpp"
 #include "eval/words.hpp"
+#include "ops/interval.hpp"
 
 namespace warpjet {
 

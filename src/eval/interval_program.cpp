@@ -8,42 +8,10 @@ namespace warpjet {
 
 namespace {
 
-// A condition among intervals: 1 where it can be true, 0 where it can be false.
-Interval asInterval(Interval x) { return x; }
-Interval asInterval(Truth x) { return {x.canBeFalse ? 0.0 : 1.0, x.canBeTrue ? 1.0 : 0.0}; }
-
-template <ops::Type Type>
-auto operandAs(const Interval& x) {
-  if constexpr (Type == ops::Type::Bool) {
-    return Truth{x.high != 0, x.low == 0};
-  } else {
-    return x;
-  }
-}
-
-template <std::size_t Row>
-Interval rangeOfRow(const Interval* ranges, const std::uint32_t* operands) {
-  constexpr auto value =
-      std::get<Row>(ops::table).value;  // a copy, so that the texts stay out of the program
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    constexpr auto types = ops::infos[Row].signature.operands;
-    return asInterval(value(operandAs<types[I]>(ranges[operands[I]])...));
-  }
-  (std::make_index_sequence<ops::infos[Row].arity>{});
-}
-
-constexpr auto kernels = []<std::size_t... Row>(std::index_sequence<Row...>) {
-  return std::array{&rangeOfRow<Row>...};
-}
-(std::make_index_sequence<ops::count>{});
-
 // A number and what float32 makes of it.
 Interval withFloat(double x) {
-  const double size = std::abs(x);
-  using Limits = std::numeric_limits<float>;
-  if (!(size >= Limits::min() && size <= Limits::max())) return x;
   const double rounded = static_cast<float>(x);
-  return {std::fmin(x, rounded), std::fmax(x, rounded)};
+  return withFloat32({std::fmin(x, rounded), std::fmax(x, rounded), x != x});
 }
 
 }  // namespace
@@ -129,7 +97,9 @@ Interval IntervalProgram::rangeOf(std::uint32_t i) const {
     if (op == ops::find("mult")) return square(x);
     if (op == ops::find("sub") && !x.isEmpty()) return {0, 0, x.canBeNaN || x.canBeInfinite()};
   }
-  const Interval range = kernels[index(op)](ranges_.data(), operands.data());
+  std::array<Interval, ops::maxArity> x;
+  for (std::size_t k = 0; k < operands.size(); ++k) x[k] = ranges_[operands[k]];
+  const Interval range = ops::rangeOf(op, x);
   const Idiom idiom = idioms_[i];
   if (idiom.kind == Idiom::Kind::None) return range;
   return warpjet::rangeOf(idiom.kind, ranges_[idiom.operand], range);
@@ -155,8 +125,11 @@ Interval IntervalProgram::total() const {
       size += std::max(-x.low, x.high) * term.size;
     }
   }
+  if (sum.isEmpty()) return sum;
+  // Some sum on the way may overflow.
+  if (size > std::numeric_limits<float>::max()) return Interval::anything(true);
   const double error = roundings_ * rounding * size;
-  return sum.isEmpty() ? sum : Interval{sum.low - error, sum.high + error, sum.canBeNaN};
+  return withFloat32({sum.low - error, sum.high + error, sum.canBeNaN});
 }
 
 double IntervalProgram::valueOf(std::uint32_t i) const {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "eval/idioms.hpp"
-#include "eval/interval.hpp"
 #include "eval/words.hpp"
+#include "ops/interval.hpp"
 
 namespace warpjet {
 

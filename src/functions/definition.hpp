@@ -52,6 +52,8 @@ struct Definition {
   // What each value is known to lie between.
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
+  // What the size of each first derivative is known not to exceed.
+  double steepest = std::numeric_limits<double>::infinity();
 
   // Instead of a body, the function in each language; one that has no derivatives.
   const ops::Helpers* texts = nullptr;

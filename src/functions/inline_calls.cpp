@@ -72,7 +72,9 @@ class Inliner {
     for (const NodeId node : reachable(body.graph, {&root, 1}, isCopied))
       copy.nodes[index(node)] = copied(body.graph, node, copy.nodes);
     const NodeId found = copy.nodes[index(root)];
-    return number < function.values ? limited(found, body.definition) : found;
+    const Definition& definition = body.definition;
+    if (order == 0) return limited(found, definition.low, definition.high);
+    return order == 1 ? limited(found, -definition.steepest, definition.steepest) : found;
   }
 
   NodeId copied(const Graph& from, NodeId node, const std::vector<NodeId>& nodes) {
@@ -83,11 +85,9 @@ class Inliner {
   }
 
   // No value leaves these limits anyway; but interval arithmetic does not know that.
-  NodeId limited(NodeId value, const Definition& definition) {
-    const Expression x{&graph_, value};
-    if (definition.low > -std::numeric_limits<double>::infinity())
-      return min(max(x, definition.low), definition.high).id;
-    return value;
+  NodeId limited(NodeId value, double low, double high) {
+    if (high == std::numeric_limits<double>::infinity()) return value;
+    return min(max(Expression{&graph_, value}, low), high).id;
   }
 
   Graph& graph_;

@@ -119,9 +119,20 @@ inline Expression logicalAnd(Expression x, Expression y) { return build(ops::fin
 
 inline Expression logicalOr(Expression x, Expression y) { return build(ops::find("or"), x, y); }
 
+inline bool canBeInfinite(Expression x) {
+  const Interval range = x.graph->range(x.id);
+  return range.canBeInfinite() || range.canBeNaN;
+}
+
 template <Operand Yes, Operand No>
 Expression ifElse(Expression condition, Yes yes, No no) {
   return build(ops::find("ifElse"), condition, yes, no);
+}
+
+// A term of a derivative, or 0 where the condition does not hold and the factor may be infinite.
+inline Expression countedWhere(Expression condition, Expression factor, Expression term) {
+  const bool always = condition.graph->range(condition.id).low != 0;
+  return always || !canBeInfinite(factor) ? term : ifElse(condition, term, 0.0);
 }
 
 }  // namespace warpjet

@@ -32,6 +32,9 @@ To bitCast(From from) {
   return to;
 }
 
+// A constant as a shader reads it.
+double asFloat32(double value) { return static_cast<double>(static_cast<float>(value)); }
+
 bool fitsFloat32(double value) {
   return std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
 }
@@ -107,7 +110,7 @@ std::optional<NodeId> Graph::fold(Op op, const Operands& operands) {
   for (int i = 0; i < info.arity; ++i) {
     const auto value = known(operands[i]);
     if (!value) return std::nullopt;
-    values[i] = *value;
+    values[i] = info.isStep ? asFloat32(*value) : *value;
   }
   const double result = ops::evaluate(op, values);
   if (!fitsFloat32(result)) return std::nullopt;

@@ -109,6 +109,8 @@ class Graph {
 
   // The operation on operands, simplified. Operands of the wrong type are converted. An operation
   // on constants is folded, unless its result is not a finite float32: such a node stays as it is.
+  // That is done in double; but what only jumps, such as a comparison or floor, sees its operands
+  // in float32, and so decides as the shader does that reads the same constants.
   // With simplification off, which is for tests, it is only interned.
   NodeId apply(Op op, Operands operands);
 
@@ -138,6 +140,10 @@ class Graph {
   // node `bool(constant)`.
   std::optional<double> known(NodeId id) const;
   ops::Type type(NodeId id) const;
+  // What a node can be where inputs, and what functions give, are numbers up to `usualSize`: what
+  // meshes and sketches have. So it may be infinite near a pole, but not from a large x * x.
+  Interval range(NodeId id);
+  static constexpr double usualSize = 1e4;
   // Whether any node is of this operation.
   bool has(Op op) const { return has_[index(op)]; }
   int arity(NodeId id) const { return arities[index(node(id).op)]; }
@@ -152,6 +158,7 @@ class Graph {
   std::optional<NodeId> fold(Op op, const Operands& operands);
   NodeId makeList(std::span<const NodeId> items);
   std::vector<NodeId> list(NodeId id) const;
+  Interval findRange(NodeId id) const;
 
   std::vector<Node> nodes_;
   std::array<bool, arities.size()> has_{};
@@ -162,6 +169,7 @@ class Graph {
   std::multimap<std::string, std::uint32_t, std::less<>> inputNumbers_;
   std::map<std::string, std::uint32_t, std::less<>> functionNumbers_;
   std::vector<NodeId> partials_;  // by call, a list; as long as there are calls with any
+  std::vector<Interval> ranges_;  // by node, of the first ones
   std::size_t capacity_;
   Simplification simplification_;
 };

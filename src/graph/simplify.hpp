@@ -14,7 +14,8 @@ namespace warpjet {
 // zero. Rounded in another order: by an ulp or two (x * a) * b = x * (a * b) for constants and
 // x * (1 / y) = x / y, by up to n ulps whole powers as products, by an ulp or two of the largest
 // term (x + a) + b = x + (a + b) for constants; an intermediate that overflows or underflows in one
-// order may not in the other. All else is exact. tests/cpp/simplify_test.cpp has an example of
+// order may not in the other. What jumps is folded on operands rounded to float32, as Graph::apply
+// says. All else is exact. tests/cpp/simplify_test.cpp has an example of
 // each.
 //
 // sin²(x) + cos²(x) stays: where a GPU's sine and cosine are inexact, the other cofactors of a

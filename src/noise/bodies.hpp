@@ -11,13 +11,17 @@ namespace warpjet {
 // corners of a grid and his fifth-degree blend: twice continuously differentiable, 0 at the
 // corners, from -1 to 1.
 Expression gradientNoise(Library& library, const Numbers& p, Expression seed);
+// Above what the size of each first derivative can be, in so many dimensions.
+double steepestGradientNoise(int dimensions);
 
 // A random number at each corner, blended alike; from -1 to 1.
 Expression valueNoise(const Numbers& p, Expression seed);
+double steepestValueNoise();
 
 // Simplex noise (Perlin, "Noise hardware", 2001; Gustavson, "Simplex noise demystified", 2005) with
 // kernels that end where their simplices do, three times continuously differentiable; from -1 to 1.
 Expression simplexNoise(Library& library, const Numbers& p, Expression seed);
+double steepestSimplexNoise(int dimensions);
 
 // The distances to the nearest and to the second nearest of points strewn one a cell (Worley, "A
 // cellular texture basis function", 1996): two values.

@@ -40,7 +40,27 @@ class Lattice {
   Numbers cell_, offset_, blend_;
 };
 
+// The largest derivative of the blend, in the middle.
+constexpr double steepestFade = 15.0 / 8;
+
 }  // namespace
+
+// Noise is s Σ w (g · o) over the corners: s the scale, w the weight of a corner, a product of
+// blends, which sum to 1; g its direction and o the offset from it. Its derivative along an axis is
+// s Σ w g' + s Σ w' (g · o), where g' is a component of g. The first sum is at most 1, as |g| is.
+// In the second, w' is ±fade'(t) times the weight w₂ of the corner along the other axes, which sum
+// to 1 on each side, so that it is at most fade'(t) (Σ w₂ |o| + Σ w₂ |o₁|) for both sides. Along an
+// axis the mean square of an offset, (1 - fade) t² + fade (1 - t)², is at most 1/4; so by Jensen's
+// inequality Σ w₂ |o| <= √(t² + (n - 1) / 4). With u = 2t - 1, both sums are together at most
+// √(n + u²) <= √n (1 + u² / 2), and fade'(t) is 15/8 (1 - u²)², so that their product is largest at
+// u = 0: 15/8 √n.
+double steepestGradientNoise(int dimensions) {
+  const double root = std::sqrt(dimensions);
+  return 2 / root * (1 + steepestFade * root);
+}
+
+// The derivative is fade'(t) Σ w₂ (high - low), where both values are from -1 to 1.
+double steepestValueNoise() { return steepestFade * 2; }
 
 Expression gradientNoise(Library& library, const Numbers& p, Expression seed) {
   const int dimensions = static_cast<int>(p.size());

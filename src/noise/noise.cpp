@@ -38,6 +38,24 @@ Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments)
   }
 }
 
+// Above what the size of each first derivative can be, by as much as float32 may round. Curls and
+// fractals are sums of others.
+double steepest(NoiseKind kind, int dimensions) {
+  constexpr double slack = 1.001;
+  switch (kind) {
+    case NoiseKind::Gradient:
+      return slack * steepestGradientNoise(dimensions);
+    case NoiseKind::Simplex:
+      return slack * steepestSimplexNoise(dimensions);
+    case NoiseKind::Value:
+      return slack * steepestValueNoise();
+    case NoiseKind::Worley:  // a distance changes by no more than the way
+      return slack;
+    default:
+      return std::numeric_limits<double>::infinity();
+  }
+}
+
 std::string capitalized(std::string_view text) {
   std::string name(text);
   name[0] = static_cast<char>(name[0] - 'a' + 'A');
@@ -60,6 +78,7 @@ Definition definitionOf(const Noise& noise, int dimensions) {
   Definition made{{functionName(noise, dimensions), dimensions + parameters, values, dimensions},
                   body,
                   pack(noise, dimensions)};
+  made.steepest = steepest(noise.kind, dimensions);
   if (values == 1) {
     made.low = noise.kind >= NoiseKind::Ridged ? 0 : -1;
     made.high = 1;

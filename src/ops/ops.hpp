@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
+#include "ops/interval.hpp"
 #include "ops/table.hpp"
 
 namespace warpjet {
@@ -23,12 +25,14 @@ struct Info {
   Signature signature;
   Spellings spellings;
   Helpers helpers;
+  // Without partials, so that it changes only in jumps.
+  bool isStep;
 };
 
 inline constexpr auto infos = std::apply(
     [](const auto&... row) {
-      return std::array{
-          Info{row.title.name, row.arity, row.signature, row.spellings, row.helpers}...};
+      return std::array{Info{row.title.name, row.arity, row.signature, row.spellings, row.helpers,
+                             std::tuple_size_v<decltype(row.partials)> == 0}...};
     },
     table);
 
@@ -55,8 +59,32 @@ auto spread(const Function& function, const Scalar* arguments, const Extra&... e
   (std::make_index_sequence<Arity>{});
 }
 
+// Whether a row's partial by its operand number K gives the product with that operand's derivative.
+template <std::size_t Row, std::size_t K>
+inline constexpr bool takesDerivative = []<std::size_t... I>(std::index_sequence<I...>) {
+  using Partial = std::tuple_element_t<K, std::decay_t<decltype(std::get<Row>(table).partials)>>;
+  constexpr auto types = infos[Row].signature.operands;
+  return !std::is_invocable_v<Partial, std::conditional_t<types[I] == Type::Bool, bool, double>...,
+                              double>;
+}
+(std::make_index_sequence<infos[Row].arity>{});
+
+// That product, where `d` is the derivative of the operand.
+template <std::size_t Row, std::size_t K, class Scalar>
+auto term(const Scalar* operands, const Scalar& value, const Scalar& d) {
+  constexpr auto partial = std::get<K>(std::get<Row>(table).partials);
+  if constexpr (takesDerivative<Row, K>) {
+    return spread<infos[Row].arity>(partial, operands, value, d);
+  } else {
+    return spread<infos[Row].arity>(partial, operands, value) * d;
+  }
+}
+
 // The value of an operation on numbers; conditions are 1 and 0.
 double evaluate(Op op, const std::array<double, maxArity>& operands);
+
+// What it can be where the operands are within theirs.
+warpjet::Interval rangeOf(Op op, const std::array<warpjet::Interval, maxArity>& operands);
 
 }  // namespace ops
 }  // namespace warpjet

@@ -131,7 +131,8 @@ struct NoFormula {};
 using Helpers = std::array<std::string_view, languageCount>;
 
 // `value` maps operands to the result. `partials` holds one function an operand, from the operands
-// and the result to the partial derivative; an operation without partials is locally constant.
+// and the result to the partial derivative, or from those and the derivative of the operand to the
+// product of both; an operation without partials is locally constant.
 // `lowered` says the operation by others, for languages that lack it.
 template <class Value, class Lowered, class... Partials>
 struct Row {

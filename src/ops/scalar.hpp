@@ -43,6 +43,9 @@ inline bool logicalNot(bool x) { return !x; }
 
 inline double ifElse(bool condition, double yes, double no) { return condition ? yes : no; }
 
+// A term of a derivative, or 0 where the condition does not hold and the factor may be infinite.
+inline double countedWhere(bool condition, double, double term) { return condition ? term : 0; }
+
 // A whole number from 0 to 4090 that looks random, from another such number and any whole number.
 //
 // The cube is a permutation of the numbers modulo a prime that is 2 modulo 3, as unlike a line as

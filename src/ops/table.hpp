@@ -14,6 +14,11 @@
 // length, dist and normalize are safe at zero. log, inversesqrt, atanh and 1/x are not guarded:
 // where they are infinite, so is the position.
 //
+// Infinities: what has a value where its operand is infinite, such as 1/x, exp(-x) or atan(x), has
+// derivative 0 there, though the operand's be infinite or no number. Such a row takes the operand's
+// derivative `d` as well and gives the product, in an order in which float32 neither overflows nor
+// underflows before its end.
+//
 // A lone `//` keeps clang-format from joining two lines.
 #pragma once
 
@@ -29,9 +34,19 @@ inline constexpr auto minusOne = [](auto...) { return -1.0; };
 inline constexpr auto zero = [](auto...) { return 0.0; };
 
 // For derivatives that are infinite at the edge of an operation's domain.
-inline constexpr auto divideOrZero = [](auto x, auto y) { return ifElse(gt(y, 0.0), x / y, 0.0); };
 inline constexpr auto inversesqrtOrZero = [](auto x) {
   return ifElse(gt(x, 0.0), inversesqrt(x), 0.0);
+};
+
+// Where what may be infinite is multiplied by less, or divided by more, the product is lost beside
+// the ones of I + J; float32 ends early enough beyond for what is still finite to stay so.
+inline constexpr double least = 1e-25, most = 1e30;
+
+// x d / (x² + y²), or 0 at zero: scaled, since float32 may have no x² where it has the quotient.
+inline constexpr auto turn = [](auto x, auto y, auto d) {
+  const auto size = max(abs(x), abs(y)), a = x / size, b = y / size;
+  const auto term = ifElse(gt(size, 0.0), a / (a * a + b * b) * (d / size), 0.0);
+  return countedWhere(lt(size, most), size, countedWhere(lt(size, most), d, term));
 };
 
 using enum Precedence;
@@ -81,7 +96,9 @@ inline constexpr std::tuple table{
         infix("$0 / $1", Multiplicative), {anywhere, positive, {}},
         [](auto x, auto y) { return x / y; },        //
         [](auto, auto y, auto) { return 1.0 / y; },  //
-        [](auto, auto y, auto v) { return -(v / y); }),
+        [](auto, auto y, auto v, auto d) {
+          return countedWhere(gt(abs(v), least), d, -(v * d) / y);
+        }),
 
     // powers
     binary(
@@ -90,8 +107,14 @@ inline constexpr std::tuple table{
          "negative x too; with any other exponent, x must not be negative."},
         floats, call("pow($0, $1)"), {positive, anywhere, {}},
         [](auto x, auto y) { return pow(x, y); },
-        [](auto x, auto y, auto) { return ifElse(gt(x, 0.0), y * pow(x, y - 1.0), 0.0); },
-        [](auto x, auto, auto v) { return ifElse(gt(x, 0.0), v * log(x), 0.0); }),
+        [](auto x, auto y, auto v, auto d) {
+          const auto slope = ifElse(gt(x, 0.0), y * pow(x, y - 1.0), 0.0);
+          return countedWhere(gt(v, least), d, slope * d);
+        },
+        [](auto x, auto, auto v, auto d) {
+          const auto term = countedWhere(gt(v, least), d, v * (log(x) * d));
+          return ifElse(gt(x, 0.0), countedWhere(gt(v, least), x, term), 0.0);
+        }),
     unary(
         {"sqrt", "x", "The square root; its derivative at 0 counts as 0."}, floats,
         call("sqrt($0)"), {positive}, [](auto x) { return sqrt(x); },
@@ -99,13 +122,18 @@ inline constexpr std::tuple table{
     unary(
         {"inversesqrt", "x", "1 / sqrt(x)"}, floats,
         call("inversesqrt($0)").with(Wgsl, "inverseSqrt($0)"), {positive},
-        [](auto x) { return inversesqrt(x); }, [](auto, auto v) { return -0.5 * (v * v * v); }),
+        [](auto x) { return inversesqrt(x); },
+        [](auto, auto v, auto d) {
+          return countedWhere(gt(v, least), d, -0.5 * (v * v) * (v * d));
+        }),
     unary(
         {"exp", "x", "e to the power of x."}, floats, call("exp($0)"), everywhere,
-        [](auto x) { return exp(x); }, [](auto, auto v) { return v; }),
+        [](auto x) { return exp(x); },
+        [](auto, auto v, auto d) { return countedWhere(gt(v, least), d, v * d); }),
     unary(
         {"exp2", "x", "2 to the power of x."}, floats, call("exp2($0)"), everywhere,
-        [](auto x) { return exp2(x); }, [](auto, auto v) { return v * ln2; }),
+        [](auto x) { return exp2(x); },
+        [](auto, auto v, auto d) { return countedWhere(gt(v, least), d, v * ln2 * d); }),
     unary(
         {"log", "x", "The natural logarithm, of what is greater than 0."}, floats, call("log($0)"),
         {positive}, [](auto x) { return log(x); }, [](auto x, auto) { return 1.0 / x; }),
@@ -127,21 +155,21 @@ inline constexpr std::tuple table{
     unary(
         {"asin", "x", "The angle from -π/2 to π/2 whose sine is x, which is from -1 to 1."}, floats,
         call("asin($0)"), {unitInterval}, [](auto x) { return asin(x); },
-        [](auto x, auto) { return inversesqrtOrZero(1.0 - x * x); }),
+        [](auto x, auto) { return inversesqrtOrZero((1.0 - x) * (x + 1.0)); }),
     unary(
         {"acos", "x", "The angle from 0 to π whose cosine is x, which is from -1 to 1."}, floats,
         call("acos($0)"), {unitInterval}, [](auto x) { return acos(x); },
-        [](auto x, auto) { return -inversesqrtOrZero(1.0 - x * x); }),
+        [](auto x, auto) { return -inversesqrtOrZero((1.0 - x) * (x + 1.0)); }),
     unary(
         {"atan", "x", "The angle from -π/2 to π/2 whose tangent is x."}, floats, call("atan($0)"),
         everywhere, [](auto x) { return atan(x); },
-        [](auto x, auto) { return 1.0 / (x * x + 1.0); }),
+        [](auto x, auto, auto d) { return countedWhere(lt(abs(x), most), d, d / (x * x + 1.0)); }),
     binary(
         {"atan2", "y, x", "The angle of the point (x, y), from -π to π."}, floats,
         call("atan($0, $1)").with(Wgsl, "atan2($0, $1)"), everywhere,
         [](auto y, auto x) { return atan2(y, x); },
-        [](auto y, auto x, auto) { return divideOrZero(x, x * x + y * y); },
-        [](auto y, auto x, auto) { return -divideOrZero(y, x * x + y * y); }),
+        [](auto y, auto x, auto, auto d) { return turn(x, y, d); },
+        [](auto y, auto x, auto, auto d) { return -turn(y, x, d); }),
 
     // hyperbolic functions
     unary(
@@ -154,7 +182,13 @@ inline constexpr std::tuple table{
         .loweredTo([](auto x) { return 0.5 * (exp(x) + exp(-x)); }),
     unary(
         {"tanh", "x", "The hyperbolic tangent, between -1 and 1."}, floats, nowhere, everywhere,
-        [](auto x) { return tanh(x); }, [](auto, auto v) { return 1.0 - v * v; })
+        [](auto x) { return tanh(x); },
+        [](auto x, auto, auto d) {
+          // Not 1 - v², of which float32 has nothing left from x = 9 on.
+          const auto shrink = exp(-2.0 * abs(x)),
+                     slope = 4.0 * shrink / ((shrink + 1.0) * (shrink + 1.0));
+          return countedWhere(gt(shrink, least), d, slope * d);
+        })
         .loweredTo([](auto x) {
           // At most 1, where the exp(2x) of built-in ones is infinite and the result not a number.
           const auto shrink = exp(-2.0 * abs(x));
@@ -171,12 +205,14 @@ inline constexpr std::tuple table{
     unary(
         {"acosh", "x", "The number from 0 up whose hyperbolic cosine is x, which is at least 1."},
         floats, call("acosh($0)").missingIn(Glsl100), {aboveOne}, [](auto x) { return acosh(x); },
-        [](auto x, auto) { return inversesqrtOrZero(x * x - 1.0); })
+        [](auto x, auto) {
+          return ifElse(gt(x, 1.0), inversesqrt(x - 1.0) * inversesqrt(x + 1.0), 0.0);
+        })
         .loweredTo([](auto x) { return log(x + sqrt(x * x - 1.0)); }),
     unary(
         {"atanh", "x", "The number whose hyperbolic tangent is x, which is between -1 and 1."},
         floats, call("atanh($0)").missingIn(Glsl100), {unitInterval},
-        [](auto x) { return atanh(x); }, [](auto x, auto) { return 1.0 / (1.0 - x * x); })
+        [](auto x) { return atanh(x); }, [](auto x, auto) { return 1.0 / ((1.0 - x) * (x + 1.0)); })
         .loweredTo([](auto x) { return 0.5 * log((1.0 + x) / (1.0 - x)); }),
 
     // pieces

@@ -1,5 +1,6 @@
 #include "warp/warp.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "algebra/derivatives.hpp"
@@ -32,6 +33,34 @@ Expression plusOne(Expression x) {
   return x + 1.0;
 }
 
+// How large any component can be; infinite near a pole, or without bound.
+double mostOf(const Value& v) {
+  double most = 0;
+  for (const NodeId node : v.nodes()) {
+    const Interval range = v.graph().range(node);
+    if (range.canBeNaN) return Interval::infinity;
+    most = std::max({most, -range.low, range.high});
+  }
+  return most;
+}
+
+// What is no number stays so in it, as not in a maximum.
+Expression sizeOf(const Value& v) { return sum(byComponent(ops::find("abs"), std::array{v})); }
+
+// float32 has the squares of smaller numbers, and sums of a few.
+constexpr double mostSquared = 1e18;
+
+// Length 1 in the same direction, or zero for zero and for what is infinite or no number. Scaled
+// before it is squared, unless `most` says that it is small: how large its components are, about.
+Value unit(const Value& v, double most) {
+  if (most <= mostSquared) return normalize(v);
+  const Expression size = sizeOf(v);
+  const Value scaled = v / size;
+  const Value turned = scaled * inversesqrt(dot(scaled, scaled));
+  const Expression hasDirection = logicalAnd(gt(size, 0.0), lt(size, 1e38));
+  return fill(v.graph(), v.shape(), [&](int i) { return ifElse(hasDirection, turned[i], 0.0); });
+}
+
 }  // namespace
 
 Value deformation(Differentiator& differentiator, const Value& offset, const Value& position) {
@@ -46,15 +75,23 @@ Value varied(Differentiator& differentiator, const Value& m, const Value& offset
   return fill(m.graph(), m.shape(), [&](int i) { return m[i] + slope[i % 3] * gradient[i / 3]; });
 }
 
-Value turnedNormal(const Value& m, const Value& normal) {
-  const Value cofactor[] = {cross(m.column(1), m.column(2)), cross(m.column(2), m.column(0)),
-                            cross(m.column(0), m.column(1))};
-  return normalize(cofactor[0] * normal[0] + cofactor[1] * normal[1] + cofactor[2] * normal[2]);
+Value sized(const Value& m) {
+  const double most = mostOf(m);
+  if (most <= mostSquared || most == Interval::infinity) return m;
+  return m * Value(min(mostSquared / sizeOf(m), 1.0));
 }
 
-Value turnedTangent(const Value& m, const Value& tangent, const Value& normal) {
-  const Value moved = multiply(m, tangent);
-  return normalize(moved - normal * dot(normal, moved));
+Value turnedNormal(const Value& given, const Value& normal) {
+  const Value m = sized(given);
+  const Value a = cross(m.column(1), m.column(2)), b = cross(m.column(2), m.column(0)),
+              c = cross(m.column(0), m.column(1));
+  const double most = mostOf(given);
+  return unit(a * normal[0] + b * normal[1] + c * normal[2], most * most);
+}
+
+Value turnedTangent(const Value& given, const Value& tangent, const Value& normal) {
+  const Value m = sized(given), moved = multiply(m, tangent);
+  return unit(moved - normal * dot(normal, moved), mostOf(given));
 }
 
 }  // namespace warpjet

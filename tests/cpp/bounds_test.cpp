@@ -237,6 +237,16 @@ TEST_F(BoundsTest, APoleIsInfinite) {
   EXPECT_EQ(range.high, infinity);
 }
 
+TEST_F(BoundsTest, FollowFloat32BeyondItsEnds) {
+  const Expression x = p[0] * 100.0;
+  EXPECT_EQ(ofBox(cosh(x)).high, infinity);
+  EXPECT_GE(ofBox(ifElse(gt(exp(x), 0.0), 0.0, 100.0) - x).high, 300);
+  EXPECT_LE(ofBox(sign(1.0 / cosh(x)) * 50.0 - x).low, -200);
+  EXPECT_EQ(ofBox(p[0] * 1e30 * p[1] * 1e30).high, infinity);
+  EXPECT_EQ(ofBox(p[0] * 2e38 + p[1] * 2e38).high, infinity);
+  EXPECT_LE(ofBox((p[0] + 3.0) * 1e-30 * (p[1] + 3.0) * 1e-20).low, 0);
+}
+
 TEST_F(BoundsTest, WhereNothingIsANumberThereIsNoRange) {
   const Range range = ofBox(sqrt(p[0] - 5.0));
   EXPECT_GT(range.low, range.high);

@@ -212,7 +212,7 @@ void checkPartial() {
     const double value = evaluate(Op(Row), x);
     double partial = 0;
     if constexpr (Operand < std::tuple_size_v<decltype(row.partials)>)
-      partial = spread<infos[Row].arity>(std::get<Operand>(row.partials), x.data(), value);
+      partial = term<Row, Operand>(x.data(), value, 1.0);
     EXPECT_NEAR(partial, fine, 1e-7 * std::max(1.0, std::abs(fine)))
         << row.title.name << " by operand " << Operand << " at " << x[0] << ", " << x[1] << ", "
         << x[2];

@@ -196,6 +196,26 @@ TEST(SimplifyExceptions, AnIntermediateThatOverflowsOrUnderflows) {
   expectValues(0, 0x1p-1040, squared, 0x1p520);
 }
 
+// A comparison of constants decides as in the shader, which reads 0.30000000000000004 and 0.3 as
+// the same float.
+TEST(SimplifyExceptions, StepsOfConstantsAreThoseOfFloat32) {
+  const auto sum = [](auto x) { return Expression{x.graph, x.graph->constant(0.1)} + 0.2; };
+  const auto third = [](auto x) { return Expression{x.graph, x.graph->constant(1.0)} / 3.0; };
+  const auto chosen = [](auto condition) { return ifElse(condition, 5.0, 7.0); };
+  expectValues(
+      5, 7, [&](auto x, auto) { return chosen(eq(sum(x), 0.3)); }, 0);
+  expectValues(
+      7, 5, [&](auto x, auto) { return chosen(gt(sum(x), 0.3)); }, 0);
+  expectValues(
+      7, 5, [&](auto x, auto) { return chosen(ne(third(x), 0.33333333)); }, 0);
+  expectValues(
+      3, 2, [&](auto x, auto) { return floor(sum(x) * 10.0 - 1e-9); }, 0);
+  expectValues(
+      0, 1, [&](auto x, auto) { return sign(sum(x) * 1e-60); }, 0);
+  expectValues(
+      7, 5, [&](auto x, auto) { return chosen(sum(x) * 1e-60); }, 0);
+}
+
 // --- what random graphs seldom meet
 
 // x where y > 0 and zero elsewhere, or the other way round.
@@ -235,6 +255,7 @@ enum Difference {
   Reciprocal,
   WholePower,
   CrossedBounds,
+  StepInFloat32,
   BeyondRange,
   Unexplained,
 };
@@ -292,6 +313,7 @@ class Judge {
     const double expected = ops::evaluate(op, x);
     if (same(expected, found)) return Nothing;
     if (expected == 0 && found == 0) return SignOfZero;
+    if (isStepOfConstants(op, operands, found)) return StepInFloat32;
     const bool becameZero = std::isnan(expected) && found == 0;
     switch (op) {
       case Mult:
@@ -320,6 +342,18 @@ class Judge {
  private:
   double at(NodeId id) const { return values_[index(id)]; }
   bool isKnown(NodeId id, double value) const { return graph_.known(id) == value; }
+  // A number as a condition is such a step too.
+  bool isStepOfConstants(Op op, const Operands& operands, double found) const {
+    const ops::Info& info = ops::info(op);
+    std::array<double, ops::maxArity> x{};
+    for (int i = 0; i < info.arity; ++i) {
+      const bool isKnown = graph_.known(operands[i]).has_value();
+      if (info.isStep && !isKnown) return false;
+      const bool jumps = info.isStep || info.signature.operands[i] == ops::Type::Bool;
+      x[i] = isKnown && jumps ? static_cast<float>(at(operands[i])) : at(operands[i]);
+    }
+    return same(ops::evaluate(op, x), found);
+  }
   NodeId withoutSign(NodeId id) const { return graph_.is(id, Neg) ? graph_.operand(id, 0) : id; }
 
   Difference judgeProduct(const Operands& operands, double expected, double found) const {

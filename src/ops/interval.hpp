@@ -3,9 +3,9 @@
 //
 // A result holds every value that the operation has for operands within theirs, whether computed in
 // double or in float32: each operation widens its result outward by more than float32 rounds, so
-// that cancellation is widened as it happens. What it does not follow is overflow and underflow of
-// float32 where double has none. Source of the rules: R. E. Moore, R. B. Kearfott, M. J. Cloud,
-// "Introduction to Interval Analysis", 2009.
+// that cancellation is widened as it happens, and by infinity or zero where float32 overflows or
+// underflows. Source of the rules: R. E. Moore, R. B. Kearfott, M. J. Cloud, "Introduction to
+// Interval Analysis", 2009.
 #pragma once
 
 #include <limits>
@@ -45,6 +45,10 @@ inline constexpr double rounding = 0x1p-23;
 
 // The least that holds both.
 Interval join(const Interval& x, const Interval& y);
+
+// With what float32 makes of it: what is too large is infinite there, what is too small may be
+// zero.
+Interval withFloat32(const Interval& x);
 
 // What is known to lie between two numbers.
 Interval limited(const Interval& x, double low, double high);

@@ -1,4 +1,4 @@
-#include "eval/interval.hpp"
+#include "ops/interval.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ double below(double low, double share) { return low * (low < 0 ? 1 + share : 1 -
 double above(double high, double share) { return high * (high < 0 ? 1 - share : 1 + share); }
 
 Interval widened(double low, double high, double share, bool canBeNaN) {
-  return {below(low, share), above(high, share), canBeNaN};
+  return withFloat32({below(low, share), above(high, share), canBeNaN});
 }
 
 // With zeros that may have either sign.
@@ -119,6 +119,17 @@ Interval multiplied(Function2 f, const Interval& x, const Interval& y, double sh
 
 }  // namespace
 
+Interval withFloat32(const Interval& x) {
+  using Limits = std::numeric_limits<float>;
+  constexpr double most = Limits::max(), least = Limits::min();
+  Interval result = x;
+  if (x.low < -most) result.low = -infinity;
+  if (x.high > most) result.high = infinity;
+  if (x.low > 0 && x.low < least) result.low = 0.0;
+  if (x.high < 0 && x.high > -least) result.high = -0.0;
+  return result;
+}
+
 Interval join(const Interval& x, const Interval& y) {
   const bool canBeNaN = x.canBeNaN || y.canBeNaN;
   if (x.isEmpty()) return {y.low, y.high, canBeNaN};
@@ -184,7 +195,7 @@ Interval pow(const Interval& x, const Interval& y) {
       const bool isWholePoint = y.isPoint() && isWhole(y.low);
       if (std::floor(y.high) >= y.low) {
         const Interval size = powerOfPositive(limited(-x, 0, infinity), y);
-        const bool isOdd = isWholePoint && std::abs(std::fmod(y.low, 2)) == 1;
+        const bool isOdd = isWholePoint && y.low != 2 * std::floor(y.low / 2);
         if (!isOdd) result = result.isEmpty() ? size : join(result, size);
         if (isOdd || !isWholePoint) result = result.isEmpty() ? -size : join(result, -size);
       }
@@ -205,11 +216,11 @@ Interval inversesqrt(const Interval& x) { return 1.0 / sqrt(x); }
 
 Interval exp(const Interval& x) { return rising(std::exp, x); }
 
-Interval exp2(const Interval& x) { return rising(std::exp2, x); }
+Interval exp2(const Interval& x) { return rising(ops::exp2, x); }
 
 Interval log(const Interval& x) { return rising(std::log, within(x, 0, infinity)); }
 
-Interval log2(const Interval& x) { return rising(std::log2, within(x, 0, infinity)); }
+Interval log2(const Interval& x) { return rising(ops::log2, within(x, 0, infinity)); }
 
 Interval sin(const Interval& x) { return wave(std::sin, x, pi / 2); }
 

@@ -1,0 +1,51 @@
+// What the nodes of a graph can be.
+#include <cmath>
+#include <limits>
+
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr Op Mult = ops::find("mult"), Gt = ops::find("gt"), Sqrt = ops::find("sqrt"),
+             IfElse = ops::find("ifElse");
+
+// Above zero, as float32 knows it.
+constexpr double leastPositive = std::numeric_limits<float>::denorm_min();
+
+}  // namespace
+
+Interval Graph::range(NodeId id) {
+  for (std::size_t i = ranges_.size(); i <= index(id); ++i)
+    ranges_.push_back(findRange(NodeId{static_cast<std::uint32_t>(i)}));
+  return ranges_[index(id)];
+}
+
+Interval Graph::findRange(NodeId id) const {
+  if (isConstant(id)) return value(id);
+  if (!isOperation(id)) return {-usualSize, usualSize};
+  const Op op = node(id).op;
+  std::array<Interval, ops::maxArity> x;
+  for (int i = 0; i < arity(id); ++i) x[i] = ranges_[index(operand(id, i))];
+  if (op == Mult && operand(id, 0) == operand(id, 1)) return square(x[0]);
+
+  // x > 0 ? y : …, where y divides by x or by its root: neither is zero then.
+  const NodeId condition = operand(id, 0), yes = operand(id, 1);
+  if (op == IfElse && is(condition, Gt) && isConstant(operand(condition, 1), 0) &&
+      isOperation(yes)) {
+    const NodeId positive = operand(condition, 0);
+    std::array<Interval, ops::maxArity> y;
+    for (int i = 0; i < arity(yes); ++i) {
+      const NodeId part = operand(yes, i);
+      const bool isRoot = is(part, Sqrt) && operand(part, 0) == positive;
+      y[i] = ranges_[index(part)];
+      if (part == positive) y[i] = limited(y[i], leastPositive, Interval::infinity);
+      if (isRoot) y[i] = limited(y[i], std::sqrt(leastPositive), Interval::infinity);
+    }
+    x[1] = ops::rangeOf(node(yes).op, y);
+  }
+  return ops::rangeOf(op, x);
+}
+
+}  // namespace warpjet

@@ -1,0 +1,56 @@
+// How steep noise is: its derivatives at random points, against what src/noise derives for them.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "eval/program.hpp"
+#include "noise/noise.hpp"
+#include "support.hpp"
+
+namespace warpjet {
+namespace {
+
+// The largest first derivative of a noise's body, which has no limits as its calls have.
+double steepestFound(Library& library, const Definition& definition, int points) {
+  const Function& function = definition.function;
+  Body& body = library.withoutCalls(function.name, 1);
+  const auto made = program(body.graph, body.withoutCalls);
+  EXPECT_TRUE(made);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-300, 300);
+  std::vector<double> arguments(static_cast<std::size_t>(function.arity)),
+      results(body.withoutCalls.size());
+  double steepest = 0;
+  for (int point = 0; point < points; ++point) {
+    for (double& x : arguments) x = place(random);
+    arguments.back() = point % 4091;
+    evaluate(made->words, made->instructions, arguments, results);
+    for (std::size_t i = static_cast<std::size_t>(function.values); i < results.size(); ++i)
+      steepest = std::max(steepest, std::abs(results[i]));
+  }
+  return steepest;
+}
+
+TEST(NoiseSlopes, AreNoSteeperThanTheirBound) {
+  for (const NoiseKind kind :
+       {NoiseKind::Gradient, NoiseKind::Simplex, NoiseKind::Value, NoiseKind::Worley}) {
+    for (int dimensions = 1; dimensions <= (kind == NoiseKind::Worley ? 3 : 4); ++dimensions) {
+      Graph graph;
+      Library library;
+      const Definition definition = definitionOf({kind}, dimensions);
+      Numbers arguments;
+      while (arguments.size() < static_cast<std::size_t>(definition.function.arity))
+        arguments.push_back(scalar(graph, "x" + std::to_string(arguments.size())));
+      library.call(definition, arguments);
+      const double found =
+          steepestFound(library, definition, kind == NoiseKind::Worley ? 3000 : 20'000);
+      const std::string name = definition.function.name;
+      EXPECT_LE(found, definition.steepest) << name;
+      EXPECT_GE(found, definition.steepest / 5) << name << ": the bound is loose";
+      RecordProperty(name, std::to_string(found) + " of " + std::to_string(definition.steepest));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace warpjet

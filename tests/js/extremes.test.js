@@ -1,0 +1,81 @@
+// Where float32 overflows or underflows on the way: normals, bounds and comparisons are still those of the exact numbers.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { compile, compileWarp } from '../../dist/warpjet.js'
+import { extremes } from '../warps/extremes.js'
+
+describe('a finite offset has a finite normal, and the right one:', () => {
+  for (const { name, offset, points } of extremes)
+    test(name, () => {
+      const warp = compileWarp(offset)
+      for (const { position, normal, expected } of points) {
+        const found = warp.evaluateAt(position, { normal })
+        assert.ok(
+          found.position.every(Number.isFinite),
+          `${name} is ${found.position} at ${position}`,
+        )
+        found.normal.forEach((x, i) =>
+          assert.ok(
+            Math.abs(x - expected[i]) < 1e-6,
+            `${found.normal}, not ${expected}, at ${position}`,
+          ),
+        )
+      }
+    })
+
+  test('an infinite slope has no normal, and no NaN', () => {
+    const warp = compileWarp(({ glsl, position }) => glsl.vec3(0, glsl.val(1).div(position.x()), 0))
+    assert.deepEqual(warp.evaluateAt([1e-25, 0, 0], { normal: [0, 1, 0] }).normal, [0, 0, 0])
+  })
+})
+
+test('foldover tells the side where the derivative of the offset is hard to compute', () => {
+  const turned = compileWarp(({ glsl, position }) => {
+    const x = position.x()
+    return glsl.vec3(glsl.val(1).div(x.neg().exp().add(1)).sub(x.mult(2)), 0, 0)
+  })
+  const { mask } = turned.foldover({
+    positions: [-100, 0, 0, 0, 0, 0],
+    normals: [0, 1, 0, 0, 1, 0],
+  })
+  assert.deepEqual([...mask], [1, 1])
+  const huge = compileWarp(({ position }) => position.mult(1e10))
+  assert.equal(huge.foldover({ positions: [1, 2, 3], normals: [0, 1, 0] }).count, 0)
+})
+
+describe('bounds hold what float32 makes of', () => {
+  const boundsOf = (size, height) =>
+    compileWarp(({ glsl, position }) => glsl.vec3(0, 0, height(position.x(), glsl))).bounds({
+      min: [-size, 0, 0],
+      max: [size, 0, 0],
+    })
+  test('an overflow', () => assert.equal(boundsOf(100, (x) => x.cosh()).max[1], Infinity))
+  test('an underflow', () => {
+    // exp(-200) is 0 in float32, and 1 / cosh(200) too.
+    const { max } = boundsOf(200, (x) => x.exp().gt(0).ifElse(0, 100).sub(x))
+    assert.ok(max[1] >= 300, `${max[1]}`)
+    const flat = boundsOf(200, (x, glsl) => glsl.val(1).div(x.cosh()).sign().mult(50).sub(x))
+    assert.ok(flat.min[1] <= -200, `${flat.min[1]}`)
+  })
+  for (const base of ['noise', 'simplex', 'valueNoise'])
+    test(`a curl and a gradient of ${base}`, () => {
+      const box = { min: [-2, -2, -2], max: [2, 2, 2] }
+      const curl = compileWarp(({ glsl, position }) => glsl.curl(position, { noise: base }))
+      const slope = compileWarp(({ glsl, position }) =>
+        glsl.vec3(0, 0, glsl.derivative(glsl[base](position), position.x())),
+      )
+      for (const { min, max } of [curl.bounds(box), slope.bounds(box)])
+        assert.ok(max[2] < 30 && min[2] > -30, `${min[2]} to ${max[2]}`)
+    })
+})
+
+test('constants compare as the shader does that reads them', () => {
+  const { code, evaluate } = compile((glsl) => ({
+    sum: glsl.val(0.1).add(0.2).eq(0.3).ifElse(5, 7),
+    less: glsl.val(0.3).lt(glsl.val(0.1).add(0.2)).ifElse(5, 7),
+    kept: glsl.val(0.1).add(0.2),
+  }))
+  assert.match(code, /sum = 5\.0/)
+  assert.match(code, /less = 7\.0/)
+  assert.deepEqual(evaluate(), { sum: 5, less: 7, kept: 0.1 + 0.2 })
+})
