@@ -85,7 +85,10 @@ export function getCore(): Core {
   return (core ??= startCore<Core>())
 }
 
-/** How many bytes the compiler holds inside the wasm. Between two warps it is always the same. */
+/**
+ * How many bytes the compiler holds inside the wasm. Between two warps it is always the same.
+ * @internal
+ */
 export function memoryInUse(): number {
   return getCore()._memoryInUse()
 }

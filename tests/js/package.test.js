@@ -1,7 +1,7 @@
 // What `npm i warpjet` brings.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 
@@ -26,42 +26,6 @@ test('the package holds what a user needs and nothing else', () => {
       file,
     )
   assert.ok(files.some(({ path }) => path === 'dist/types/index.d.ts'))
-})
-
-test('the shipped types stand on their own', () => {
-  const project = `${root}.build/consumer`
-  mkdirSync(project, { recursive: true })
-  writeFileSync(
-    `${project}/use.ts`,
-    "import { compileWarp, version } from 'warpjet'\nimport { gen } from 'warpjet/autodiff'\n" +
-      "import { createWarp } from 'warpjet/p5'\nimport { loadMesh, type Mesh } from 'warpjet/mesh'\n" +
-      "import { chain, twist, type TwistOptions } from 'warpjet/deformers'\n" +
-      'export const all: unknown[] = [compileWarp, gen, createWarp, chain(twist())]\n' +
-      'export const options: TwistOptions = { axis: "x", angle: ({ millis }) => millis.div(1000) }\n' +
-      'export const mesh: Promise<Mesh> = loadMesh(new Uint8Array(8))\n' +
-      'export const text: string = version\n',
-  )
-  for (const [module, moduleResolution] of [
-    ['nodenext', 'nodenext'],
-    ['esnext', 'bundler'],
-  ]) {
-    const options = {
-      strict: true,
-      noEmit: true,
-      module,
-      moduleResolution,
-      target: 'es2022',
-      types: [],
-    }
-    writeFileSync(
-      `${project}/tsconfig.json`,
-      JSON.stringify({ compilerOptions: options, files: ['use.ts'] }),
-    )
-    execFileSync(process.execPath, ['node_modules/typescript/bin/tsc', '-p', project], {
-      cwd: root,
-      encoding: 'utf8',
-    })
-  }
 })
 
 test('every entry loads in Node, without a DOM and without p5', async () => {
