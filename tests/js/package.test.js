@@ -1,13 +1,14 @@
 // What `npm i warpjet` brings.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { readFileSync } from 'node:fs'
+import { readFileSync, readdirSync } from 'node:fs'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 
-test('the package holds what a user needs and nothing else', () => {
+/** What npm would put into the package. */
+function packedFiles() {
   const packed = execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], {
     cwd: root,
     encoding: 'utf8',
@@ -15,10 +16,22 @@ test('the package holds what a user needs and nothing else', () => {
   })
   const report = JSON.parse(packed)
   const [{ files }] = Array.isArray(report) ? report : Object.values(report)
+  return files
+}
+
+test('the package holds what a user needs and nothing else', () => {
+  const files = packedFiles()
   const others = files
     .map(({ path }) => path)
-    .filter((path) => !/^dist\/[\w.-]+\.js$|^dist\/types\/.*\.d\.ts$/.test(path))
-  assert.deepEqual(others.sort(), ['CHANGELOG.md', 'LICENSE', 'README.md', 'package.json'])
+    .filter((path) => !/^dist\/[\w.-]+\.js$|^dist\/types\/[\w.-]+\.d\.ts$|^web\/docs\//.test(path))
+  assert.deepEqual(others.sort(), [
+    'CHANGELOG.md',
+    'LICENSE',
+    'NOTICE',
+    'README.md',
+    'package.json',
+    'web/gallery.png',
+  ])
   const modules = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
   for (const file of [...modules, 'p5.warpjet.min', 'warpjet.deformers.min'])
     assert.ok(
@@ -63,5 +76,37 @@ test('a page with a warp of p5 carries neither the evaluation nor the meshes', (
     const script = readFileSync(`${root}dist/p5.warpjet.min.js`, 'utf8')
     assert.ok(base64.length > 1000)
     assert.ok(!script.includes(base64.slice(0, 200)), name)
+  }
+})
+
+test('the links and pictures of what is shipped live wherever it is shown', () => {
+  const { version } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  const cdn = `https://cdn.jsdelivr.net/npm/warpjet@${version.replace(/\.\d+$/, '')}/`
+  const paths = new Set(packedFiles().map(({ path }) => path))
+  const wrong = [...paths]
+    .filter((path) => path.endsWith('.md'))
+    .flatMap((path) => {
+      const text = readFileSync(`${root}${path}`, 'utf8')
+      const links = [...text.matchAll(/\]\(([^)\s]+)\)|(?:src|href)="([^"]+)"/g)]
+      return links.map(([, inText, inHtml]) => ({ path, link: inText ?? inHtml }))
+    })
+    .filter(({ path, link }) => {
+      if (link.startsWith('#')) return false
+      // npm shows the README by itself; the others lie beside what they name.
+      const { href } = new URL(link, path === 'README.md' ? undefined : `${cdn}${path}`)
+      return href.startsWith('https://cdn.jsdelivr.net/npm/warpjet')
+        ? !paths.has(href.replace(cdn, ''))
+        : !href.startsWith('https://')
+    })
+  assert.deepEqual(wrong, [])
+})
+
+test('NOTICE names every library that is compiled in', () => {
+  const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
+  const libraries = readdirSync(`${root}.build/wasm/include`)
+  assert.ok(libraries.length > 0)
+  for (const library of libraries) {
+    const name = library.replace(/\.h(pp)?$/, '').replace('tiny_', 'tiny')
+    assert.ok(notice.includes(name), `${library} is not in NOTICE`)
   }
 })
