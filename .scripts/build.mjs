@@ -22,8 +22,9 @@ const compiled = [
   ...[...packed, 'unpack'].map((name) => `.build/wasm/${name}.wasm`),
 ]
 
-const shared = ['p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
-const bundles = ['warpjet', ...shared, 'p5.warpjet.min', 'warpjet.deformers.min'].map(
+const shared = ['text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
+const single = ['warpjet', 'mesh', 'p5.warpjet', 'warpjet.deformers']
+const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,
 )
 const entries = ['index', ...shared, 'p5.global', 'deformers.global'].map(
@@ -75,7 +76,7 @@ async function buildAll() {
     work: declareTypes,
   })
 
-  reportSizes(walk('dist', /\.js$/), { 'dist/p5.warpjet.min.js': 64 * 1024 })
+  reportSizes(walk('dist', /\.js$/), { 'dist/p5.warpjet.min.js': 150 * 1024 })
 }
 
 async function generateModules() {
@@ -114,10 +115,11 @@ const writeGenerated = (name, text) => writeFileSync(path(generated, name), text
 
 async function bundle() {
   const vite = await import('vite')
-  const { modules, scripts } = await import('./vite.library.mjs')
-  for (const file of walk('dist', /\.js$/)) rmSync(path(file))
+  const { modules, singleModules, scripts } = await import('./vite.library.mjs')
+  for (const file of walk('dist', /\.js(\.map)?$/)) rmSync(path(file))
   await vite.build(modules)
-  for (const script of scripts) await vite.build(script)
+  for (const module of singleModules) await vite.build(module)
+  for (const script of scripts()) await vite.build(script)
 }
 
 if (isMain(import.meta))

@@ -1,11 +1,12 @@
 // `glsl`, as a sketch gets it: makes inputs and constants, and has every operation as a function. Operations are also
 // methods of expressions.
-import type { Compilation, Shape } from './compilation.js'
+import type { Compilation } from './compilation.js'
 import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './functions.js'
 import { callNoise, noiseKinds } from './noise.js'
+import type { Shape } from './shapes.js'
 import { callTexture } from './texture.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>

@@ -5,6 +5,7 @@ import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import type { Program } from './evaluate.js'
 import type { HostFunction } from './functions.js'
+import { type Shape, type Variable, imageShape } from './shapes.js'
 import { callerOutside } from './source-lines.js'
 
 export const targets = ['glsl300', 'glsl100', 'wgsl'] as const
@@ -12,21 +13,11 @@ export const targets = ['glsl300', 'glsl100', 'wgsl'] as const
 /** A shading language: GLSL ES 3.00 (WebGL 2), GLSL ES 1.00 (WebGL 1), or WGSL (WebGPU). */
 export type Target = (typeof targets)[number]
 
-/** Columns and rows; a number has one of each, a vector one column, an image none. */
-export type Shape = readonly [columns: number, rows: number]
-export const imageShape: Shape = [0, 1]
-
 /** The expression for an image's width and height in texels. */
 const sizeOfImage: Record<Target, (image: string) => string> = {
   glsl300: (image) => `vec2(textureSize(${image}, 0))`,
   glsl100: (image) => `${image}Size`,
   wgsl: (image) => `vec2f(textureDimensions(${image}))`,
-}
-
-/** A variable or expression of the host. */
-export interface Variable {
-  name: string
-  shape: Shape
 }
 
 export interface Emitted {

@@ -1,8 +1,9 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
 import type { Compilation } from './compilation.js'
 import { withCompilation } from './compiled.js'
-import { type CpuWarp, type WarpProgram, createCpuWarp } from './cpu-warp.js'
+import { type CpuWarp, createCpuWarp } from './cpu-warp.js'
 import type { OffsetFunction, UniformValues } from './types.js'
+import type { WarpProgram } from './warp-program.js'
 import {
   type BuiltWarp,
   type WarpOptions,

@@ -1,3 +1,7 @@
+/** An expression, known by its shape: there may be several copies of its class, each in a file of its own. */
+export const isExpression = (value: unknown): boolean =>
+  typeof value === 'object' && value !== null && 'compilation' in value && 'handle' in value
+
 /** How a value that came in is shown in a message. */
 export function describe(value: unknown): string {
   if (value === null || value === undefined) return String(value)
@@ -6,7 +10,7 @@ export function describe(value: unknown): string {
   if (typeof value === 'function') return 'a function'
   if (Array.isArray(value)) return `an array of ${value.length}`
   if (typeof value === 'object' && 'then' in value) return 'a promise'
-  if (typeof value === 'object' && 'compilation' in value) return 'an expression'
+  if (isExpression(value)) return 'an expression'
   if (typeof value === 'object') return Object.keys(value).length ? 'an object' : 'an empty object'
   return `the ${typeof value} ${shorten(String(value))}`
 }

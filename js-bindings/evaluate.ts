@@ -1,7 +1,7 @@
 // Named expressions on the CPU, in double.
-import type { Variable } from './compilation.js'
 import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
+import type { Variable } from './shapes.js'
 
 /** src/eval/program.hpp: plain words, which outlive the compilation. */
 export interface Program {

@@ -1,7 +1,7 @@
 // `glsl.fn`: functions of the host's shader, used like built-in ones.
 import type { Compilation, Target } from './compilation.js'
 import { WarpError, describe } from './errors.js'
-import { type Expression, toExpression } from './expression.js'
+import { type Expression, expressionAsText, toExpression } from './expression.js'
 import { checkOptions } from './options.js'
 
 /** A function of the host from numbers to a number, as the sketch declared it. */
@@ -31,6 +31,10 @@ export function declareFunction(compilation: Compilation, options: unknown) {
   if (typeof text !== 'string')
     throw new WarpError(
       `fn: the option "source" of ${name} must be a text of ${wanted.toUpperCase()} for the target ${compilation.target}, or an object { ${wanted}: … } with one, but is ${describe(source)}.`,
+    )
+  if (text.includes(expressionAsText))
+    throw new WarpError(
+      `fn: the option "source" of ${name} has an expression in its text; make it an argument of the function.`,
     )
   const isList = Array.isArray(derivatives) && derivatives.length === arity
   if (derivatives !== undefined && !isList)

@@ -3,8 +3,8 @@
  * ["warpjet/globals"]` in tsconfig.json or jsconfig.json, or `/// <reference types="warpjet/globals" />` in the sketch.
  */
 import type * as deformers from './deformers.js'
-import type * as compiler from './index.js'
 import type { CreateWarpOptions, Distort, LoadModelOptions, ModelOf } from './p5.js'
+import type * as compiler from './text.js'
 
 type Compiler = Pick<typeof compiler, 'WarpError' | 'compile' | 'compileWarp' | 'gen' | 'version'>
 

@@ -1,9 +1,10 @@
 // The option `uniforms`: values that a sketch names once, where it makes its warp. Their types come from the values.
-import { type Compilation, type Shape, type Variable, imageShape } from './compilation.js'
+import type { Compilation } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import type { Expression } from './expression.js'
 import { inputSizes } from './inputs.js'
 import { isList } from './options.js'
+import { type Shape, type Variable, imageShape } from './shapes.js'
 import type { ImageLike, OffsetFunction, UniformValue, WarpInputs } from './types.js'
 
 type Given = UniformValue | (() => UniformValue)

@@ -1,9 +1,10 @@
 // From an offset function to the text of its warp.
 import { createBuilder, operationNumber } from './builder.js'
-import type { Compilation, Variable } from './compilation.js'
+import type { Compilation } from './compilation.js'
 import { type Compiled, type CompileOptions, withCompilation } from './compiled.js'
+import { isExpression } from './describe.js'
 import { WarpError, describe, describeShape } from './errors.js'
-import { Expression, toExpression } from './expression.js'
+import { type Expression, toExpression } from './expression.js'
 import {
   type InputName,
   drawInputs,
@@ -14,6 +15,7 @@ import {
 } from './inputs.js'
 import { noteApproximation } from './notes.js'
 import { checkCallback, checkOptions } from './options.js'
+import type { Variable } from './shapes.js'
 import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from './types.js'
 import { type DeclaredUniforms, readDeclared, withUniforms } from './uniforms.js'
 
@@ -257,12 +259,12 @@ function warpInputs(compilation: Compilation, inputs: Record<string, Expression>
 
 function checkOffset(compilation: Compilation, method: string, offset: unknown): Expression {
   const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
-  if (!(offset instanceof Expression))
+  if (!isExpression(offset))
     throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
-  toExpression(compilation, method, offset, 'the offset')
-  const [columns, rows] = compilation.shapeOf(offset)
+  const vector = toExpression(compilation, method, offset, 'the offset')
+  const [columns, rows] = compilation.shapeOf(vector)
   if (columns !== 1 || rows !== 3)
     throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)
   // A condition becomes 0 or 1 here, as it does in any sum.
-  return operations(compilation)('add', offset, compilation.constant(0, method))
+  return operations(compilation)('add', vector, compilation.constant(0, method))
 }

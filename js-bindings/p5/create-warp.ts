@@ -3,7 +3,14 @@ import { compileWarpText } from '../warp-text.js'
 import { WarpError, describe } from '../errors.js'
 import { noteApproximation } from '../notes.js'
 import { hookStyleOf, namesFor, results, weave } from './hooks.js'
-import { type Canvas, type Shader, materialOf, webglOf } from './host.js'
+import {
+  type Canvas,
+  type Shader,
+  drawsNormals,
+  materialOf,
+  rememberNormals,
+  webglOf,
+} from './host.js'
 import { type CreateWarpOptions, type WarpSettings, type WarpType, readOptions } from './options.js'
 import { checkCallback } from '../options.js'
 import type { OffsetFunction, UniformOverrides } from '../types.js'
@@ -46,10 +53,11 @@ export function createWarp(
     // setAttributes() and a second createCanvas() make a new renderer, where the old one's shaders mean nothing.
     if (renderer !== compiled.renderer) compiled = compileFor(canvas, offset, settings)
 
-    const followed = materialOf(renderer)._useNormalMaterial ? 'normal' : 'specular'
-    const shader = compiled.shaderFor(settings.type ?? followed)
+    const isNormal = drawsNormals(renderer)
+    const shader = compiled.shaderFor(settings.type ?? (isNormal ? 'normal' : 'specular'))
     if (compiled.varies && settings.surfaceVariation === undefined) noteUnlessUsed()
     canvas.shader(shader)
+    if (isNormal) rememberNormals(renderer, shader)
     canvas.noStroke()
     setInputs(shader, compiled.inputs, canvas)
     setUniforms(shader, uniforms, settings)

@@ -1,6 +1,6 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
-import type { Shape, Variable } from '../compilation.js'
 import { WarpError, describe } from '../errors.js'
+import type { Shape, Variable } from '../shapes.js'
 import {
   type DeclaredUniforms,
   componentsOf,

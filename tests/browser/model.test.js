@@ -14,6 +14,7 @@ import { p5Versions, runSketch } from './support/sketch.js'
 const addon = '/dist/p5.warpjet.min.js'
 const size = 300
 const folder = '/.build/model-test'
+const alone = `${folder}/alone/p5.warpjet.min.js`
 const path = (name) => fileURLToPath(new URL(`../..${name}`, import.meta.url))
 
 /** As glTF has it: y upwards, the front counterclockwise, colours linear. Two wide, one high. */
@@ -65,7 +66,8 @@ before(async () => {
     exportGLB({ positions, normals, uvs, indices, material }),
   )
   // A copy of the script that has nothing beside it.
-  copyFileSync(path(addon), path(`${folder}/alone.js`))
+  mkdirSync(path(`${folder}/alone`), { recursive: true })
+  copyFileSync(path(addon), path(alone))
   server = await servePages()
   browser = await launchBrowser()
 })
@@ -271,13 +273,13 @@ for (const [version, p5] of Object.entries(p5Versions)) {
       const { page } = await sketch(
         `await loadWarpModel(base + 'plain.glb').then(null, ({ message }) => (window.problem = message))`,
         '',
-        [p5, `${folder}/alone.js`],
+        [p5, alone],
       )
       const problem = await page.evaluate('problem')
       await page.close()
       assert.equal(
         problem,
-        `loadWarpModel: it needs ${server.url}${folder}/mesh.js, which cannot be loaded; copy all of the package's dist folder to where the script is.`,
+        `loadWarpModel: it needs ${server.url}${folder}/alone/mesh.min.js, which cannot be loaded; copy it there, from the package's folder dist.`,
       )
     })
   })
@@ -318,7 +320,7 @@ describe('loadWarpModel in preload, on p5 1.11', () => {
 })
 
 describe('loadWarpModel from elsewhere', () => {
-  test('takes mesh.js from the server that the script is from', async () => {
+  test('takes mesh.min.js from the server that the script is from', async () => {
     const context = await browser.newContext()
     const cdn = server.url.replace('localhost', '127.0.0.1')
     const fetched = []
@@ -342,7 +344,7 @@ describe('loadWarpModel from elsewhere', () => {
     assert.deepEqual(messages, [])
     assert.equal(await page.evaluate('tip.faces.length'), 1)
     await context.close()
-    assert.ok(fetched.includes('/dist/mesh.js'), fetched.join())
+    assert.ok(fetched.includes('/dist/mesh.min.js'), fetched.join())
   })
 
   test('tells the console of a model that preload waits for in vain', async () => {

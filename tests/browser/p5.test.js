@@ -158,6 +158,26 @@ for (const [version, p5] of Object.entries(p5Versions)) {
       }
     })
 
+    test('follows normalMaterial() before and after the warp, from frame to frame, until another material', async () => {
+      const setup = `
+        distort = createWarp(${waves(1).code})
+        again = createWarp(${waves(1).code})`
+      const normals = 'normalMaterial(); distort(); sphere(60)'
+      const scenes = {
+        first: normals,
+        second: normals,
+        'the other order': 'distort(); normalMaterial(); sphere(60)',
+        third: `lights(); ${normals}`,
+        'another warp': 'normalMaterial(); distort(); again(); sphere(60)',
+        'after push and pop': 'normalMaterial(); push(); distort(); pop(); again(); sphere(60)',
+        'in vain': `normalMaterial(); distort(); fill('red'); again(); sphere(60)`,
+      }
+      // Frames without push() and pop() around them, as sketches have them.
+      const { first, 'in vain': red, ...others } = await draw({ setup, scenes, isPushed: false })
+      for (const [name, image] of Object.entries(others)) assert.deepEqual(image, first, name)
+      assert.deepEqual(colorAt(red, size / 2, size / 2), [255, 0, 0])
+    })
+
     test('keeps the normals in view under lights and textures', async () => {
       const setup = `
         distort = createWarp(${waves(1).code}, { type: 'normal' })

@@ -27,9 +27,15 @@ ${code}
 
 /**
  * Runs a global mode sketch and draws each of `scenes`, p5 code by name, as a frame of its own → images by name.
- * `setup` runs after createCanvas, and may keep things in the object `warps`; the mouse is at 30, 10. Fails if the page prints anything.
+ * `setup` runs after createCanvas, and may keep things in the object `warps`; push() and pop() stand around each scene unless
+ * `isPushed` is false; the mouse is at 30, 10. Fails if the page prints anything.
  */
-export async function drawScenes(browser, server, scripts, { size = 200, setup = '', scenes }) {
+export async function drawScenes(
+  browser,
+  server,
+  scripts,
+  { size = 200, setup = '', scenes, isPushed = true },
+) {
   const functions = Object.entries(scenes).map(
     ([name, code]) => `${JSON.stringify(name)}: () => { ${code} }`,
   )
@@ -48,9 +54,9 @@ function setup() {
 }
 function draw() {
   background(0)
-  push()
+  ${isPushed ? 'push()' : ''}
   scene()
-  pop()
+  ${isPushed ? 'pop()' : ''}
 }`,
   )
   await page.mouse.move(30, 10)

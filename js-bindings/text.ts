@@ -1,0 +1,15 @@
+// 'warpjet/text': all of 'warpjet' but what runs warps on the CPU, at half its size.
+export { compile, gen } from './compile.js'
+export type { CompiledExpressions, GenSettings } from './compile.js'
+export { compileWarp } from './compile-warp-text.js'
+export type { Compiled, CompileOptions, Stats } from './compiled.js'
+export { targets, type Target } from './compilation.js'
+export type { Numbers } from './evaluate.js'
+/** @internal */
+export { memoryInUse } from './core.js'
+export { WarpError } from './errors.js'
+export { version } from './generated/version.js'
+export type { InputName } from './inputs.js'
+export type * from './noise-types.js'
+export type * from './types.js'
+export type { WarpOptions, WarpText } from './warp-text.js'
