@@ -6,6 +6,7 @@ import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
+import { isEveryday, leftOut } from './tiers.mjs'
 
 const node = (...args) => run(process.execPath, args)
 const binary = (name) => path('node_modules', name)
@@ -44,7 +45,9 @@ async function cpp(preset) {
 }
 
 async function nodeTests(folder, ...options) {
-  const files = walk(folder, /\.test\.js$/)
+  const files = walk(folder, /\.test\.js$/).filter(
+    (file) => !(isEveryday() && file in leftOut.files),
+  )
   if (!files.length) throw new Stop(`There are no tests in ${folder}.`)
   await node('--test', '--test-reporter=spec', ...options, ...files)
 }

@@ -12,7 +12,7 @@
 // float32 itself is no finer than 6e-5.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { orphans, warps } from '../warps/index.js'
+import { orphans, warpsInThisRun as warps } from '../warps/index.js'
 import { launchBrowser } from './support/browser.js'
 import { compare, moments } from './support/compare.js'
 import { denseMesh, stride, vertices } from './support/dense-mesh.js'

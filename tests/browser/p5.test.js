@@ -6,7 +6,7 @@ import * as m from './support/matrix.js'
 import { directions, geometryCode, sphereMesh } from './support/mesh.js'
 import { colorAt, differingPixels, litPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions } from './support/sketch.js'
+import { drawScenes, p5InThisRun } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 const size = 200
@@ -47,7 +47,7 @@ const waves = (u) => ({
 const mapValues = (object, change) =>
   Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]))
 
-for (const [version, p5] of Object.entries(p5Versions)) {
+for (const [version, p5] of p5InThisRun) {
   const draw = (options) => drawScenes(browser, server, [p5, addon], { size, ...options })
 
   describe(`createWarp on p5 ${version}`, () => {

@@ -1,3 +1,4 @@
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { compileWarp } from '../../dist/warpjet.js'
 import { degrees } from '../browser/support/compare.js'
 import { gallery } from './gallery.js'
@@ -39,7 +40,8 @@ const sketches = (await sketchWarps())
  * - `reach` is how large the numbers in the formulas get, for rounding errors are in proportion to it;
  * - `params` are values of the warp's own parameters;
  * - `collapses`: where the moved surface has no normal, its derivatives are exactly zero in float32 too;
- * - `kept`: its text is one of tests/golden.
+ * - `kept`: its text is one of tests/golden;
+ * - `deep`: its text is long to compile.
  */
 export const warps = [...stress, ...sketches, ...operations, ...pieces, ...inputs].map((warp) => ({
   compile: (target) => compileWarp(warp.warp, { target }),
@@ -50,6 +52,9 @@ export const warps = [...stress, ...sketches, ...operations, ...pieces, ...input
   params: {},
   ...warp,
 }))
+
+/** Those that this run computes with. */
+export const warpsInThisRun = warps.filter(({ deep }) => !deep || isRun('deep domain warping'))
 
 /** Oracles whose sketch is gone. */
 export const orphans = Object.keys(gallery).filter(

@@ -1,5 +1,6 @@
 // p5 sketches as pages, drawn frame by frame.
 import assert from 'node:assert/strict'
+import { isRun } from '../../../.scripts/lib/tiers.mjs'
 import { openPage } from './browser.js'
 import { readPixels } from './pixels.js'
 
@@ -8,6 +9,11 @@ export const p5Versions = {
   '2.x': '/node_modules/p5/lib/p5.js',
   1.11: '/node_modules/p5-v1/lib/p5.js',
 }
+
+/** Those that this run draws with, [[version, file]]. */
+export const p5InThisRun = Object.entries(p5Versions).filter(
+  ([version]) => version !== '1.11' || isRun('p5 1.11'),
+)
 
 /** Opens a page with `scripts` (addresses) and then `code`, and waits until that sets `window.done` → { page, messages }. */
 export async function runSketch(browser, server, scripts, code, type = '') {
