@@ -35,7 +35,8 @@ export function startCore<Core>(): Core {
       functions[textUntilZero(name)] = embound(call, context, isText)
     },
   }
-  const exports = new WebAssembly.Instance(open(base64), {
+  const module = open(base64)
+  const exports = new WebAssembly.Instance(module, {
     env,
     wasi_snapshot_preview1: { proc_exit },
   }).exports as Exports

@@ -28,7 +28,8 @@ interface Unpacker {
 const headerSize = 13
 
 function unpack(packed: Uint8Array): Uint8Array<ArrayBuffer> {
-  const unpacker = new WebAssembly.Instance(openUnpacker()).exports as unknown as Unpacker
+  const module = openUnpacker()
+  const unpacker = new WebAssembly.Instance(module).exports as unknown as Unpacker
   const input = unpacker.__heap_base.value as number
   const output = input + packed.length
   const size = new DataView(packed.buffer).getUint32(5, true)

@@ -190,5 +190,14 @@ describe('the modules', () => {
     assert.equal(Sketch.prototype.createWarp, method)
     assert.equal(typeof Sketch.Graphics.prototype.createWarp, 'function')
     assert.throws(() => createWarp({}, () => 0), { name: 'WarpError', message: /3D canvas/ })
+    for (const [wrong, what] of [
+      [undefined, 'undefined'],
+      [{ default: Sketch }, 'an object'],
+      [() => {}, 'a function'],
+    ])
+      assert.throws(() => warpjet(wrong), {
+        name: 'WarpError',
+        message: `warpjet: p5 itself was expected, as in: import p5 from 'p5', then warpjet(p5); but ${what} came.`,
+      })
   })
 })

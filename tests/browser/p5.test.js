@@ -178,6 +178,20 @@ for (const [version, p5] of p5InThisRun) {
       assert.deepEqual(colorAt(red, size / 2, size / 2), [255, 0, 0])
     })
 
+    test('lets p5 pick one of several expressions, friendly errors or not', async () => {
+      // As p5.warp's own stress test does; either one moves by 40 to the right.
+      const setup = `
+        distort = createWarp(({ glsl, position }) => {
+          const { x, y } = { x: position.x().mult(0).add(40), y: position.y().mult(0).add(40) }
+          return glsl.vec3(random([x, y]), 0, 0)
+        }, { space: 'world' })`
+      for (const file of [p5, p5.replace('.js', '.min.js')]) {
+        const scenes = { image: `noStroke(); distort(); fill('red'); plane(20)` }
+        const { image } = await drawScenes(browser, server, [file, addon], { size, setup, scenes })
+        assert.deepEqual(colorAt(image, size / 2 + 40, size / 2), [255, 0, 0])
+      }
+    })
+
     test('keeps the normals in view under lights and textures', async () => {
       const setup = `
         distort = createWarp(${waves(1).code}, { type: 'normal' })

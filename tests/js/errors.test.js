@@ -60,6 +60,36 @@ test('operators of JavaScript', () => {
   )
 })
 
+test('expressions in texts', () => {
+  // For messages of others, but no shader reads it.
+  compile((glsl) => {
+    const x = glsl.param('x')
+    assert.equal(`${x}`, 'an expression of warpjet')
+    refuses(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
+    refuses(
+      () => glsl.fn({ name: 'f', arity: 1, source: `float f(float a) { return a * ${x}; }` }),
+      /^fn: the option "source" of f has an expression in its text; make it an argument/,
+    )
+    refuses(() => x + '', /do not work on expressions/)
+    return { result: x }
+  })
+})
+
+test('expressions of another copy of warpjet', async () => {
+  const other = await import('../../dist/warpjet.min.js')
+  let foreign
+  other.compileWarp(({ position }) => (foreign = position))
+  const sentence = /was made by another copy of warpjet; this page loads two, so take all/
+  refuses(
+    offset(() => foreign),
+    sentence,
+  )
+  refuses(
+    offset(({ position }) => position.add(foreign)),
+    sentence,
+  )
+})
+
 test('what is no offset function', () => {
   refuses(() => compileWarp(), /a function was expected, but undefined/)
   refuses(() => compileWarp('x'), /a function was expected, but the text "x"/)

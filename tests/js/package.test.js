@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { readFileSync, readdirSync } from 'node:fs'
+import { createRequire } from 'node:module'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 
@@ -23,7 +24,12 @@ test('the package holds what a user needs and nothing else', () => {
   const files = packedFiles()
   const others = files
     .map(({ path }) => path)
-    .filter((path) => !/^dist\/[\w.-]+\.js$|^dist\/types\/[\w.-]+\.d\.ts$|^web\/docs\//.test(path))
+    .filter(
+      (path) =>
+        !/^dist\/(shared\/)?[\w.-]+\.js(\.map)?$|^dist\/types\/[\w.-]+\.d\.ts$|^web\/docs\//.test(
+          path,
+        ),
+    )
   assert.deepEqual(others.sort(), [
     'CHANGELOG.md',
     'LICENSE',
@@ -32,8 +38,9 @@ test('the package holds what a user needs and nothing else', () => {
     'package.json',
     'web/gallery.png',
   ])
-  const modules = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
-  for (const file of [...modules, 'p5.warpjet.min', 'warpjet.deformers.min'])
+  const modules = ['warpjet', 'text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
+  const single = ['warpjet.min', 'mesh.min', 'p5.warpjet.min', 'warpjet.deformers.min']
+  for (const file of [...modules, ...single])
     assert.ok(
       files.some(({ path }) => path === `dist/${file}.js`),
       file,
@@ -46,7 +53,9 @@ test('every entry loads in Node, without a DOM and without p5', async () => {
   const autodiff = await import('warpjet/autodiff')
   const addon = await import('warpjet/p5')
   const mesh = await import('warpjet/mesh')
+  const text = await import('warpjet/text')
   assert.equal(autodiff.gen, core.gen)
+  assert.equal(text.gen, core.gen)
   assert.equal(typeof addon.default, 'function')
   assert.equal(mesh.WarpError, core.WarpError)
   const { twist } = await import('warpjet/deformers')
@@ -55,28 +64,18 @@ test('every entry loads in Node, without a DOM and without p5', async () => {
   assert.equal(typeof globalThis.window, 'undefined')
 })
 
+test('require loads every entry, in the versions of Node that package.json names', () => {
+  const require = createRequire(import.meta.url)
+  for (const entry of ['', '/text', '/p5', '/autodiff', '/mesh', '/deformers'])
+    assert.ok(Object.keys(require(`warpjet${entry}`)).length, entry)
+  // The first of each line that has require for modules.
+  const { engines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  assert.equal(engines.node, '^20.19.0 || >=22.12.0')
+})
+
 test('glsl-autodiff’s global script name works: AutoDiff.gen', async () => {
   await import('../../dist/p5.warpjet.min.js')
   assert.equal(typeof globalThis.AutoDiff.gen, 'function')
-})
-
-test('the deformers bring no compiler: they use the one that is there', () => {
-  for (const name of ['core', 'evaluation', 'mesh']) {
-    const wasm = readFileSync(`${root}js-bindings/generated/${name}-wasm.js`, 'utf8')
-    const [, base64] = /'([^']+)'/.exec(wasm)
-    const script = readFileSync(`${root}dist/warpjet.deformers.min.js`, 'utf8')
-    assert.ok(!script.includes(base64.slice(0, 200)), name)
-  }
-})
-
-test('a page with a warp of p5 carries neither the evaluation nor the meshes', () => {
-  for (const name of ['evaluation', 'mesh']) {
-    const wasm = readFileSync(`${root}js-bindings/generated/${name}-wasm.js`, 'utf8')
-    const [, base64] = /'([^']+)'/.exec(wasm)
-    const script = readFileSync(`${root}dist/p5.warpjet.min.js`, 'utf8')
-    assert.ok(base64.length > 1000)
-    assert.ok(!script.includes(base64.slice(0, 200)), name)
-  }
 })
 
 test('the links and pictures of what is shipped live wherever it is shown', () => {
