@@ -2,6 +2,7 @@
 import { availableParallelism } from 'node:os'
 import { fuzz } from '../fuzz.mjs'
 import { staleFiles } from '../reference.mjs'
+import { installEnvironments } from './environments.mjs'
 import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
 import { exitCode, run } from './run.mjs'
@@ -52,6 +53,11 @@ async function nodeTests(folder, ...options) {
   await node('--test', '--test-reporter=spec', ...options, ...files)
 }
 
+async function environments() {
+  await installEnvironments()
+  await nodeTests('tests/package', '--test-concurrency=1')
+}
+
 /** `group` is what `npm test -- <group>` selects. */
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
@@ -72,4 +78,5 @@ export const checks = [
     title: 'Browser tests',
     work: () => nodeTests('tests/browser', '--test-concurrency=1'),
   },
+  { group: 'package', title: 'The package in its environments', work: environments },
 ]

@@ -4,7 +4,10 @@
 
 /** What an everyday run leaves out, each with the reason: whole steps by title, whole files, and parts that files ask `isRun` for. */
 export const leftOut = {
-  steps: {},
+  steps: {
+    'The package in its environments':
+      'it installs 900 MB of bundlers and needs the npm registry; what it proves changes only with package.json and the build',
+  },
   files: {
     'tests/browser/bench.test.js': 'the benchmark is run seldom, by hand, and ships to nobody',
     'tests/browser/bench-pages.test.js': 'likewise its page',
