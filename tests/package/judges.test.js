@@ -36,9 +36,12 @@ for (const [module, moduleResolution] of [
       '--noEmit',
       '--strict',
       '--ignoreConfig',
-      '--target=es2022',
-      `--module=${module}`,
-      `--moduleResolution=${moduleResolution}`,
+      '--target',
+      'es2022',
+      '--module',
+      module,
+      '--moduleResolution',
+      moduleResolution,
       'types/modules.ts',
     ])
     assert.equal(output, '')
