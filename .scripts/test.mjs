@@ -11,6 +11,7 @@ import { setup } from './setup.mjs'
 await main(async () => {
   const start = performance.now()
   const { groups, tier } = options()
+  const chosen = select(groups, tier)
   chooseTier(tier)
   const results = []
   const attempted = async (step) => results.push(await attempt(step))
@@ -21,7 +22,7 @@ await main(async () => {
   })
   if (!results[0].passed) throw new Stop('Nothing can be tested without that.')
   await attempted({ title: 'Build', work: build })
-  for (const check of select(groups, tier)) await attempted(check)
+  for (const check of chosen) await attempted(check)
 
   heading(tier === 'all' ? 'Everything' : 'The everyday run; `npm test -- --all` is everything')
   printTimes(results, performance.now() - start, groups.length ? null : limits[tier])
@@ -48,11 +49,14 @@ function options() {
   }
 }
 
-const select = (groups, tier) =>
-  checks.filter(
-    ({ group, title }) =>
-      (!groups.length || groups.includes(group)) && (tier === 'all' || !(title in leftOut.steps)),
-  )
+function select(groups, tier) {
+  const chosen = checks.filter(({ group }) => !groups.length || groups.includes(group))
+  const run = chosen.filter(({ title }) => tier === 'all' || !(title in leftOut.steps))
+  const reasons = chosen.map(({ title }) => `${title}: ${leftOut.steps[title]}`)
+  if (!run.length)
+    throw new Stop(`Nothing of that is run every day; add --all.\n${reasons.join('\n')}`)
+  return run
+}
 
 async function attempt({ title, work }) {
   heading(title)

@@ -81,12 +81,12 @@ export function createBuilder(compilation: Compilation): Builder {
 /** Methods that ask for results, as glsl-autodiff has them. */
 const results = {
   output(this: Expression, name: unknown) {
-    this.compilation.output(name, this, 'output')
+    this.compilation.ask(name, this, 'output')
   },
   outputDeriv(this: Expression, name: unknown, input: unknown) {
     const { compilation } = this
     const by = toExpression(compilation, 'outputDeriv', input, 2)
-    compilation.output(
+    compilation.ask(
       name,
       compilation.call(operationNumber('derivative'), 'outputDeriv', [this, by]),
       'outputDeriv',

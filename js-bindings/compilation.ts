@@ -5,6 +5,7 @@ import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import type { Program } from './evaluate.js'
 import type { HostFunction } from './functions.js'
+import { isCallable } from './options.js'
 import { type Shape, type Variable, imageShape } from './shapes.js'
 import { callerOutside } from './source-lines.js'
 
@@ -29,6 +30,11 @@ export interface Emitted {
   stats: { nodes: number; operations: number; temporaries: number }
 }
 
+/** What `gen` alone has: results that expressions ask for by `.output(name)`, and the lines of the sketch. */
+export interface Gen {
+  debug: boolean
+}
+
 export class Compilation {
   readonly target: Target
   /** The functions of the host, by their number. */
@@ -37,22 +43,22 @@ export class Compilation {
   private readonly asked = new Set<string>()
   private readonly core: Core = getCore()
   private session: Session | 0
-  private readonly debug: boolean
+  private readonly gen: Gen | undefined
   /** How many functions' derivatives are being asked for at this moment. */
   private nesting = 0
 
-  constructor(target: unknown, debug = false) {
+  constructor(target: unknown, gen?: Gen) {
     if (!targets.includes(target as Target))
       throw new WarpError(
         `The option "target" must be one of ${targets.join(', ')}, but is ${describe(target)}.`,
       )
     this.target = target as Target
     this.session = this.core.open(this.target)
-    this.debug = debug
+    this.gen = gen
   }
 
   close() {
-    if (this.session) this.core._closeSession(this.session)
+    if (this.session && !this.core.isBroken) this.core._closeSession(this.session)
     this.session = 0
   }
 
@@ -60,6 +66,10 @@ export class Compilation {
     if (!this.session)
       throw new WarpError(
         `${method}: the function that made this expression is over; use expressions only inside it.`,
+      )
+    if (this.core.isBroken)
+      throw new WarpError(
+        `${method}: the compiler ran out of memory, and this warp was lost with it; make it again.`,
       )
     return this.session
   }
@@ -70,7 +80,7 @@ export class Compilation {
 
   private expression(handle: number): Expression {
     if (handle === failed) this.refuse()
-    if (this.debug) this.core.comment(this.open('debug'), callerOutside())
+    if (this.gen?.debug) this.core.comment(this.open('debug'), callerOutside())
     return new Expression(this, handle)
   }
 
@@ -187,7 +197,7 @@ export class Compilation {
       toExpression(
         this,
         name,
-        typeof given === 'function' ? given(...operands) : given,
+        isCallable(given) ? given(...(operands as never[])) : given,
         `derivative ${i + 1}`,
       )
     this.nesting++
@@ -201,7 +211,16 @@ export class Compilation {
     if (!this.core._setPartials(session, call)) this.refuse()
   }
 
-  /** Asks for a result under a name. */
+  /** Asks for a result by the method of an expression. */
+  ask(name: unknown, value: Expression, method: string) {
+    if (!this.gen)
+      throw new WarpError(
+        `${method}: only gen takes results this way; return the expression from the function instead.`,
+      )
+    this.output(name, value, method)
+  }
+
+  /** Adds a result under a name. */
   output(name: unknown, value: Expression, method: string) {
     const session = this.open(method)
     if (!this.core.output(session, method, resultName(name, method), value.handle)) this.refuse()

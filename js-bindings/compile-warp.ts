@@ -35,7 +35,7 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
 ): CompiledWarp {
   const settings = readOptions('compileWarp', given as OffsetFunction, options)
   const { offset, declared } = declareUniforms('compileWarp', given as OffsetFunction, options)
-  return withCompilation(settings.target, false, (compilation) => {
+  return withCompilation(settings.target, (compilation) => {
     const warp = buildWarp(compilation, 'compileWarp', offset, settings)
     noteIfApproximate(warp)
     return { ...warp.text, ...createCpuWarp({ declared, ...programOf(compilation, warp) }) }

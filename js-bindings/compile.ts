@@ -1,5 +1,6 @@
 // Any expressions, as text and on the CPU: `compile`, and glsl-autodiff's `gen`.
 import { createBuilder } from './builder.js'
+import type { Compilation } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import { type Compiled, type CompileOptions, withCompilation } from './compiled.js'
 import { type Numbers, evaluate } from './evaluate.js'
@@ -26,7 +27,7 @@ export function compile(
 ): CompiledExpressions {
   checkCallback('compile', callback)
   checkOptions('compile', options, ['target'])
-  return withCompilation(options.target, false, (compilation) => {
+  return withCompilation(options.target, (compilation) => {
     const results: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (typeof results !== 'object' || results === null || isNoRecord(results))
       throw new WarpError(
@@ -73,7 +74,7 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
     throw new WarpError(
       `gen: maxDepthPerVariable must be a number of at least 1, but is ${describe(maxDepthPerVariable)}.`,
     )
-  return withCompilation(target, debug, (compilation) => {
+  const write = (compilation: Compilation) => {
     const returned: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (isUnfinished(returned))
       throw new WarpError('gen: the function must be a plain one, not async and no generator.')
@@ -87,7 +88,8 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
         'gen: no result was asked for; call .output(name) on an expression instead of returning it.',
       )
     return code
-  })
+  }
+  return withCompilation(target, write, { debug })
 }
 
 /** What an async function or a generator returns at once. */

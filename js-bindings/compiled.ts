@@ -1,5 +1,5 @@
 // What every compilation takes and gives.
-import { Compilation, type Target } from './compilation.js'
+import { Compilation, type Gen, type Target } from './compilation.js'
 
 /** How much work a result is. */
 export interface Stats {
@@ -28,10 +28,10 @@ export interface CompileOptions {
 /** Does some work with a compilation, and closes it whatever happens. */
 export function withCompilation<Result>(
   target: Target = 'glsl300',
-  debug: boolean,
   work: (compilation: Compilation) => Result,
+  gen?: Gen,
 ): Result {
-  const compilation = new Compilation(target, debug)
+  const compilation = new Compilation(target, gen)
   try {
     return work(compilation)
   } finally {

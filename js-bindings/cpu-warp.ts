@@ -212,11 +212,15 @@ function originsOf(
   wanted: readonly number[],
   given: Uniforms | undefined,
 ): Origin[] {
-  const nameOf = (variable: Variable) =>
-    Object.keys(names).find((name) => names[name] === variable.name)
+  // The first of two inputs that have one name in the shader.
+  const inputs = new Map(
+    Object.entries(names)
+      .reverse()
+      .map(([input, name]) => [name, input]),
+  )
+  const nameOf = (variable: Variable) => inputs.get(variable.name)
   const parameters = program.inputs.filter((variable) => !nameOf(variable))
-  const known = [...declared.keys(), ...parameters.map(({ name }) => name)]
-  checkUniforms(method, given, [...new Set(known)])
+  checkUniforms(method, given, [...declared.keys(), ...parameters.map(({ name }) => name)])
   const uniforms = withDeclared(method, declared, given, parameters)
   const read = inputsRead(program, wanted)
   return program.inputs.map((variable, i) => {

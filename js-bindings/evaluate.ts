@@ -1,6 +1,7 @@
 // Named expressions on the CPU, in double.
 import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
+import { own } from './options.js'
 import type { Variable } from './shapes.js'
 
 /** src/eval/program.hpp: plain words, which outlive the compilation. */
@@ -28,9 +29,9 @@ export function evaluate(
     throw new WarpError(
       'evaluate: only the GPU can call a function of glsl.fn and read an image by glsl.texture.',
     )
-  const isRead = (input: Variable) => read.some(({ name }) => name === input.name)
+  const names = new Set(read.map(({ name }) => name))
   const numbers = program.inputs.flatMap((input) =>
-    isRead(input) ? readNumbers(input, given) : Array<number>(sizeOf(input)).fill(0),
+    names.has(input.name) ? readNumbers(input, given) : Array<number>(sizeOf(input)).fill(0),
   )
   const results = run(program, numbers, totalSize(outputs))
   let at = 0
@@ -43,7 +44,7 @@ export function evaluate(
 }
 
 function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>): number[] {
-  const value: unknown = given?.[input.name]
+  const value = own(given ?? {}, input.name)
   const size = sizeOf(input)
   const list = size === 1 && typeof value === 'number' ? [value] : value
   const fits =
@@ -59,6 +60,8 @@ function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>):
 function run({ words, instructions }: Program, inputs: number[], resultCount: number): number[] {
   const core = getCore()
   const numbers = core._allocate(8 * (inputs.length + resultCount) + 4 * words.length)
+  if (!numbers)
+    throw new WarpError('evaluate: there is not enough memory to compute so many numbers.')
   try {
     const results = numbers + 8 * inputs.length
     const code = results + 8 * resultCount
@@ -67,6 +70,6 @@ function run({ words, instructions }: Program, inputs: number[], resultCount: nu
     core._run(code, words.length, instructions, numbers, inputs.length, results, resultCount)
     return [...core.HEAPF64.subarray(results / 8, results / 8 + resultCount)]
   } finally {
-    core._release(numbers)
+    if (!core.isBroken) core._release(numbers)
   }
 }

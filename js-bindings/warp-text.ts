@@ -55,7 +55,7 @@ export interface WarpText extends Compiled {
 export function compileWarpText(method: string, given: OffsetFunction, options: WarpOptions) {
   const settings = readOptions(method, given, options)
   const { offset } = declareUniforms(method, given, options)
-  return withCompilation(settings.target, false, (compilation) => {
+  return withCompilation(settings.target, (compilation) => {
     const { text, parameters, isApproximate } = buildWarp(compilation, method, offset, settings)
     return { text, parameters, isApproximate }
   })
@@ -194,14 +194,17 @@ export function buildWarp(
   }
 
   const { code, declarations, stats, inputs: given } = compilation.build()
-  const used = given.map(({ name }) => name)
-  const isRead = (name: string) => used.includes(names[name]!)
-  const parameters = given.filter(({ name }) => !Object.values(names).includes(name))
+  const used = new Set(given.map(({ name }) => name))
+  const isRead = (name: string) => used.has(names[name]!)
+  const labels = new Set(Object.values(names))
+  const parameters = given.filter(({ name }) => !labels.has(name))
+  const drawn = Object.keys(drawInputs).filter(isRead)
+  refuseNamesakes(method, names, drawn, parameters)
   const text = {
     code,
     declarations,
     stats,
-    uniforms: [...Object.keys(drawInputs).filter(isRead), ...parameters.map(({ name }) => name)],
+    uniforms: [...drawn, ...parameters.map(({ name }) => name)],
     attributes: Object.keys(vertexInputs).filter(isRead),
   }
   const deformation = constant && whole()
@@ -210,6 +213,20 @@ export function buildWarp(
   )
   const isApproximate = varies && !surfaceVariation && !isAccepted
   return { text, parameters, names, inputs, moved, deformation, varies, isAccepted, isApproximate }
+}
+
+/** A parameter under the name of an input that the shader calls otherwise: both would be one uniform. */
+function refuseNamesakes(
+  method: string,
+  labels: Record<string, string>,
+  inputs: readonly string[],
+  parameters: readonly Variable[],
+) {
+  for (const { name } of parameters)
+    if (inputs.includes(name))
+      throw new WarpError(
+        `${method}: the shader's "${name}" has the name of the input ${name}, which the warp reads as "${labels[name]}"; rename it.`,
+      )
 }
 
 /** For `compileWarp`. */

@@ -45,20 +45,22 @@ async function cpp(preset) {
   ])
 }
 
-async function nodeTests(folder, ...options) {
+async function nodeTests(folder) {
   const files = walk(folder, /\.test\.js$/).filter(
     (file) => !(isEveryday() && file in leftOut.files),
   )
   if (!files.length) throw new Stop(`There are no tests in ${folder}.`)
-  await node('--test', '--test-reporter=spec', ...options, ...files)
+  // Node's own choice is one file fewer than there are cores. The browsers of two files fill each other's pauses.
+  const concurrency = `--test-concurrency=${availableParallelism()}`
+  await node('--test', '--test-reporter=spec', concurrency, ...files)
 }
 
 async function environments() {
   await installEnvironments()
-  await nodeTests('tests/package', '--test-concurrency=1')
+  await nodeTests('tests/package')
 }
 
-/** `group` is what `npm test -- <group>` selects. */
+/** `group` is what `npm test -- <group>` selects; tiers.mjs names the titles that the everyday run leaves out. */
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
   {
@@ -67,16 +69,11 @@ export const checks = [
     work: () => node(binary('typescript/bin/tsc'), '--project', 'tsconfig.json'),
   },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
-  { group: 'cpp', title: 'C++ tests', work: () => cpp('native') },
-  { group: 'cpp', title: 'C++ tests under ASan and UBSan', work: () => cpp('sanitize') },
+  { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
+  { group: 'cpp', title: 'The same under ASan and UBSan', work: () => cpp('sanitize') },
   // From the committed seeds alone, so that it takes the same time everywhere.
   { group: 'fuzz', title: 'Fuzzing', work: () => fuzz({ seconds: 60, isKept: false }) },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },
-  // One after the other: each starts a browser that takes every core.
-  {
-    group: 'browser',
-    title: 'Browser tests',
-    work: () => nodeTests('tests/browser', '--test-concurrency=1'),
-  },
+  { group: 'browser', title: 'Browser tests', work: () => nodeTests('tests/browser') },
   { group: 'package', title: 'The package in its environments', work: environments },
 ]

@@ -5,6 +5,10 @@
 /** What an everyday run leaves out, each with the reason: whole steps by title, whole files, and parts that files ask `isRun` for. */
 export const leftOut = {
   steps: {
+    'The same under ASan and UBSan':
+      'compiling it takes twice as long as for the native tests; these have the checks of the standard library',
+    Fuzzing:
+      'searching takes a minute of each core; its corpus is run every day with the C++ tests',
     'The package in its environments':
       'it installs 900 MB of bundlers and needs the npm registry; what it proves changes only with package.json and the build',
   },
@@ -18,6 +22,9 @@ export const leftOut = {
       'what it does differently is little and changes seldom; p5-1.test.js has a smoke test',
     'all dialects':
       'WebGL 1 and WebGPU run the same nodes as WebGL 2, in words that tests/golden keeps for each dialect',
+    'every example through the page':
+      'the page frames every example alike; every day each is drawn by itself, and three through it',
+    'every model': 'models differ in their vertices alone; every day each warp meets one of them',
     'deep domain warping': 'its texts take a compiler without a GPU half a minute',
   },
 }

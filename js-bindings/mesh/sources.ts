@@ -11,8 +11,11 @@ export type Source = Bytes | URL | string
 export type Resolve = (uri: string) => Bytes | undefined | Promise<Bytes | undefined>
 
 interface NodeModules {
-  'node:fs/promises': { readFile(url: URL): Promise<Uint8Array> }
-  'node:url': { pathToFileURL(path: string): URL }
+  'node:fs/promises': {
+    readFile(url: URL): Promise<Uint8Array>
+    realpath(path: string): Promise<string>
+  }
+  'node:url': { pathToFileURL(path: string): URL; fileURLToPath(url: URL | string): string }
 }
 
 declare const process:
@@ -87,7 +90,7 @@ function parsed(text: string, base?: string | URL): URL | undefined {
 async function fetchBytes(url: URL, method: string): Promise<Uint8Array> {
   const files = url.protocol === 'file:' && node()?.getBuiltinModule('node:fs/promises')
   if (files) return readFile(files, url, method)
-  const sentence = (why: string) => `${method}: ${shorten(url.href)} cannot be loaded; ${why}.`
+  const sentence = (why: string) => `${method}: ${addressOf(url)} cannot be loaded; ${why}.`
   let response: Response
   try {
     response = await fetch(url)
@@ -103,6 +106,12 @@ async function fetchBytes(url: URL, method: string): Promise<Uint8Array> {
   } catch {
     throw new WarpError(sentence('the connection broke off'))
   }
+}
+
+/** Without what follows the file's name, which must be seen; data: has no end. */
+function addressOf({ href }: URL): string {
+  const address = href.split(/[?#]/)[0]!
+  return address.length <= 160 ? address : `${address.slice(0, 60)}…${address.slice(-100)}`
 }
 
 async function readFile(
@@ -130,6 +139,20 @@ function pathOf({ pathname }: URL): string {
   }
 }
 
+/** Whether no symbolic link leads from there out of the folder. */
+async function staysIn(folder: string, url: URL): Promise<boolean> {
+  const { realpath } = node()!.getBuiltinModule('node:fs/promises')
+  const { fileURLToPath, pathToFileURL } = node()!.getBuiltinModule('node:url')
+  try {
+    const file = pathToFileURL(await realpath(fileURLToPath(url)))
+    const home = pathToFileURL((await realpath(fileURLToPath(folder))) + '/')
+    return file.href.startsWith(home.href)
+  } catch {
+    // It does not exist, or nobody may look there.
+    return false
+  }
+}
+
 /**
  * The further files of a model where it lies itself: only those beside or below it, so that a file from a stranger reads
  * nothing else. Nothing for those that are not there, since a model can do without its pictures.
@@ -140,6 +163,7 @@ export function resolveBeside(model: URL, method: string): Resolve {
   return async (uri) => {
     const url = parsed(uri, model)
     if (folder === undefined || !url?.href.startsWith(folder)) return undefined
+    if (node() && url.protocol === 'file:' && !(await staysIn(folder, url))) return undefined
     try {
       return await fetchBytes(url, method)
     } catch (error) {

@@ -11,6 +11,7 @@ import {
   unlisted,
 } from '../uniforms.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
+import { own } from '../options.js'
 import type { WarpSettings } from './options.js'
 
 /** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
@@ -65,9 +66,11 @@ export const labelsOf = (declared: DeclaredUniforms) =>
 
 /** Of those that the warp reads, which `parameters` tells. */
 export function declarationsOf(declared: DeclaredUniforms, parameters: readonly Variable[]) {
-  const labels = [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`])
+  const labels = new Set(
+    [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`]),
+  )
   return parameters
-    .filter(({ name }) => labels.includes(name))
+    .filter(({ name }) => labels.has(name))
     .map(({ name, shape }) => `uniform ${precisely(shape)} ${name};\n`)
     .join('')
 }
@@ -137,11 +140,12 @@ export function setUniforms(
   { defs, uniforms: declared }: WarpSettings,
 ) {
   setDeclared(shader, given, declared)
+  const words = new Set(defs.match(/\w+/g))
   for (const [name, value] of Object.entries(given)) {
     if (declared.has(name)) continue
-    const uniform = shader.uniforms[name]
+    const uniform = own(shader.uniforms, name) as Uniform | undefined
     if (uniform) shader.setUniform(name, readValue(name, value, uniform))
-    else if (!defs.match(/\w+/g)?.includes(name))
+    else if (!words.has(name))
       throw new WarpError(
         declared.size
           ? `The warp has no uniform "${name}"; there are ${listed(declared)}.`

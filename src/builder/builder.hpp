@@ -3,7 +3,9 @@
 #pragma once
 
 #include <initializer_list>
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -120,7 +122,7 @@ class Builder {
   std::optional<Shape> commonShape(Operands operands, const Site& site);
   bool hasAllPartials(const Value& value);
   bool isFull() const { return graph_.full() || library_.isFull(); }
-  bool hidesWhatIsRead(const Emitted& emitted);
+  bool hidesWhatIsRead(const Emitted& emitted, std::string_view helpers);
   std::vector<NodeId> roots() const;
   std::vector<Output> lowered(Comments& comments);
 
@@ -141,6 +143,9 @@ class Builder {
   Values values_;
   std::vector<Value> operands_;
   std::vector<Output> outputs_;
+  std::set<std::string, std::less<>> outputNames_;
+  // By the label of a vector, the first input that is a part of it.
+  std::map<std::string, std::string, std::less<>> parts_;
   std::vector<std::string> sources_;  // by function of the host
   Comments comments_;
   std::size_t commented_ = 0;

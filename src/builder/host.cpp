@@ -14,12 +14,9 @@ namespace {
 
 // Whether a text defines or calls a function of that name.
 bool hasCall(std::string_view text, std::string_view name) {
-  for (const std::string_view word : identifiers(text)) {
-    const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
-    const std::size_t next = text.find_first_not_of(" \t\n", end);
-    if (word == name && next != text.npos && text[next] == '(') return true;
-  }
-  return false;
+  const auto words = identifiers(text);
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return word == name && isCalled(text, word); });
 }
 
 // Which components of the vector `whole` the text `part` reads, such as 0 and 2 for `p.xz`; nothing
@@ -41,24 +38,32 @@ std::vector<int> componentsOf(std::string_view whole, std::string_view part) {
   return {};
 }
 
+// Which vector the text reads a part of, if there is one; else nothing.
+std::string_view wholeOf(std::string_view part) {
+  const std::string_view whole = part.substr(0, part.find_last_of(".["));
+  return componentsOf(whole, part).empty() ? std::string_view() : whole;
+}
+
 }  // namespace
 
 int Builder::input(std::string_view method, std::string_view label, Shape shape) {
   const auto found = [&]() -> std::optional<Value> {
-    for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
-      const Input& known = graph_.input(i);
-      if (known.label == label) {
-        if (known.shape == shape) return wholeInput(i);
-        return refuse(method, {quotedShort(label), " was read as ", shapeName(known.shape),
-                               " before, and now as ", shapeName(shape), "."});
-      }
-      if (const auto part = partOfInput(i, label, shape)) return part;
-      if (shape.isVector() && !componentsOf(label, known.label).empty())
-        return refuse(method, {quotedShort(known.label), " was read before ", quotedShort(label),
-                               ", whose part it is; read the vector first."});
+    if (const auto known = graph_.inputLabelled(label)) {
+      const Shape before = graph_.input(*known).shape;
+      if (before == shape) return wholeInput(*known);
+      return refuse(method, {quotedShort(label), " was read as ", shapeName(before),
+                             " before, and now as ", shapeName(shape), "."});
     }
+    const std::string_view whole = wholeOf(label);
+    if (const auto vector = graph_.inputLabelled(whole)) {
+      if (const auto part = partOfInput(*vector, label, shape)) return part;
+    }
+    if (const auto part = parts_.find(label); shape.isVector() && part != parts_.end())
+      return refuse(method, {quotedShort(part->second), " was read before ", quotedShort(label),
+                             ", whose part it is; read the vector first."});
     if (const std::string why = inputProblem(dialect_, label); !why.empty())
       return refuse(method, {quotedShort(label), " cannot be read in a shader: ", why, "."});
+    if (!whole.empty()) parts_.emplace(whole, label);
     return wholeInput(graph_.input(label, shape));
   }();
   return finish(found, graph_.size(), method);
@@ -89,16 +94,14 @@ int Builder::addFunction(std::string_view name, std::string_view source, int ari
     refuse("fn", {quotedShort(name), why, detail});
     return failed;
   };
-  if (name.starts_with("warpjet"))
-    return refuseName(" cannot name a function: such names are warpjet's own; rename it.", "");
-  for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
-    if (graph_.function(i).name != name) continue;
-    if (sources_[i] == source && graph_.function(i).arity == arity) return static_cast<int>(i);
+  if (const std::string why = functionProblem(dialect_, name); !why.empty())
+    return refuseName(" cannot name a function: ", why + ".");
+  if (const auto known = graph_.functionNamed(name)) {
+    if (sources_[*known] == source && graph_.function(*known).arity == arity)
+      return static_cast<int>(*known);
     return refuseName(" is the name of another function already; rename one");
   }
   if (arity < 1) return refuseName(" must have at least one argument");
-  if (const std::string why = outputProblem(dialect_, name); !why.empty())
-    return refuseName(" cannot name a function: ", why + ".");
   if (!hasCall(source, name))
     return refuseName(" is not in the source, which must define a function of that name");
   const std::uint32_t number = graph_.addFunction({std::string(name), arity});

@@ -4,7 +4,6 @@
 #include "builder/builder.hpp"
 #include "builder/declarations.hpp"
 #include "builder/sentences.hpp"
-#include "emit/bundle.hpp"
 #include "emit/lower.hpp"
 #include "emit/names.hpp"
 #include "graph/reachable.hpp"
@@ -16,8 +15,7 @@ bool Builder::output(std::string_view method, std::string_view name, int handle)
     refuse(method, {quotedShort(name), " cannot name a result: ", why, "."});
     return false;
   }
-  for (const Output& output : outputs_) {
-    if (output.name != name) continue;
+  if (outputNames_.contains(name)) {
     refuse(method, {"there are two results named ", quotedShort(name), "; rename one."});
     return false;
   }
@@ -29,6 +27,7 @@ bool Builder::output(std::string_view method, std::string_view name, int handle)
                     "by .column(0)."});
     return false;
   }
+  outputNames_.emplace(name);
   outputs_.push_back({std::string(name), shape, {value.nodes().begin(), value.nodes().end()}});
   return true;
 }
@@ -97,7 +96,7 @@ std::optional<Built> Builder::build(std::optional<int> maxDepth) {
   declarations.add(graph_, built.emitted);
   built.declarations += declarations.text();
   if (isFull()) return refuse(site, {tooLarge});
-  if (hidesWhatIsRead(built.emitted)) return std::nullopt;
+  if (hidesWhatIsRead(built.emitted, declarations.text())) return std::nullopt;
   return built;
 }
 
@@ -112,35 +111,34 @@ std::vector<Output> Builder::lowered(Comments& comments) {
   return outputs;
 }
 
-// A result named like a variable or function that the text reads would hide it.
-bool Builder::hidesWhatIsRead(const Emitted& emitted) {
-  const auto refuses = [&](std::string_view name, std::string_view read) {
-    for (const Output& output : outputs_) {
-      if (output.name != name) continue;
-      refuse({}, {"The result ", quotedShort(name),
-                  " has the name of a variable or function that is read for it (",
-                  quotedShort(read), "); rename the result."});
-      return true;
-    }
-    return false;
+// A result named like a variable or function that the text reads would hide it, and a variable
+// cannot have the name of a function. `helpers` is the text of functions of ours.
+bool Builder::hidesWhatIsRead(const Emitted& emitted, std::string_view helpers) {
+  const auto refusesResult = [&](std::string_view name, std::string_view read) {
+    if (!outputNames_.contains(name)) return false;
+    refuse({}, {"The result ", quotedShort(name),
+                " has the name of a variable or function that is read for it (", quotedShort(read),
+                "); rename the result."});
+    return true;
   };
+  std::set<std::string_view> variables;
   for (const std::uint32_t i : emitted.inputs) {
     const std::string& label = graph_.input(i).label;
     for (const std::string_view word : identifiers(label)) {
-      if (refuses(word, label)) return true;
+      if (refusesResult(word, label)) return true;
+      if (!isCalled(label, word)) variables.insert(word);
     }
   }
-  std::vector<std::string> called;
-  for (const std::uint32_t i : emitted.functions) called.push_back(graph_.function(i).name);
-  for (const auto& [number, order] : emitted.ourFunctions)
-    called.push_back(nameWithDerivatives(graph_.function(number), order));
-  for (const std::string& name : called) {
-    if (refuses(name, name)) return true;
-    for (const std::uint32_t input : emitted.inputs) {
-      if (graph_.input(input).label != name) continue;
-      refuse({}, {quotedShort(name), " is both a variable and a function; rename one."});
-      return true;
-    }
+  std::vector<std::string_view> functions;
+  for (const std::uint32_t i : emitted.functions) functions.push_back(graph_.function(i).name);
+  for (const std::string_view word : identifiers(helpers)) {
+    if (word.starts_with(ourPrefix)) functions.push_back(word);
+  }
+  for (const std::string_view name : functions) {
+    if (refusesResult(name, name)) return true;
+    if (!variables.contains(name)) continue;
+    refuse({}, {quotedShort(name), " is both a variable and a function; rename one."});
+    return true;
   }
   return false;
 }

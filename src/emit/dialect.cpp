@@ -2,7 +2,7 @@
 
 namespace warpjet {
 
-// The GLSL ES 3.00 specification, section 3.8.
+// The GLSL ES 3.00 specification, sections 3.8 and 8.
 const Dialect glsl300{
     .name = "glsl300",
     .language = ops::Language::Glsl300,
@@ -47,9 +47,21 @@ const Dialect glsl300{
         "samplerExternalOES image1DShadow image2DShadow samplerBuffer isamplerBuffer "
         "usamplerBuffer "
         "sampler2DMS isampler2DMS usampler2DMS "
-        "sampler2DMSArray isampler2DMSArray usampler2DMSArray sizeof cast namespace using "};
+        "sampler2DMSArray isampler2DMSArray usampler2DMSArray sizeof cast namespace using ",
+    .functions =
+        " radians degrees sin cos tan asin acos atan pow exp log exp2 log2 sqrt inversesqrt "
+        "abs sign floor ceil fract mod min max clamp mix step smoothstep length distance dot "
+        "cross normalize faceforward reflect refract matrixCompMult lessThan lessThanEqual "
+        "greaterThan greaterThanEqual equal notEqual any all not sinh cosh tanh asinh acosh "
+        "atanh trunc round roundEven modf isnan isinf floatBitsToInt floatBitsToUint "
+        "intBitsToFloat uintBitsToFloat packSnorm2x16 unpackSnorm2x16 packUnorm2x16 "
+        "unpackUnorm2x16 packHalf2x16 unpackHalf2x16 outerProduct transpose determinant "
+        "inverse textureSize texture textureProj textureLod textureOffset texelFetch "
+        "texelFetchOffset textureProjOffset textureLodOffset textureProjLod "
+        "textureProjLodOffset textureGrad textureGradOffset textureProjGrad "
+        "textureProjGradOffset dFdx dFdy fwidth "};
 
-// The GLSL ES 1.00 specification, section 3.6.
+// The GLSL ES 1.00 specification, sections 3.6 and 8, and its extensions in WebGL.
 const Dialect glsl100{
     .name = "glsl100",
     .language = ops::Language::Glsl100,
@@ -73,9 +85,17 @@ const Dialect glsl100{
         "output hvec2 hvec3 hvec4 dvec2 dvec3 dvec4 fvec2 fvec3 fvec4 sampler1D sampler3D "
         "sampler1DShadow sampler2DShadow sampler2DRect sampler3DRect sampler2DRectShadow sizeof "
         "cast "
-        "namespace using "};
+        "namespace using ",
+    .functions =
+        " radians degrees sin cos tan asin acos atan pow exp log exp2 log2 sqrt inversesqrt "
+        "abs sign floor ceil fract mod min max clamp mix step smoothstep length distance dot "
+        "cross normalize faceforward reflect refract matrixCompMult lessThan lessThanEqual "
+        "greaterThan greaterThanEqual equal notEqual any all not texture2D texture2DProj "
+        "texture2DLod texture2DProjLod textureCube textureCubeLod texture2DLodEXT "
+        "texture2DProjLodEXT textureCubeLodEXT texture2DGradEXT texture2DProjGradEXT "
+        "textureCubeGradEXT dFdx dFdy fwidth "};
 
-// The WebGPU Shading Language, W3C, sections 6 and 16.
+// The WebGPU Shading Language, W3C, sections 6, 16 and 17.
 const Dialect wgsl{
     .name = "wgsl",
     .language = ops::Language::Wgsl,
@@ -111,7 +131,35 @@ const Dialect wgsl{
         "mat4x2f "
         "mat4x3f mat4x4f ptr sampler vec2 vec3 vec4 vec2f vec3f vec4f vec2i vec3i vec4i vec2u "
         "vec3u "
-        "vec4u "};
+        "vec4u vec2h "
+        "vec3h vec4h mat2x2h mat2x3h mat2x4h mat3x2h mat3x3h mat3x4h mat4x2h mat4x3h mat4x4h "
+        "sampler_comparison texture_1d texture_2d texture_2d_array texture_3d texture_cube "
+        "texture_cube_array texture_depth_2d texture_depth_2d_array texture_depth_cube "
+        "texture_depth_cube_array texture_depth_multisampled_2d texture_external "
+        "texture_multisampled_2d texture_storage_1d texture_storage_2d "
+        "texture_storage_2d_array texture_storage_3d ",
+    .functions =
+        " abs acos acosh all any arrayLength asin asinh atan atan2 atanh ceil clamp cos cosh "
+        "countLeadingZeros countOneBits countTrailingZeros cross degrees determinant distance "
+        "dot dot4I8Packed dot4U8Packed exp exp2 extractBits faceForward firstLeadingBit "
+        "firstTrailingBit floor fma fract frexp insertBits inverseSqrt ldexp length log log2 "
+        "max min mix modf normalize pow quantizeToF16 radians reflect refract reverseBits "
+        "round saturate select sign sin sinh smoothstep sqrt step tan tanh transpose trunc "
+        "dpdx dpdxCoarse dpdxFine dpdy dpdyCoarse dpdyFine fwidth fwidthCoarse fwidthFine "
+        "textureDimensions textureGather textureGatherCompare textureLoad textureNumLayers "
+        "textureNumLevels textureNumSamples textureSample textureSampleBaseClampToEdge "
+        "textureSampleBias textureSampleCompare textureSampleCompareLevel textureSampleGrad "
+        "textureSampleLevel textureStore atomicAdd atomicAnd atomicCompareExchangeWeak "
+        "atomicExchange atomicLoad atomicMax atomicMin atomicOr atomicStore atomicSub "
+        "atomicXor pack2x16float pack2x16snorm pack2x16unorm pack4x8snorm pack4x8unorm "
+        "pack4xI8 pack4xI8Clamp pack4xU8 pack4xU8Clamp unpack2x16float unpack2x16snorm "
+        "unpack2x16unorm unpack4x8snorm unpack4x8unorm unpack4xI8 unpack4xU8 storageBarrier "
+        "textureBarrier workgroupBarrier workgroupUniformLoad subgroupAdd subgroupAll "
+        "subgroupAnd subgroupAny subgroupBallot subgroupBroadcast subgroupBroadcastFirst "
+        "subgroupElect subgroupExclusiveAdd subgroupExclusiveMul subgroupInclusiveAdd "
+        "subgroupInclusiveMul subgroupMax subgroupMin subgroupMul subgroupOr subgroupShuffle "
+        "subgroupShuffleDown subgroupShuffleUp subgroupShuffleXor subgroupXor quadBroadcast "
+        "quadSwapDiagonal quadSwapX quadSwapY "};
 
 const Dialect* findDialect(std::string_view name) {
   for (const Dialect* dialect : {&glsl300, &glsl100, &wgsl}) {

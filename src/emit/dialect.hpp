@@ -23,6 +23,7 @@ struct Dialect {
   std::string_view builtIns;      // variables of the language that an expression may read
   std::string_view otherTypes;    // those of them that are no floats
   std::string_view keywords;      // these, and all words reserved for later
+  std::string_view functions;     // of the language
 
   static bool holds(std::string_view list, std::string_view word) {
     return list.find(' ' + std::string(word) + ' ') != list.npos;

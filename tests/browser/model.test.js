@@ -260,7 +260,7 @@ for (const [version, p5] of p5InThisRun) {
         [
           'loadWarpModel: the address of a model such as "bunny.glb" was expected, but undefined came.',
           'loadWarpModel: the address of a model such as "bunny.glb" was expected, but the number 42 came.',
-          `loadWarpModel: ${`${url}/none.glb`.slice(0, 60)} cannot be loaded; the server answered 404.`,
+          `loadWarpModel: ${url}/none.glb cannot be loaded; the server answered 404.`,
           errors[3][1],
           'loadWarpModel: there is no option "size"; there are normalize, flipY.',
           'loadWarpModel: the options must be an object, but are the boolean true.',

@@ -205,6 +205,27 @@ TEST_F(Refusals, OfNamesAndCountsOfOwnFunctions) {
           "fn: \"for\" cannot name a function: \"for\" is a word of GLSL itself.");
 }
 
+TEST_F(Refusals, OfOwnFunctionsWithNamesThatAreTaken) {
+  refuses(builder.addFunction("main", "float main(float x) { return x; }", 1),
+          "fn: \"main\" cannot name a function: it is the function that a shader begins with.");
+  refuses(builder.addFunction("radians", "float radians(float x) { return x; }", 1),
+          "fn: \"radians\" cannot name a function: \"radians\" is a function of GLSL.");
+  refuses(builder.addFunction("warpjetHash", "float warpjetHash(float x) { return x; }", 1),
+          "fn: \"warpjetHash\" cannot name a function: such names are warpjet's own; rename it.");
+}
+
+TEST_F(Refusals, OfAVariableWithMembersNamedLikeAFunction) {
+  const int inputs = builder.addFunction("inputs", "float inputs(float x) {}", 1);
+  ASSERT_TRUE(builder.output("gen", "y", own(inputs, {input("inputs.height")})));
+  refuses(builder.build().has_value(), "\"inputs\" is both a variable and a function; rename one.");
+}
+
+TEST_F(Refusals, OfNoExpressionThatCallsTheFunctionItself) {
+  const int wave = builder.addFunction("wave", "float wave(float x) {}", 1);
+  ASSERT_TRUE(builder.output("gen", "y", own(wave, {input("wave(uTime)")})));
+  EXPECT_TRUE(builder.build()) << builder.problem();
+}
+
 TEST_F(Refusals, OfASecondFunctionOfTheSameName) {
   const std::string source = "float noise(float x) { return x; }";
   const int noise = builder.addFunction("noise", source, 1);

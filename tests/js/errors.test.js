@@ -1,6 +1,7 @@
 // Bad input gets one clear sentence, and the next warp works as if nothing had happened.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
+import { chain, inSpace, twist } from '../../dist/deformers.js'
 import { compile, compileWarp, gen, WarpError } from '../../dist/warpjet.js'
 
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
@@ -216,6 +217,72 @@ test('options', () => {
   refuses(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
   refuses(() => compileWarp(still, { names: { position: 5 } }), /names\.position: .* the number 5/)
   refuses(() => gen(() => {}, { maxDepthPerVariable: 0 }), /maxDepthPerVariable .* at least 1/)
+})
+
+test('results asked for by .output(…) outside of gen', () => {
+  const asks = (warp) =>
+    offset(({ glsl, millis, position }) => {
+      const slope = glsl.fn({
+        name: 'slope',
+        arity: 1,
+        source: 'float slope(float x) { return x; }',
+        derivatives: [(x) => void x.output('hack')],
+      })
+      return warp({ glsl, millis, position, slope })
+    })
+  const only = /^output(Deriv)?: only gen takes results this way; return the expression/
+  refuses(
+    asks(({ millis, position }) => {
+      millis.sin().output('hack')
+      return position
+    }),
+    only,
+  )
+  refuses(
+    asks(({ millis, position }) => {
+      millis.sin().outputDeriv('hack', millis)
+      return position
+    }),
+    only,
+  )
+  refuses(
+    asks(({ glsl, position, slope }) => glsl.vec3(slope(position.x()), 0, 0)),
+    only,
+  )
+  refuses(
+    () =>
+      compile((glsl) => {
+        const x = glsl.param('x')
+        x.sin().output('hack')
+        return { r: x.cos(), s: glsl.val(0) }
+      }),
+    only,
+  )
+})
+
+test('a class in the place of a function', () => {
+  class Offset {}
+  const isClass = /a function was expected, but a class came\./
+  for (const run of [compileWarp, compile, gen]) refuses(() => run(Offset), isClass)
+  refuses(() => compileWarp(Map), isClass)
+  refuses(
+    () => compileWarp(still, { uniforms: { reach: Offset } }),
+    /^compileWarp: the uniform "reach" must be a number, .*, but is a class\./,
+  )
+  const slope = (glsl) =>
+    glsl.fn({
+      name: 'slope',
+      arity: 1,
+      source: 'float slope(float x) { return x; }',
+      derivatives: [Offset],
+    })
+  refuses(
+    offset(({ glsl, position }) => glsl.vec3(slope(glsl)(position.x()), 0, 0)),
+    /^slope: derivative 1 must be a number or an expression, but is a class/,
+  )
+  refuses(() => chain(twist({ angle: 1 }), Offset), /argument 2 must be an offset .* is a class/)
+  refuses(() => twist({ angle: Offset }), /"angle" must be .* but is a class/)
+  refuses(() => inSpace(Offset, still), /but is a class/)
 })
 
 test('names of results', () => {

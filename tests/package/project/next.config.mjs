@@ -1,4 +1,4 @@
-export default {
+export default { distDir: 'out-next',
   output: 'export',
   outputFileTracingRoot: import.meta.dirname,
   turbopack: { root: import.meta.dirname },

@@ -3,6 +3,7 @@ import { type OffsetFunction, type Vec3, WarpError, compile, compileWarp, versio
 import { type Op, gen } from 'warpjet/autodiff'
 import { type TwistOptions, chain, twist } from 'warpjet/deformers'
 import { type Mesh, bakeWarp, loadMesh, subdivide } from 'warpjet/mesh'
+import { compileWarp as compileText } from 'warpjet/text'
 import warpjet, { type Loading, type WarpModel, createWarp } from 'warpjet/p5'
 
 const turn: TwistOptions = { axis: 'x', angle: ({ millis }) => millis.div(1000) }
@@ -30,6 +31,7 @@ export async function baked(): Promise<Mesh> {
 // One class and one kind of vector, whichever entry they come from.
 export const isOurs = (error: unknown): error is WarpError => error instanceof WarpError
 compileWarp(twist(), { target: 'wgsl' })
+compileText(twist())
 
 // Without types of p5.
 warpjet(class {})
