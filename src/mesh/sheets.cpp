@@ -51,7 +51,7 @@ class Search {
       if (sheets.isTwoSided[i]) found.push_back(i);
     }
     if (found.empty()) return sheets;
-    for (const std::uint32_t i : found) forEachEdge(i, [this](const Use& use) { meet(use); });
+    for (const std::uint32_t i : found) forEachEdge(i, meet);
     Groups groups(mesh_.vertexCount());
     for (const std::uint32_t i : found)
       forEachEdge(i, [&](const Use& use) { joinAlong(use, groups); });
