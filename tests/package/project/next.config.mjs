@@ -1,4 +1,5 @@
-export default { distDir: 'out-next',
+export default {
+  distDir: 'out-next',
   output: 'export',
   outputFileTracingRoot: import.meta.dirname,
   turbopack: { root: import.meta.dirname },
