@@ -4,6 +4,7 @@ import type { Program } from './evaluate.js'
 import { type Stream, boundProgram, inputsRead, runProgram } from './evaluation.js'
 import { type VertexInput, variationInputs, vertexInputs } from './inputs.js'
 import { noteApproximation } from './notes.js'
+import { readNumbers } from './numbers.js'
 import { checkOptions } from './options.js'
 import type { Variable } from './shapes.js'
 import { withDeclared } from './uniforms.js'
@@ -15,7 +16,6 @@ import {
   arrayNames,
   checkUniforms,
   checkVertices,
-  readNumbers,
   readRanges,
 } from './vertices.js'
 import { type WarpProgram, warpProgram } from './warp-program.js'

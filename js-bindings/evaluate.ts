@@ -1,6 +1,7 @@
 // Named expressions on the CPU, in double.
 import { getCore } from './core.js'
-import { WarpError, describe } from './errors.js'
+import { WarpError } from './errors.js'
+import { finiteDouble, readNumbers } from './numbers.js'
 import { own } from './options.js'
 import type { Variable } from './shapes.js'
 
@@ -31,7 +32,7 @@ export function evaluate(
     )
   const names = new Set(read.map(({ name }) => name))
   const numbers = program.inputs.flatMap((input) =>
-    names.has(input.name) ? readNumbers(input, given) : Array<number>(sizeOf(input)).fill(0),
+    names.has(input.name) ? numbersOf(input, given) : Array<number>(sizeOf(input)).fill(0),
   )
   const results = run(program, numbers, totalSize(outputs))
   let at = 0
@@ -43,19 +44,14 @@ export function evaluate(
   )
 }
 
-function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>): number[] {
-  const value = own(given ?? {}, input.name)
-  const size = sizeOf(input)
-  const list = size === 1 && typeof value === 'number' ? [value] : value
-  const fits =
-    (Array.isArray(list) || ArrayBuffer.isView(list)) &&
-    (list as number[]).length === size &&
-    [...(list as number[])].every((number) => typeof number === 'number')
-  if (fits) return [...(list as number[])]
-  throw new WarpError(
-    `evaluate: "${input.name}" must be ${size === 1 ? 'a number' : `an array of ${size} numbers${input.shape[0] > 1 ? ', column by column' : ''}`}, but is ${describe(value)}.`,
+const numbersOf = (input: Variable, given: Readonly<Record<string, Numbers>>): number[] =>
+  readNumbers(
+    `evaluate: "${input.name}"`,
+    own(given ?? {}, input.name),
+    sizeOf(input),
+    finiteDouble,
+    input.shape[0] > 1 ? ', column by column' : '',
   )
-}
 
 function run({ words, instructions }: Program, inputs: number[], resultCount: number): number[] {
   const core = getCore()

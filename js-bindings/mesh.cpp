@@ -21,6 +21,7 @@
 #include "mesh/load.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/sentences.hpp"
+#include "mesh/shortfall.hpp"
 #include "mesh/subdivide.hpp"
 #include "mesh/variation.hpp"
 
@@ -230,14 +231,13 @@ EMSCRIPTEN_KEEPALIVE int writeFile(Job* job) {
   });
 }
 
-// From a checked mesh to one of more triangles. The text says so if that was not enough.
+// From a checked mesh to one of more triangles. The texts say what was not reached.
 EMSCRIPTEN_KEEPALIVE int refine(Job* job, float tolerance, float angle,
                                 std::uint32_t maxTriangles) {
   return attempt(*job, [&] {
-    Refined refined = subdivide(job->mesh, {tolerance, angle, maxTriangles}, warped);
-    if (!refined.reachedTolerance)
-      job->texts = {"The tolerance was not reached with " + grouped(refined.mesh.triangleCount()) +
-                    " triangles."};
+    const Refinement refinement{tolerance, angle, maxTriangles};
+    Refined refined = subdivide(job->mesh, refinement, warped);
+    job->texts = shortfallOf(refined, refinement);
     job->mesh = std::move(refined.mesh);
     return true;
   });

@@ -1,6 +1,7 @@
 // What a warp on the CPU is handed: arrays of vertices, uniforms, a box. Checked here, all in one sentence each.
 import { WarpError, describe } from './errors.js'
 import { type VertexInput, drawInputs, vertexInputs } from './inputs.js'
+import { finiteFloat, firstWrong, inWords, readNumbers } from './numbers.js'
 import { isList } from './options.js'
 
 /** Flat arrays, so many numbers a vertex. */
@@ -49,21 +50,6 @@ export const arrayNames: Record<VertexInput, keyof Vertices> = {
   vGradient: 'vGradients',
 }
 
-/** The place of the first that is no number, or none that a float32 can hold; -1 if all are well. */
-function firstNotFinite(numbers: ArrayLike<unknown>): number {
-  if (numbers instanceof Float32Array) {
-    // A finite number makes 0 here, any other NaN: several times as fast as asking each.
-    let zero = 0
-    for (let i = 0; i < numbers.length; i++) zero += numbers[i]! * 0
-    if (zero === 0) return -1
-  }
-  for (let i = 0; i < numbers.length; i++) {
-    const number = numbers[i]
-    if (!(typeof number === 'number' && Number.isFinite(Math.fround(number)))) return i
-  }
-  return -1
-}
-
 /** How many vertices there are; throws for arrays that do not fit or hold something else than finite numbers. */
 export function checkVertices(method: string, mesh: unknown): number {
   if (typeof mesh !== 'object' || mesh === null || !('positions' in mesh))
@@ -89,27 +75,13 @@ export function checkVertices(method: string, mesh: unknown): number {
       throw new WarpError(
         `${method}: ${name} must have ${size} numbers a vertex, ${vertices * size} for these positions, but has ${numbers.length}.`,
       )
-    const wrong = firstNotFinite(numbers)
+    const wrong = firstWrong(numbers, finiteFloat)
     if (wrong >= 0)
       throw new WarpError(
         `${method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${inWords(numbers[wrong])}.`,
       )
   }
   return vertices
-}
-
-const inWords = (value: unknown) => (typeof value === 'number' ? value : describe(value))
-
-/** `count` finite numbers, as an array. */
-export function readNumbers(place: string, value: unknown, count: number): number[] {
-  const list = count === 1 && typeof value === 'number' ? [value] : value
-  if (isList(list) && list.length === count && firstNotFinite(list) < 0) return Array.from(list)
-  const expected = count === 1 ? 'a finite number' : `an array of ${count} finite numbers`
-  const came =
-    isList(list) && list.length === count
-      ? `has ${inWords(list[firstNotFinite(list)])} among them`
-      : `is ${describe(value)}`
-  throw new WarpError(`${place} must be ${expected}, but ${came}.`)
 }
 
 /** Refuses a uniform that is none of the inputs of a draw call and no parameter of the warp. */

@@ -1,6 +1,8 @@
 // `bakeWarp`: a mesh as a warp leaves it.
-import type { CpuWarp } from '../cpu-warp.js'
+import type { CpuWarp, WarpedVertices } from '../cpu-warp.js'
 import { WarpError, describe } from '../errors.js'
+import { anyNumber, finiteFloat, firstWrong } from '../numbers.js'
+import { isList } from '../options.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
 import { withJob } from './module.js'
 import { takeVariation } from './variation.js'
@@ -56,20 +58,50 @@ export function evaluateFor(
   vertices: Vertices,
   uniforms?: Uniforms,
 ) {
+  let warped: WarpedVertices
   try {
-    return warp.evaluate({ ...vertices, uniforms })
+    warped = warp.evaluate({ ...vertices, uniforms })
   } catch (error) {
     if (!(error instanceof WarpError)) throw error
     throw new WarpError(error.message.replace(/^evaluate: /, `${method}: `))
   }
+  if (!warp[warpProgram]) checkWarped(method, warped, vertices)
+  return warped
 }
 
-function checkFinite(name: string, numbers: Float32Array, size: number, { positions }: Mesh) {
-  const i = numbers.findIndex((number) => !Number.isFinite(number))
+/** What a warp made by hand gives. */
+function checkWarped(method: string, warped: unknown, vertices: Vertices) {
+  const count = vertices.positions.length / 3
+  const place = `${method}: the warp's evaluate`
+  if (typeof warped !== 'object' || warped === null)
+    throw new WarpError(
+      `${place} must give { positions, normals }, but ${describe(warped)} came from it.`,
+    )
+  for (const [name, size] of [
+    ['positions', 3],
+    ['normals', 3],
+    ['tangents', 4],
+  ] as const) {
+    const numbers = (warped as Record<string, unknown>)[name]
+    if (numbers === undefined && name !== 'positions') continue
+    if (!isList(numbers) || numbers.length !== size * count)
+      throw new WarpError(
+        `${place} must give ${name} as an array of ${size * count} numbers, ${size} for each vertex that it is given, but it is ${isList(numbers) ? `one of ${numbers.length}` : describe(numbers)}.`,
+      )
+    const wrong = firstWrong(numbers, anyNumber)
+    if (wrong >= 0)
+      throw new WarpError(
+        `${place} must give numbers only, but ${name}[${wrong}] is ${describe(numbers[wrong])}.`,
+      )
+  }
+}
+
+function checkFinite(name: string, given: ArrayLike<number>, size: number, { positions }: Mesh) {
+  const i = firstWrong(given, finiteFloat)
   if (i < 0) return
   const vertex = Math.floor(i / size)
   const place = [...positions.subarray(3 * vertex, 3 * vertex + 3)].join(', ')
   throw new WarpError(
-    `bakeWarp: the warp gives vertex ${vertex} at (${place}) no finite ${name}, but ${numbers[i]}; check what it does there, such as a division by 0.`,
+    `bakeWarp: the warp gives vertex ${vertex} at (${place}) no finite ${name}, but ${given[i]}; check what it does there, such as a division by 0.`,
   )
 }

@@ -1,5 +1,6 @@
 // What a mesh is here: flat arrays, going in and coming out.
 import { WarpError, describe } from '../errors.js'
+import { finiteFloat, firstWrong, inWords } from '../numbers.js'
 import { isList } from '../options.js'
 import type { FloatArray } from './arrays.js'
 import type { Job } from './module.js'
@@ -58,6 +59,8 @@ export const floatArrays: readonly FloatArray[] = [
   'tangents',
 ]
 
+const sizes: Partial<Record<FloatArray, number>> = { uvs: 2, colors: 4, tangents: 4 }
+
 /**
  * Lays the mesh into the job and sees that its arrays fit together; throws a `WarpError` if they do not.
  */
@@ -70,7 +73,7 @@ export function putMesh(job: Job, mesh: unknown) {
   for (const name of floatArrays) {
     const numbers = mesh[name]
     if (numbers === undefined && name !== 'positions') continue
-    job.setFloats(name, checkNumbers(`${method}: ${name}`, numbers))
+    job.setFloats(name, checkNumbers(`${method}: ${name}`, numbers), sizes[name])
   }
   if (mesh.indices !== undefined) job.setIndices(checkIndices(method, mesh.indices))
   if (mesh.material !== undefined) putMaterial(job, mesh.material)
@@ -85,9 +88,9 @@ function putMaterial(job: Job, material: unknown) {
     )
   const { baseColor = [1, 1, 1, 1], baseColorTexture } = material
   const color = checkNumbers(`${place}.baseColor`, baseColor)
-  if (color.length !== 4 || !Array.from(color).every((part) => Number.isFinite(part)))
+  if (color.length !== 4 || firstWrong(color, finiteFloat) >= 0)
     throw new WarpError(
-      `${place}.baseColor must be four finite numbers, red, green, blue and alpha, but is [${Array.from(color).slice(0, 5).join(', ')}].`,
+      `${place}.baseColor must be four finite numbers, red, green, blue and alpha, but is [${Array.from(color).slice(0, 5).map(inWords).join(', ')}].`,
     )
   job.setBaseColor(color)
   if (baseColorTexture === undefined) return
@@ -96,8 +99,12 @@ function putMaterial(job: Job, material: unknown) {
     throw new WarpError(
       `${place}.baseColorTexture must be { bytes, mimeType } with bytes in a Uint8Array, but ${isObject(baseColorTexture) ? `its bytes are ${describe(bytes)}` : `is ${describe(baseColorTexture)}`}.`,
     )
+  if (typeof mimeType !== 'string')
+    throw new WarpError(
+      `${place}.baseColorTexture.mimeType must be a text such as "image/png", but is ${describe(mimeType)}.`,
+    )
   job.setBytes('picture', bytes)
-  job.setText('mimeType', String(mimeType))
+  job.setText('mimeType', mimeType)
 }
 
 /** The mesh that the job holds, as arrays of its own. */
@@ -120,7 +127,7 @@ export function takeMesh(job: Job): Mesh {
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null
 
-/** That they are finite is seen in C++; what is no number becomes NaN on the way there. */
+/** That they are finite is seen in C++. */
 function checkNumbers(place: string, value: unknown): ArrayLike<number> {
   if (isList(value)) return value
   throw new WarpError(

@@ -3,6 +3,7 @@ import { WarpError } from '../errors.js'
 import { type ByteArray, type FloatArray, byteArrays, floatArrays, indexArray } from './arrays.js'
 import factory from '../generated/mesh.js'
 import base64 from '../generated/mesh-wasm.js'
+import { anyNumber, firstWrong, inWords } from '../numbers.js'
 import { instantiate } from '../wasm.js'
 
 /** js-bindings/mesh.cpp. Addresses and counts above 2 GB come as negative numbers. */
@@ -72,8 +73,14 @@ export class Job {
     this.wasm._closeJob(this.job)
   }
 
-  setFloats(name: FloatArray, numbers: ArrayLike<number>) {
+  /** Numbers only, though NaN and infinity may be among them: `size` a vertex. */
+  setFloats(name: FloatArray, numbers: ArrayLike<number>, size = 3) {
     const at = this.resize(floatArrays[name], numbers.length)
+    const wrong = firstWrong(numbers, anyNumber)
+    if (wrong >= 0)
+      throw new WarpError(
+        `${this.method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${inWords(numbers[wrong])}.`,
+      )
     this.wasm.HEAPF32.set(numbers, at / 4)
   }
 

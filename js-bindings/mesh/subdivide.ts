@@ -84,6 +84,7 @@ function adaptively(options: AdaptiveOptions, maxTriangles: number) {
   return (job: Job) => {
     const varies = asksForVariation(warp)
     if (varies) job.act('addVariation')
+    let givesNormals: boolean | undefined
     job.refine(tolerance, angle, maxTriangles, (vertices) => {
       // Tangents are not looked at, so none need be turned.
       const mesh = {
@@ -92,6 +93,11 @@ function adaptively(options: AdaptiveOptions, maxTriangles: number) {
         tangents: undefined,
       }
       const warped = evaluateFor('subdivide', warp, mesh, uniforms)
+      givesNormals ??= warped.normals !== undefined
+      if (givesNormals !== (warped.normals !== undefined))
+        throw new WarpError(
+          "subdivide: the warp's evaluate must give normals each time that it is called or never, but it gave some only once in a while.",
+        )
       vertices.setFloats('positions', warped.positions)
       vertices.setFloats('normals', warped.normals ?? [])
     })

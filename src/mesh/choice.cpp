@@ -7,7 +7,7 @@
 
 namespace warpjet {
 
-std::vector<std::uint32_t> Refiner::chooseEdges() const {
+std::vector<std::uint32_t> Refiner::chooseEdges() {
   std::vector<bool> chosen(needs_.size());
   for (std::size_t i = 0; i < needs_.size(); ++i) {
     const Edge& edge = surface_.edges()[i];
@@ -60,15 +60,15 @@ void Refiner::keepShape(std::vector<bool>& chosen) const {
 }
 
 // Splitting an edge adds a triangle for each that uses it.
-std::vector<std::uint32_t> Refiner::worst(std::vector<std::uint32_t> edges,
-                                          std::size_t room) const {
+std::vector<std::uint32_t> Refiner::worst(std::vector<std::uint32_t> edges, std::size_t room) {
   std::size_t added = 0, addedAgain = 0;
   for (const std::uint32_t i : edges) {
     const Edge& edge = surface_.edges()[i];
     added += edge.uses;
     if (edge.middle != noNumber) addedAgain += edge.uses;
   }
-  if (added <= room) return edges;
+  isFull_ = added > room;
+  if (!isFull_) return edges;
   if (addedAgain > room) return {};
   // Equals in the order of their numbers, so that the same input has the same result.
   std::vector<std::pair<float, std::uint32_t>> ranks;

@@ -1,6 +1,7 @@
 // Flat arrays read as points.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
@@ -18,6 +19,12 @@ inline float distance(const std::vector<float>& positions, std::size_t a, std::s
 // Of the parallelogram, twice that of the triangle; along the normal.
 inline glm::vec3 areaVector(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   return glm::cross(b - a, c - a);
+}
+
+inline float angleBetween(glm::vec3 a, glm::vec3 b) {
+  // As Kahan writes it, right for small angles too.
+  const glm::vec3 u = a * glm::length(b), v = b * glm::length(a);
+  return 2 * std::atan2(glm::length(u - v), glm::length(u + v));
 }
 
 }  // namespace warpjet

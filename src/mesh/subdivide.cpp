@@ -16,7 +16,7 @@ Mesh orElse(Mesh finer, const Mesh& mesh) { return finer.indices.empty() ? mesh 
 }  // namespace
 
 Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp) {
-  if (mesh.triangleCount() == 0) return {mesh, true, 0};
+  if (mesh.triangleCount() == 0) return {mesh, true, true, 0, 0, false, true};
   Refined refined = Refiner(mesh, refinement, warp).run();
   refined.mesh = orElse(std::move(refined.mesh), mesh);
   return refined;

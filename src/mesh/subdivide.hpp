@@ -29,9 +29,12 @@ struct Refinement {
 };
 
 struct Refined {
-  Mesh mesh;              // indexed; what was there comes first, in its order
-  bool reachedTolerance;  // and the angle
-  float worst;            // model units: the largest distance that is left, where it was measured
+  Mesh mesh;  // indexed; what was there comes first, in its order
+  bool reachedTolerance, reachedAngle;
+  float worst;       // model units: the largest distance that is left, where it was measured
+  float worstAngle;  // radians, likewise
+  bool isFull;       // whether `maxTriangles` ended it
+  bool isDefined;    // whether the warp gave finite positions
 };
 
 // Edges are split in the middle, over and over, until the warped surface is as near as wanted to

@@ -34,7 +34,9 @@ struct Triangle {
   std::array<std::uint32_t, 3> sides;  // the first between the first two corners, and so on
   int longest;                         // of the sides
   bool isSliver;
-  float distance = -1;  // of the warped surface from its inside, once that is measured
+  // How far the warped surface and its normals are off inside, once that is measured.
+  bool isMeasured = false;
+  float distance = 0, angle = 0;
 };
 
 class Surface {
@@ -65,8 +67,10 @@ class Surface {
   // vertex.
   void divide(const std::vector<float>& positions);
 
-  void setDistance(std::size_t triangle, float distance) {
+  void setMeasured(std::size_t triangle, float distance, float angle) {
+    triangles_[triangle].isMeasured = true;
     triangles_[triangle].distance = distance;
+    triangles_[triangle].angle = angle;
   }
 
   Mesh takeMesh() &&;

@@ -220,6 +220,9 @@ TEST(SubdivideOddWarps, ACreaseCostsFewTriangles) {
   };
   const Refined result = refined(cubeOfFaces(100), crease, 0.05f);
   EXPECT_TRUE(result.reachedTolerance);
+  EXPECT_FALSE(result.reachedAngle);
+  EXPECT_FALSE(result.isFull);
+  EXPECT_GT(result.worstAngle, 0.17f);
   EXPECT_LT(result.mesh.triangleCount(), 6000u);
 }
 

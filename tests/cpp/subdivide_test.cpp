@@ -78,7 +78,7 @@ TEST(Subdivide, TheBorderOfAPlaneStaysItsBorder) {
 }
 
 // Samples between those that decide may be farther away, if by little.
-constexpr double slack = 1.25;
+constexpr double slack = 1.01;
 
 TEST(Subdivide, TheWarpedSurfaceIsWithinTheTolerance) {
   auto meshes = closedMeshes();
@@ -125,6 +125,7 @@ TEST(Subdivide, NormalsCountWhereTheSurfaceIsNearEnough) {
   const float angle = 0.03f;
   const Refined result = refined(plane, ripples, 0.5f, angle);
   EXPECT_TRUE(result.reachedTolerance);
+  EXPECT_TRUE(result.reachedAngle);
   for (std::size_t i = 0; i < result.mesh.triangleCount(); ++i) {
     const auto corners = cornersOf(result.mesh, i);
     std::array<Point, 3> normals;
@@ -205,9 +206,10 @@ TEST(Subdivide, NothingIsAskedTwice) {
     asked += vertices.vertexCount();
     return warp(vertices);
   });
-  // About 3 edges and 2 triangles a vertex; what is split asked a third of that before.
+  // About 3 edges and 2 triangles a vertex; what is split asked a third of that before. And once,
+  // however fine the result, 320 points along and 320 across its size, on 3.14 such squares.
   EXPECT_GT(result.mesh.vertexCount(), 10000u);
-  EXPECT_LT(asked, 17 * result.mesh.vertexCount());
+  EXPECT_LT(asked, 17 * result.mesh.vertexCount() + 322000);
 }
 
 TEST(Subdivide, UniformlyEachTriangleBecomesFour) {

@@ -289,7 +289,25 @@ describe('a mesh that does not fit together', () => {
       refused({ positions: 7 }, /positions must be a flat array.*the number 7/)
       refused({ positions: new Float32Array(26) }, /positions must hold 3 numbers a vertex/)
       refused({ positions: new Float32Array(27).fill(NaN) }, /positions must be finite.*NaN/)
-      refused({ positions: Array(27).fill('x') }, /positions must be finite.*NaN/)
+      refused(
+        { positions: Array(27).fill('x') },
+        /positions\[0\], of vertex 0, must be a finite number, but is the text "x"/,
+      )
+      for (const odd of ['1', '', null, true, 1n, Symbol('odd'), undefined])
+        refused(
+          { colors: [...Array(35).fill(0), odd] },
+          /colors\[35\], of vertex 8, must be a finite number, but is/,
+        )
+      refused({ positions: new BigInt64Array(27) }, /positions\[0\], of vertex 0, must be a finite/)
+      refused({ indices: [0, 1, null] }, /indices\[2\] must be the number of a vertex/)
+      refused(
+        { material: { baseColor: [1, 1, 1, Symbol('odd')] } },
+        /material.baseColor must be four finite/,
+      )
+      refused(
+        { material: { baseColorTexture: { bytes: picture, mimeType: Object.create(null) } } },
+        /material.baseColorTexture.mimeType must be a text/,
+      )
       refused({ normals: new Float32Array(26) }, /normals must hold 3 numbers a vertex/)
       refused({ normals: new Float32Array(27).fill(Infinity) }, /normals must be finite.*Infinity/)
       refused({ uvs: [1, 2] }, /uvs must hold 2 numbers a vertex/)
@@ -462,6 +480,33 @@ describe('subdivide', () => {
       /^subdivide: there is no option "angel"; there/,
     )
     refused({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
+  })
+
+  test('warps made by hand give what fits, or a sentence comes', () => {
+    const of = (evaluate, pattern) => {
+      for (const work of [
+        () => subdivide(triangle(), { warp: { evaluate }, tolerance: 1 }),
+        () => bakeWarp(triangle(), { evaluate }),
+      ])
+        refuses(work, pattern)
+    }
+    of(() => undefined, /the warp's evaluate must give \{ positions, normals \}, but undefined/)
+    of(() => ({}), /must give positions as an array of \d+ numbers, .* but it is undefined/)
+    of(({ positions }) => ({ positions: [...positions, 0] }), /must give positions as an array/)
+    of(
+      ({ positions }) => ({ positions, normals: new BigInt64Array(positions.length) }),
+      /must give numbers only, but normals\[0\] is the bigint 0/,
+    )
+    of(
+      ({ positions }) => ({ positions: [...positions].map(String) }),
+      /must give numbers only, but positions\[0\] is the text "0"/,
+    )
+    let calls = 0
+    const once = ({ positions, normals }) => (calls++ ? { positions } : { positions, normals })
+    refuses(
+      () => subdivide(sphere(), { warp: { evaluate: once }, tolerance: 0.01 }),
+      /^subdivide: the warp's evaluate must give normals each time that it is called or never/,
+    )
   })
 
   test('an error of the warp comes through as it is', () => {
