@@ -1,9 +1,9 @@
 // npm run build: C++ -> wasm -> js-bindings/generated -> dist. A step whose inputs are unchanged is left out.
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { cmakeBuild } from './lib/cmake.mjs'
+import { declarations, declareTypes } from './lib/declarations.mjs'
 import { path, step, walk } from './lib/files.mjs'
 import { locked } from './lib/lock.mjs'
-import { run } from './lib/run.mjs'
 import { reportSizes } from './lib/sizes.mjs'
 import { Stop, isMain, main } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
@@ -72,9 +72,7 @@ async function buildAll() {
 
   await step('Types', {
     inputs: [...inputs, '.scripts/tsconfig.types.json'],
-    outputs: ['index', 'text', 'p5', 'autodiff', 'mesh', 'deformers'].map(
-      (name) => `dist/types/${name}.d.ts`,
-    ),
+    outputs: declarations.map((name) => `dist/types/${name}`),
     work: declareTypes,
   })
 
@@ -89,7 +87,10 @@ async function generateModules() {
   for (const name of packed) writeBase64(name, LZMA().compress(readWasm(name), 9))
   writeBase64('unpack', readWasm('unpack'))
   const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
-  writeGenerated('version.ts', `export const version: string = '${version}'\n`)
+  writeGenerated(
+    'version.ts',
+    `/** The version of this package. */\nexport const version: string = '${version}'\n`,
+  )
 }
 
 const readWasm = (name) => readFileSync(path(`.build/wasm/${name}.wasm`))
@@ -119,15 +120,6 @@ async function bundle() {
   await vite.build(modules)
   for (const module of singleModules) await vite.build(module)
   for (const script of scripts()) await vite.build(script)
-}
-
-async function declareTypes() {
-  rmSync(path('dist/types'), { recursive: true, force: true })
-  await run(process.execPath, [
-    'node_modules/typescript/bin/tsc',
-    '--project',
-    '.scripts/tsconfig.types.json',
-  ])
 }
 
 if (isMain(import.meta))

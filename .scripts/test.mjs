@@ -3,7 +3,7 @@
 import { parseArgs } from 'node:util'
 import { build } from './build.mjs'
 import { checks } from './lib/checks.mjs'
-import { Stop, bad, good, heading, main, say } from './lib/terminal.mjs'
+import { NotRun, Stop, bad, good, heading, main, say } from './lib/terminal.mjs'
 import { chooseTier, leftOut, limits } from './lib/tiers.mjs'
 import { printTimes } from './lib/times.mjs'
 import { setup } from './setup.mjs'
@@ -28,7 +28,10 @@ await main(async () => {
   printTimes(results, performance.now() - start, groups.length ? null : limits[tier])
   const failed = results.filter(({ passed }) => !passed)
   if (failed.length) throw new Stop(`Failed: ${failed.map(({ title }) => title).join(', ')}.`)
-  good('Everything passed.')
+  const notRun = results.filter(({ notRun }) => notRun)
+  if (notRun.length)
+    say(`What was run passed; NOT RUN: ${notRun.map(({ title }) => title).join(', ')}.`)
+  else good('Everything passed.')
 })
 
 function options() {
@@ -59,13 +62,18 @@ async function attempt({ title, work }) {
   heading(title)
   const start = performance.now()
   let passed = true
+  let notRun
   try {
     await work()
   } catch (error) {
-    bad(error instanceof Stop ? error.message : error.stack)
-    passed = false
+    if (error instanceof NotRun) notRun = error.message
+    else {
+      bad(error instanceof Stop ? error.message : error.stack)
+      passed = false
+    }
   }
   const time = performance.now() - start
   if (!passed) say(`${title}: FAILED`)
-  return { title, passed, time }
+  if (notRun) say(`${title}: NOT RUN: ${notRun}`)
+  return { title, passed, notRun, time }
 }

@@ -8,7 +8,7 @@ const { name, version, license } = JSON.parse(readFileSync(path('package.json'),
 // p5 is the page's own: the addon is handed it, or finds it as a global. The command line runs in Node only.
 const external = ['p5', /^node:/]
 
-const banner = `/*! ${name} ${version} | ${license} licence, notices in the package's LICENSE | https://www.npmjs.com/package/${name}/v/${version} */`
+const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
 /** `output` are options of Rolldown, `lib` those of Vite. */
 const settings = (lib, output, others) => ({

@@ -93,7 +93,10 @@ function giveUp() {
   core = undefined
 }
 
-/** How many bytes the compiler holds inside the wasm. Between two warps it is always the same. */
+/**
+ * How many bytes the compiler holds inside the wasm. Between two warps it is always the same.
+ * @internal
+ */
 export function memoryInUse(): number {
   return getCore()._memoryInUse()
 }

@@ -103,7 +103,10 @@ function withMemory<Result>(work: (core: Evaluation, memory: Memory) => Result):
 
 const tooLarge = 'There is not enough memory to run so large a warp on the CPU.'
 
-/** How many bytes are held inside the wasm: between two calls always the same. */
+/**
+ * How many bytes are held inside the wasm: between two calls always the same.
+ * @internal
+ */
 export const evaluationMemoryInUse = (): number => getEvaluation()._memoryInUse()
 
 /** Found before, by program and wanted results. */

@@ -7,7 +7,9 @@ export type { Compiled, CompileOptions, Stats } from './compiled.js'
 export type { CpuWarp, Foldover, PointInputs, WarpedPoint, WarpedVertices } from './cpu-warp.js'
 export { targets, type Target } from './compilation.js'
 export type { Numbers } from './evaluate.js'
+/** @internal */
 export { memoryInUse } from './core.js'
+/** @internal */
 export { evaluationMemoryInUse } from './evaluation.js'
 export { WarpError } from './errors.js'
 export { version } from './generated/version.js'

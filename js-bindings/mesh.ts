@@ -6,8 +6,10 @@ export { bakeWarp, type Evaluates } from './mesh/bake.js'
 export { exportGLB } from './mesh/export.js'
 export { loadMesh, type LoadOptions } from './mesh/load.js'
 export type { Material, Mesh, MeshInput, Picture } from './mesh/mesh.js'
+/** @internal */
 export { meshMemoryInUse } from './mesh/module.js'
 export { subdivide, type AdaptiveOptions, type UniformOptions } from './mesh/subdivide.js'
+/** @internal */
 export { varyGeometry } from './mesh/vary-geometry.js'
 export { surfaceVariation, type SurfaceVariation } from './mesh/variation.js'
 export type { Bytes, Resolve, Source } from './mesh/sources.js'

@@ -1,15 +1,16 @@
 // Written by `npm run reference` from the tables of operations, src/ops/table.hpp and
 // src/builder/compositions.hpp. What is not in them is in types.ts.
 import type {
-  ByComponent,
+  ColumnsOf,
+  IfSquare,
   Jacobian,
-  MatrixProduct,
-  Product,
-  Quotient,
+  MatrixOf,
+  RowsOf,
   Shape,
   Size,
   SquareBeside,
   Transposed,
+  VectorOf,
 } from './signatures.js'
 import type {
   AnyMatrix,
@@ -19,7 +20,9 @@ import type {
   Mat4,
   Operand,
   Scalar,
+  Vec2,
   Vec3,
+  Vec4,
   Vector,
 } from './types.js'
 
@@ -94,58 +97,136 @@ export interface ComponentMethods<Self> extends AnyMethods<Self> {
 /** Of numbers. A vector beside a number gives a vector. */
 export interface ScalarMethods extends ComponentMethods<Scalar> {
   /** The sum of two or more. */
-  add: ByComponent<Operand[], Expression>
+  add(...operands: Operand[]): Scalar
+  /** The sum of two or more. */
+  add<Value extends Expression>(...operands: (Value | Operand)[]): Value
   /** `x.sub(y, …)`: x - y, and minus all that follow. */
-  sub: ByComponent<Operand[], Expression>
+  sub(...operands: Operand[]): Scalar
+  /** `x.sub(y, …)`: x - y, and minus all that follow. */
+  sub<Value extends Expression>(...operands: (Value | Operand)[]): Value
   /** The product of two or more; with a matrix, that of linear algebra. */
-  mult: Product
+  mult(...numbers: Operand[]): Scalar
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult(...factors: (Vec2 | Mat2 | Operand)[]): Vec2
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult(...factors: (Vec3 | Mat3 | Operand)[]): Vec3
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult(...factors: (Vec4 | Mat4 | Operand)[]): Vec4
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Value extends AnyMatrix>(number: Operand, matrix: Value): Value
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Left extends AnyMatrix>(
+    matrix: Left,
+    vector: VectorOf<ColumnsOf<Left>>,
+  ): VectorOf<RowsOf<Left>>
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Right extends AnyMatrix>(
+    vector: VectorOf<RowsOf<Right>>,
+    matrix: Right,
+  ): VectorOf<ColumnsOf<Right>>
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Left extends AnyMatrix, Columns extends Size>(
+    left: Left,
+    right: Shape<Columns, ColumnsOf<Left>>,
+  ): MatrixOf<Columns, RowsOf<Left>>
   /** `x.div(y, …)`: x / y, and divided by all that follow. */
-  div: ByComponent<Operand[]>
+  div(...numbers: Operand[]): Scalar
+  /** `x.div(y, …)`: x / y, and divided by all that follow. */
+  div<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /**
    * `x.pow(exponent)`: x to the power of the exponent. A whole number from -16 to 16 makes a
    * product, right for negative x too; with any other exponent, x must not be negative.
    */
-  pow: ByComponent<[exponent: Operand]>
+  pow(exponent: Operand): Scalar
+  /**
+   * `x.pow(exponent)`: x to the power of the exponent. A whole number from -16 to 16 makes a
+   * product, right for negative x too; with any other exponent, x must not be negative.
+   */
+  pow<Value extends Scalar | Vector>(exponent: Value | Operand): Value
   /**
    * `x.atan()`: The angle from -π/2 to π/2 whose tangent is x. `y.atan(x)`: The angle of the
    * point (x, y), from -π to π.
    */
-  atan: ByComponent<[x?: Operand]>
+  atan(x?: Operand): Scalar
+  /**
+   * `x.atan()`: The angle from -π/2 to π/2 whose tangent is x. `y.atan(x)`: The angle of the
+   * point (x, y), from -π to π.
+   */
+  atan<Value extends Scalar | Vector>(x?: Value | Operand): Value
   /** `x.mod(divisor)`: x - divisor * floor(x / divisor), which has the sign of the divisor. */
-  mod: ByComponent<[divisor: Operand]>
+  mod(divisor: Operand): Scalar
+  /** `x.mod(divisor)`: x - divisor * floor(x / divisor), which has the sign of the divisor. */
+  mod<Value extends Scalar | Vector>(divisor: Value | Operand): Value
   /** The least of two or more. */
-  min: ByComponent<Operand[]>
+  min(...operands: Operand[]): Scalar
+  /** The least of two or more. */
+  min<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** The greatest of two or more. */
-  max: ByComponent<Operand[]>
+  max(...operands: Operand[]): Scalar
+  /** The greatest of two or more. */
+  max<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** `x.clamp(low, high)`: x, but not below low nor above high. */
-  clamp: ByComponent<[low: Operand, high: Operand]>
+  clamp(low: Operand, high: Operand): Scalar
+  /** `x.clamp(low, high)`: x, but not below low nor above high. */
+  clamp<Value extends Scalar | Vector>(low: Value | Operand, high: Value | Operand): Value
   /** `x.mix(y, amount)`: From x where the amount is 0 to y where it is 1, and beyond. */
-  mix: ByComponent<[y: Operand, amount: Operand], Expression>
+  mix(y: Operand, amount: Operand): Scalar
+  /** `x.mix(y, amount)`: From x where the amount is 0 to y where it is 1, and beyond. */
+  mix<Value extends Expression>(y: Value | Operand, amount: Value | Operand): Value
   /** `edge.step(x)`: 0 where x is below the edge, otherwise 1. */
-  step: ByComponent<[x: Operand]>
+  step(x: Operand): Scalar
+  /** `edge.step(x)`: 0 where x is below the edge, otherwise 1. */
+  step<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** `x.lt(y)`: x < y */
-  lt: ByComponent<[y: Operand]>
+  lt(y: Operand): Scalar
+  /** `x.lt(y)`: x < y */
+  lt<Value extends Scalar | Vector>(y: Value | Operand): Value
   /** `x.le(y)`: x <= y */
-  le: ByComponent<[y: Operand]>
+  le(y: Operand): Scalar
+  /** `x.le(y)`: x <= y */
+  le<Value extends Scalar | Vector>(y: Value | Operand): Value
   /** `x.gt(y)`: x > y */
-  gt: ByComponent<[y: Operand]>
+  gt(y: Operand): Scalar
+  /** `x.gt(y)`: x > y */
+  gt<Value extends Scalar | Vector>(y: Value | Operand): Value
   /** `x.ge(y)`: x >= y */
-  ge: ByComponent<[y: Operand]>
+  ge(y: Operand): Scalar
+  /** `x.ge(y)`: x >= y */
+  ge<Value extends Scalar | Vector>(y: Value | Operand): Value
   /** `x.eq(y)`: x == y */
-  eq: ByComponent<[y: Operand]>
+  eq(y: Operand): Scalar
+  /** `x.eq(y)`: x == y */
+  eq<Value extends Scalar | Vector>(y: Value | Operand): Value
   /** `x.ne(y)`: x != y */
-  ne: ByComponent<[y: Operand]>
+  ne(y: Operand): Scalar
+  /** `x.ne(y)`: x != y */
+  ne<Value extends Scalar | Vector>(y: Value | Operand): Value
   /** Whether all are true. */
-  and: ByComponent<Operand[]>
+  and(...operands: Operand[]): Scalar
+  /** Whether all are true. */
+  and<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** Whether any is true. */
-  or: ByComponent<Operand[]>
+  or(...operands: Operand[]): Scalar
+  /** Whether any is true. */
+  or<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** One of two values; a number other than 0 counts as true. */
-  ifElse: ByComponent<[yes: Operand, no: Operand], Expression>
+  ifElse(yes: Operand, no: Operand): Scalar
+  /** One of two values; a number other than 0 counts as true. */
+  ifElse<Value extends Expression>(yes: Value | Operand, no: Value | Operand): Value
   /**
    * `low.smoothstep(high, x)`: From 0 where x is at `low`, smoothly to 1 where it is at `high`,
    * another number.
    */
-  smoothstep: ByComponent<[high: Operand, x: Operand]>
+  smoothstep(high: Operand, x: Operand): Scalar
+  /**
+   * `low.smoothstep(high, x)`: From 0 where x is at `low`, smoothly to 1 where it is at `high`,
+   * another number.
+   */
+  smoothstep<Value extends Scalar | Vector>(high: Value | Operand, x: Value | Operand): Value
   /**
    * `angle.rotateX()`: The mat3 that turns by an angle in radians about the x axis,
    * counterclockwise for an eye that the axis points to.
@@ -158,23 +239,93 @@ export interface ScalarMethods extends ComponentMethods<Scalar> {
   /** The exact derivatives of a number by each component of a vector of inputs. */
   gradient<Inputs extends Vector>(inputs: Inputs): Inputs
   /** Another name of `add`. */
-  sum: ByComponent<Operand[], Expression>
-  /** Another name of `mult`. */
-  prod: Product
+  sum(...operands: Operand[]): Scalar
   /** Another name of `add`. */
-  vecSum: ByComponent<Operand[], Expression>
+  sum<Value extends Expression>(...operands: (Value | Operand)[]): Value
   /** Another name of `mult`. */
-  vecProd: Product
+  prod(...numbers: Operand[]): Scalar
+  /** Another name of `mult`. */
+  prod<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value
+  /** Another name of `mult`. */
+  prod(...factors: (Vec2 | Mat2 | Operand)[]): Vec2
+  /** Another name of `mult`. */
+  prod(...factors: (Vec3 | Mat3 | Operand)[]): Vec3
+  /** Another name of `mult`. */
+  prod(...factors: (Vec4 | Mat4 | Operand)[]): Vec4
+  /** Another name of `mult`. */
+  prod<Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value
+  /** Another name of `mult`. */
+  prod<Value extends AnyMatrix>(number: Operand, matrix: Value): Value
+  /** Another name of `mult`. */
+  prod<Left extends AnyMatrix>(
+    matrix: Left,
+    vector: VectorOf<ColumnsOf<Left>>,
+  ): VectorOf<RowsOf<Left>>
+  /** Another name of `mult`. */
+  prod<Right extends AnyMatrix>(
+    vector: VectorOf<RowsOf<Right>>,
+    matrix: Right,
+  ): VectorOf<ColumnsOf<Right>>
+  /** Another name of `mult`. */
+  prod<Left extends AnyMatrix, Columns extends Size>(
+    left: Left,
+    right: Shape<Columns, ColumnsOf<Left>>,
+  ): MatrixOf<Columns, RowsOf<Left>>
+  /** Another name of `add`. */
+  vecSum(...operands: Operand[]): Scalar
+  /** Another name of `add`. */
+  vecSum<Value extends Expression>(...operands: (Value | Operand)[]): Value
+  /** Another name of `mult`. */
+  vecProd(...numbers: Operand[]): Scalar
+  /** Another name of `mult`. */
+  vecProd<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(
+    ...factors: (Value | Operand)[]
+  ): Value
+  /** Another name of `mult`. */
+  vecProd(...factors: (Vec2 | Mat2 | Operand)[]): Vec2
+  /** Another name of `mult`. */
+  vecProd(...factors: (Vec3 | Mat3 | Operand)[]): Vec3
+  /** Another name of `mult`. */
+  vecProd(...factors: (Vec4 | Mat4 | Operand)[]): Vec4
+  /** Another name of `mult`. */
+  vecProd<Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value
+  /** Another name of `mult`. */
+  vecProd<Value extends AnyMatrix>(number: Operand, matrix: Value): Value
+  /** Another name of `mult`. */
+  vecProd<Left extends AnyMatrix>(
+    matrix: Left,
+    vector: VectorOf<ColumnsOf<Left>>,
+  ): VectorOf<RowsOf<Left>>
+  /** Another name of `mult`. */
+  vecProd<Right extends AnyMatrix>(
+    vector: VectorOf<RowsOf<Right>>,
+    matrix: Right,
+  ): VectorOf<ColumnsOf<Right>>
+  /** Another name of `mult`. */
+  vecProd<Left extends AnyMatrix, Columns extends Size>(
+    left: Left,
+    right: Shape<Columns, ColumnsOf<Left>>,
+  ): MatrixOf<Columns, RowsOf<Left>>
   /** Another name of `mix`. */
-  vecMix: ByComponent<[y: Operand, amount: Operand], Expression>
+  vecMix(y: Operand, amount: Operand): Scalar
+  /** Another name of `mix`. */
+  vecMix<Value extends Expression>(y: Value | Operand, amount: Value | Operand): Value
   /** Another name of `clamp`. */
-  vecClamp: ByComponent<[low: Operand, high: Operand]>
+  vecClamp(low: Operand, high: Operand): Scalar
+  /** Another name of `clamp`. */
+  vecClamp<Value extends Scalar | Vector>(low: Value | Operand, high: Value | Operand): Value
   /** Another name of `min`. */
-  vecMin: ByComponent<Operand[]>
+  vecMin(...operands: Operand[]): Scalar
+  /** Another name of `min`. */
+  vecMin<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** Another name of `max`. */
-  vecMax: ByComponent<Operand[]>
+  vecMax(...operands: Operand[]): Scalar
+  /** Another name of `max`. */
+  vecMax<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** Another name of `ifElse`. */
-  vecIfElse: ByComponent<[yes: Operand, no: Operand], Expression>
+  vecIfElse(yes: Operand, no: Operand): Scalar
+  /** Another name of `ifElse`. */
+  vecIfElse<Value extends Expression>(yes: Value | Operand, no: Value | Operand): Value
 }
 
 /** Of vectors. A number beside a vector counts for each component. */
@@ -325,7 +476,13 @@ export interface MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethod
   /** `x.sub(y, …)`: x - y, and minus all that follow. */
   sub(...others: (Self | Operand)[]): Self
   /** The product of two or more; with a matrix, that of linear algebra. */
-  mult: MatrixProduct<Self>
+  mult(...factors: (IfSquare<Self> | Operand)[]): Self
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult(...factors: (IfSquare<Self> | VectorOf<ColumnsOf<Self>> | Operand)[]): VectorOf<RowsOf<Self>>
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Columns extends Size>(
+    matrix: Shape<Columns, ColumnsOf<Self>>,
+  ): MatrixOf<Columns, RowsOf<Self>>
   /** `x.div(y, …)`: x / y, and divided by all that follow. */
   div(...divisors: Operand[]): Self
   /** `x.mix(y, amount)`: From x where the amount is 0 to y where it is 1, and beyond. */
@@ -337,11 +494,25 @@ export interface MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethod
   /** Another name of `add`. */
   sum(...others: (Self | Operand)[]): Self
   /** Another name of `mult`. */
-  prod: MatrixProduct<Self>
+  prod(...factors: (IfSquare<Self> | Operand)[]): Self
+  /** Another name of `mult`. */
+  prod(...factors: (IfSquare<Self> | VectorOf<ColumnsOf<Self>> | Operand)[]): VectorOf<RowsOf<Self>>
+  /** Another name of `mult`. */
+  prod<Columns extends Size>(
+    matrix: Shape<Columns, ColumnsOf<Self>>,
+  ): MatrixOf<Columns, RowsOf<Self>>
   /** Another name of `add`. */
   vecSum(...others: (Self | Operand)[]): Self
   /** Another name of `mult`. */
-  vecProd: MatrixProduct<Self>
+  vecProd(...factors: (IfSquare<Self> | Operand)[]): Self
+  /** Another name of `mult`. */
+  vecProd(
+    ...factors: (IfSquare<Self> | VectorOf<ColumnsOf<Self>> | Operand)[]
+  ): VectorOf<RowsOf<Self>>
+  /** Another name of `mult`. */
+  vecProd<Columns extends Size>(
+    matrix: Shape<Columns, ColumnsOf<Self>>,
+  ): MatrixOf<Columns, RowsOf<Self>>
   /** Another name of `mix`. */
   vecMix(y: Self | Operand, amount: Self | Operand): Self
   /** Another name of `ifElse`. */
@@ -359,105 +530,244 @@ export interface SquareMethods<Self> {
 /** Of the builder `glsl`. */
 export interface Functions {
   /** -x */
-  neg: ByComponent<[x: Operand], Expression>
+  neg(x: Operand): Scalar
+  /** -x */
+  neg<Value extends Expression>(x: Value | Operand): Value
   /** The sum of two or more. */
-  add: ByComponent<Operand[], Expression>
+  add(...operands: Operand[]): Scalar
+  /** The sum of two or more. */
+  add<Value extends Expression>(...operands: (Value | Operand)[]): Value
   /** x - y, and minus all that follow. */
-  sub: ByComponent<Operand[], Expression>
+  sub(...operands: Operand[]): Scalar
+  /** x - y, and minus all that follow. */
+  sub<Value extends Expression>(...operands: (Value | Operand)[]): Value
   /** The product of two or more; with a matrix, that of linear algebra. */
-  mult: Product
+  mult(...numbers: Operand[]): Scalar
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult(...factors: (Vec2 | Mat2 | Operand)[]): Vec2
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult(...factors: (Vec3 | Mat3 | Operand)[]): Vec3
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult(...factors: (Vec4 | Mat4 | Operand)[]): Vec4
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Value extends AnyMatrix>(number: Operand, matrix: Value): Value
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Left extends AnyMatrix>(
+    matrix: Left,
+    vector: VectorOf<ColumnsOf<Left>>,
+  ): VectorOf<RowsOf<Left>>
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Right extends AnyMatrix>(
+    vector: VectorOf<RowsOf<Right>>,
+    matrix: Right,
+  ): VectorOf<ColumnsOf<Right>>
+  /** The product of two or more; with a matrix, that of linear algebra. */
+  mult<Left extends AnyMatrix, Columns extends Size>(
+    left: Left,
+    right: Shape<Columns, ColumnsOf<Left>>,
+  ): MatrixOf<Columns, RowsOf<Left>>
   /** x / y, and divided by all that follow. */
-  div: Quotient
+  div(...numbers: Operand[]): Scalar
+  /** x / y, and divided by all that follow. */
+  div<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
+  /** x / y, and divided by all that follow. */
+  div<Value extends AnyMatrix>(matrix: Value, ...divisors: Operand[]): Value
   /**
    * x to the power of the exponent. A whole number from -16 to 16 makes a product, right for
    * negative x too; with any other exponent, x must not be negative.
    */
-  pow: ByComponent<[x: Operand, exponent: Operand]>
+  pow(x: Operand, exponent: Operand): Scalar
+  /**
+   * x to the power of the exponent. A whole number from -16 to 16 makes a product, right for
+   * negative x too; with any other exponent, x must not be negative.
+   */
+  pow<Value extends Scalar | Vector>(x: Value | Operand, exponent: Value | Operand): Value
   /** The square root; its derivative at 0 counts as 0. */
-  sqrt: ByComponent<[x: Operand]>
+  sqrt(x: Operand): Scalar
+  /** The square root; its derivative at 0 counts as 0. */
+  sqrt<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** 1 / sqrt(x) */
-  inversesqrt: ByComponent<[x: Operand]>
+  inversesqrt(x: Operand): Scalar
+  /** 1 / sqrt(x) */
+  inversesqrt<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** e to the power of x. */
-  exp: ByComponent<[x: Operand]>
+  exp(x: Operand): Scalar
+  /** e to the power of x. */
+  exp<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** 2 to the power of x. */
-  exp2: ByComponent<[x: Operand]>
+  exp2(x: Operand): Scalar
+  /** 2 to the power of x. */
+  exp2<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The natural logarithm, of what is greater than 0. */
-  log: ByComponent<[x: Operand]>
+  log(x: Operand): Scalar
+  /** The natural logarithm, of what is greater than 0. */
+  log<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The logarithm to base 2, of what is greater than 0. */
-  log2: ByComponent<[x: Operand]>
+  log2(x: Operand): Scalar
+  /** The logarithm to base 2, of what is greater than 0. */
+  log2<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The sine of an angle in radians. */
-  sin: ByComponent<[x: Operand]>
+  sin(x: Operand): Scalar
+  /** The sine of an angle in radians. */
+  sin<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The cosine of an angle in radians. */
-  cos: ByComponent<[x: Operand]>
+  cos(x: Operand): Scalar
+  /** The cosine of an angle in radians. */
+  cos<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The tangent of an angle in radians. */
-  tan: ByComponent<[x: Operand]>
+  tan(x: Operand): Scalar
+  /** The tangent of an angle in radians. */
+  tan<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The angle from -π/2 to π/2 whose sine is x, which is from -1 to 1. */
-  asin: ByComponent<[x: Operand]>
+  asin(x: Operand): Scalar
+  /** The angle from -π/2 to π/2 whose sine is x, which is from -1 to 1. */
+  asin<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The angle from 0 to π whose cosine is x, which is from -1 to 1. */
-  acos: ByComponent<[x: Operand]>
+  acos(x: Operand): Scalar
+  /** The angle from 0 to π whose cosine is x, which is from -1 to 1. */
+  acos<Value extends Scalar | Vector>(x: Value | Operand): Value
   /**
    * `atan(x)`: The angle from -π/2 to π/2 whose tangent is x. `atan(y, x)`: The angle of the
    * point (x, y), from -π to π.
    */
-  atan: ByComponent<[y: Operand, x?: Operand]>
+  atan(y: Operand, x?: Operand): Scalar
+  /**
+   * `atan(x)`: The angle from -π/2 to π/2 whose tangent is x. `atan(y, x)`: The angle of the
+   * point (x, y), from -π to π.
+   */
+  atan<Value extends Scalar | Vector>(y: Value | Operand, x?: Value | Operand): Value
   /** The hyperbolic sine. */
-  sinh: ByComponent<[x: Operand]>
+  sinh(x: Operand): Scalar
+  /** The hyperbolic sine. */
+  sinh<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The hyperbolic cosine. */
-  cosh: ByComponent<[x: Operand]>
+  cosh(x: Operand): Scalar
+  /** The hyperbolic cosine. */
+  cosh<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The hyperbolic tangent, between -1 and 1. */
-  tanh: ByComponent<[x: Operand]>
+  tanh(x: Operand): Scalar
+  /** The hyperbolic tangent, between -1 and 1. */
+  tanh<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The number whose hyperbolic sine is x. */
-  asinh: ByComponent<[x: Operand]>
+  asinh(x: Operand): Scalar
+  /** The number whose hyperbolic sine is x. */
+  asinh<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The number from 0 up whose hyperbolic cosine is x, which is at least 1. */
-  acosh: ByComponent<[x: Operand]>
+  acosh(x: Operand): Scalar
+  /** The number from 0 up whose hyperbolic cosine is x, which is at least 1. */
+  acosh<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The number whose hyperbolic tangent is x, which is between -1 and 1. */
-  atanh: ByComponent<[x: Operand]>
+  atanh(x: Operand): Scalar
+  /** The number whose hyperbolic tangent is x, which is between -1 and 1. */
+  atanh<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** x without its sign. */
-  abs: ByComponent<[x: Operand]>
+  abs(x: Operand): Scalar
+  /** x without its sign. */
+  abs<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** -1, 0 or 1. */
-  sign: ByComponent<[x: Operand]>
+  sign(x: Operand): Scalar
+  /** -1, 0 or 1. */
+  sign<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The whole number at or below x. */
-  floor: ByComponent<[x: Operand]>
+  floor(x: Operand): Scalar
+  /** The whole number at or below x. */
+  floor<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The whole number at or above x. */
-  ceil: ByComponent<[x: Operand]>
+  ceil(x: Operand): Scalar
+  /** The whole number at or above x. */
+  ceil<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** The nearest whole number; a half goes to the even one: round(0.5) is 0, round(1.5) 2. */
-  round: ByComponent<[x: Operand]>
+  round(x: Operand): Scalar
+  /** The nearest whole number; a half goes to the even one: round(0.5) is 0, round(1.5) 2. */
+  round<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** x without what follows its point. */
-  trunc: ByComponent<[x: Operand]>
+  trunc(x: Operand): Scalar
+  /** x without what follows its point. */
+  trunc<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** x - floor(x) */
-  fract: ByComponent<[x: Operand]>
+  fract(x: Operand): Scalar
+  /** x - floor(x) */
+  fract<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** x - divisor * floor(x / divisor), which has the sign of the divisor. */
-  mod: ByComponent<[x: Operand, divisor: Operand]>
+  mod(x: Operand, divisor: Operand): Scalar
+  /** x - divisor * floor(x / divisor), which has the sign of the divisor. */
+  mod<Value extends Scalar | Vector>(x: Value | Operand, divisor: Value | Operand): Value
   /** The least of two or more. */
-  min: ByComponent<Operand[]>
+  min(...operands: Operand[]): Scalar
+  /** The least of two or more. */
+  min<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** The greatest of two or more. */
-  max: ByComponent<Operand[]>
+  max(...operands: Operand[]): Scalar
+  /** The greatest of two or more. */
+  max<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** x, but not below low nor above high. */
-  clamp: ByComponent<[x: Operand, low: Operand, high: Operand]>
+  clamp(x: Operand, low: Operand, high: Operand): Scalar
+  /** x, but not below low nor above high. */
+  clamp<Value extends Scalar | Vector>(
+    x: Value | Operand,
+    low: Value | Operand,
+    high: Value | Operand,
+  ): Value
   /** From x where the amount is 0 to y where it is 1, and beyond. */
-  mix: ByComponent<[x: Operand, y: Operand, amount: Operand], Expression>
+  mix(x: Operand, y: Operand, amount: Operand): Scalar
+  /** From x where the amount is 0 to y where it is 1, and beyond. */
+  mix<Value extends Expression>(
+    x: Value | Operand,
+    y: Value | Operand,
+    amount: Value | Operand,
+  ): Value
   /** 0 where x is below the edge, otherwise 1. */
-  step: ByComponent<[edge: Operand, x: Operand]>
+  step(edge: Operand, x: Operand): Scalar
+  /** 0 where x is below the edge, otherwise 1. */
+  step<Value extends Scalar | Vector>(edge: Value | Operand, x: Value | Operand): Value
   /** x < y */
-  lt: ByComponent<[x: Operand, y: Operand]>
+  lt(x: Operand, y: Operand): Scalar
+  /** x < y */
+  lt<Value extends Scalar | Vector>(x: Value | Operand, y: Value | Operand): Value
   /** x <= y */
-  le: ByComponent<[x: Operand, y: Operand]>
+  le(x: Operand, y: Operand): Scalar
+  /** x <= y */
+  le<Value extends Scalar | Vector>(x: Value | Operand, y: Value | Operand): Value
   /** x > y */
-  gt: ByComponent<[x: Operand, y: Operand]>
+  gt(x: Operand, y: Operand): Scalar
+  /** x > y */
+  gt<Value extends Scalar | Vector>(x: Value | Operand, y: Value | Operand): Value
   /** x >= y */
-  ge: ByComponent<[x: Operand, y: Operand]>
+  ge(x: Operand, y: Operand): Scalar
+  /** x >= y */
+  ge<Value extends Scalar | Vector>(x: Value | Operand, y: Value | Operand): Value
   /** x == y */
-  eq: ByComponent<[x: Operand, y: Operand]>
+  eq(x: Operand, y: Operand): Scalar
+  /** x == y */
+  eq<Value extends Scalar | Vector>(x: Value | Operand, y: Value | Operand): Value
   /** x != y */
-  ne: ByComponent<[x: Operand, y: Operand]>
+  ne(x: Operand, y: Operand): Scalar
+  /** x != y */
+  ne<Value extends Scalar | Vector>(x: Value | Operand, y: Value | Operand): Value
   /** Whether all are true. */
-  and: ByComponent<Operand[]>
+  and(...operands: Operand[]): Scalar
+  /** Whether all are true. */
+  and<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** Whether any is true. */
-  or: ByComponent<Operand[]>
+  or(...operands: Operand[]): Scalar
+  /** Whether any is true. */
+  or<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** Whether x is false. */
-  not: ByComponent<[x: Operand]>
+  not(x: Operand): Scalar
+  /** Whether x is false. */
+  not<Value extends Scalar | Vector>(x: Value | Operand): Value
   /** One of two values; a number other than 0 counts as true. */
-  ifElse: ByComponent<[condition: Operand, yes: Operand, no: Operand], Expression>
+  ifElse(condition: Operand, yes: Operand, no: Operand): Scalar
+  /** One of two values; a number other than 0 counts as true. */
+  ifElse<Value extends Expression>(
+    condition: Value | Operand,
+    yes: Value | Operand,
+    no: Value | Operand,
+  ): Value
   /** The dot product. */
   dot<Value extends Vector>(a: Value, b: Value): Scalar
   /** The cross product. */
@@ -482,11 +792,21 @@ export interface Functions {
   /** The normal, turned round where `incident` goes along `reference`. */
   faceforward<Value extends Vector>(normal: Value, incident: Value, reference: Value): Value
   /** From 0 where x is at `low`, smoothly to 1 where it is at `high`, another number. */
-  smoothstep: ByComponent<[low: Operand, high: Operand, x: Operand]>
+  smoothstep(low: Operand, high: Operand, x: Operand): Scalar
+  /** From 0 where x is at `low`, smoothly to 1 where it is at `high`, another number. */
+  smoothstep<Value extends Scalar | Vector>(
+    low: Value | Operand,
+    high: Value | Operand,
+    x: Value | Operand,
+  ): Value
   /** An angle in degrees, as radians. */
-  radians: ByComponent<[degrees: Operand]>
+  radians(degrees: Operand): Scalar
+  /** An angle in degrees, as radians. */
+  radians<Value extends Scalar | Vector>(degrees: Value | Operand): Value
   /** An angle in radians, as degrees. */
-  degrees: ByComponent<[radians: Operand]>
+  degrees(radians: Operand): Scalar
+  /** An angle in radians, as degrees. */
+  degrees<Value extends Scalar | Vector>(radians: Value | Operand): Value
   /** Rows become columns. */
   transpose<Value extends AnyMatrix>(m: Value): Transposed<Value>
   /** The determinant. */
@@ -541,21 +861,103 @@ export interface Functions {
    */
   turnTangent(deformation: Mat3, tangent: Vec3, normal: Vec3): Vec3
   /** Another name of `add`. */
-  sum: ByComponent<Operand[], Expression>
-  /** Another name of `mult`. */
-  prod: Product
+  sum(...operands: Operand[]): Scalar
   /** Another name of `add`. */
-  vecSum: ByComponent<Operand[], Expression>
+  sum<Value extends Expression>(...operands: (Value | Operand)[]): Value
   /** Another name of `mult`. */
-  vecProd: Product
+  prod(...numbers: Operand[]): Scalar
+  /** Another name of `mult`. */
+  prod<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value
+  /** Another name of `mult`. */
+  prod(...factors: (Vec2 | Mat2 | Operand)[]): Vec2
+  /** Another name of `mult`. */
+  prod(...factors: (Vec3 | Mat3 | Operand)[]): Vec3
+  /** Another name of `mult`. */
+  prod(...factors: (Vec4 | Mat4 | Operand)[]): Vec4
+  /** Another name of `mult`. */
+  prod<Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value
+  /** Another name of `mult`. */
+  prod<Value extends AnyMatrix>(number: Operand, matrix: Value): Value
+  /** Another name of `mult`. */
+  prod<Left extends AnyMatrix>(
+    matrix: Left,
+    vector: VectorOf<ColumnsOf<Left>>,
+  ): VectorOf<RowsOf<Left>>
+  /** Another name of `mult`. */
+  prod<Right extends AnyMatrix>(
+    vector: VectorOf<RowsOf<Right>>,
+    matrix: Right,
+  ): VectorOf<ColumnsOf<Right>>
+  /** Another name of `mult`. */
+  prod<Left extends AnyMatrix, Columns extends Size>(
+    left: Left,
+    right: Shape<Columns, ColumnsOf<Left>>,
+  ): MatrixOf<Columns, RowsOf<Left>>
+  /** Another name of `add`. */
+  vecSum(...operands: Operand[]): Scalar
+  /** Another name of `add`. */
+  vecSum<Value extends Expression>(...operands: (Value | Operand)[]): Value
+  /** Another name of `mult`. */
+  vecProd(...numbers: Operand[]): Scalar
+  /** Another name of `mult`. */
+  vecProd<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(
+    ...factors: (Value | Operand)[]
+  ): Value
+  /** Another name of `mult`. */
+  vecProd(...factors: (Vec2 | Mat2 | Operand)[]): Vec2
+  /** Another name of `mult`. */
+  vecProd(...factors: (Vec3 | Mat3 | Operand)[]): Vec3
+  /** Another name of `mult`. */
+  vecProd(...factors: (Vec4 | Mat4 | Operand)[]): Vec4
+  /** Another name of `mult`. */
+  vecProd<Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value
+  /** Another name of `mult`. */
+  vecProd<Value extends AnyMatrix>(number: Operand, matrix: Value): Value
+  /** Another name of `mult`. */
+  vecProd<Left extends AnyMatrix>(
+    matrix: Left,
+    vector: VectorOf<ColumnsOf<Left>>,
+  ): VectorOf<RowsOf<Left>>
+  /** Another name of `mult`. */
+  vecProd<Right extends AnyMatrix>(
+    vector: VectorOf<RowsOf<Right>>,
+    matrix: Right,
+  ): VectorOf<ColumnsOf<Right>>
+  /** Another name of `mult`. */
+  vecProd<Left extends AnyMatrix, Columns extends Size>(
+    left: Left,
+    right: Shape<Columns, ColumnsOf<Left>>,
+  ): MatrixOf<Columns, RowsOf<Left>>
   /** Another name of `mix`. */
-  vecMix: ByComponent<[x: Operand, y: Operand, amount: Operand], Expression>
+  vecMix(x: Operand, y: Operand, amount: Operand): Scalar
+  /** Another name of `mix`. */
+  vecMix<Value extends Expression>(
+    x: Value | Operand,
+    y: Value | Operand,
+    amount: Value | Operand,
+  ): Value
   /** Another name of `clamp`. */
-  vecClamp: ByComponent<[x: Operand, low: Operand, high: Operand]>
+  vecClamp(x: Operand, low: Operand, high: Operand): Scalar
+  /** Another name of `clamp`. */
+  vecClamp<Value extends Scalar | Vector>(
+    x: Value | Operand,
+    low: Value | Operand,
+    high: Value | Operand,
+  ): Value
   /** Another name of `min`. */
-  vecMin: ByComponent<Operand[]>
+  vecMin(...operands: Operand[]): Scalar
+  /** Another name of `min`. */
+  vecMin<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** Another name of `max`. */
-  vecMax: ByComponent<Operand[]>
+  vecMax(...operands: Operand[]): Scalar
+  /** Another name of `max`. */
+  vecMax<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value
   /** Another name of `ifElse`. */
-  vecIfElse: ByComponent<[condition: Operand, yes: Operand, no: Operand], Expression>
+  vecIfElse(condition: Operand, yes: Operand, no: Operand): Scalar
+  /** Another name of `ifElse`. */
+  vecIfElse<Value extends Expression>(
+    condition: Value | Operand,
+    yes: Value | Operand,
+    no: Value | Operand,
+  ): Value
 }

@@ -59,20 +59,28 @@ export interface NoiseFunctions {
   turbulence(point: Point, options?: FractalOptions): Scalar
 }
 
-/** `p.noise(options)` for `glsl.noise(p, options)`, and so with all others. */
+/** `point.noise(options)` for `glsl.noise(point, options)`, and so with all others, which say more. */
 export interface FieldMethods {
+  /** Gradient noise at this point, from -1 to 1: smooth bumps, 0 at whole coordinates. */
   noise(options?: NoiseOptions): Scalar
+  /** Simplex noise at this point, from -1 to 1: bumps that favour no axis. */
   simplex(options?: NoiseOptions): Scalar
+  /** Value noise at this point, from -1 to 1: random numbers at whole coordinates, blended. */
   valueNoise(options?: NoiseOptions): Scalar
+  /** Octaves of noise at this point, each finer and weaker than the one before, from -1 to 1. */
   fbm(options?: FractalOptions): Scalar
+  /** Octaves of sharp ridges at this point, from 0 to 1. */
   ridged(options?: FractalOptions): Scalar
+  /** Octaves of billows at this point, from 0 to 1. */
   turbulence(options?: FractalOptions): Scalar
 }
 
 export interface NoiseMethods extends FieldMethods {
+  /** From this point, the distances to the nearest and to the second nearest of random points, one a cell. */
   worley(options?: NoiseOptions): Vec2
 }
 
 export interface CurlMethod {
+  /** At this point, a field of vectors that flows as a fluid does, without sources or sinks. */
   curl(options?: CurlOptions): Vec3
 }

@@ -1,18 +1,5 @@
 // What the generated methods and functions are typed with. `types.ts` names the expressions.
-import type {
-  AnyMatrix,
-  Expression,
-  Mat2,
-  Mat3,
-  Mat4,
-  Matrix,
-  Operand,
-  Scalar,
-  Vec2,
-  Vec3,
-  Vec4,
-  Vector,
-} from './types.js'
+import type { Mat2, Mat3, Mat4, Matrix, Scalar, Vec2, Vec3, Vec4, Vector } from './types.js'
 
 declare const shape: unique symbol
 
@@ -33,8 +20,8 @@ export type MatrixOf<Columns extends Size, Rows extends Size> = Rows extends Siz
       : never
   : never
 
-type ColumnsOf<Self extends Shape<Size, Size>> = Self[typeof shape][0]
-type RowsOf<Self extends Shape<number, Size>> = Self[typeof shape][1]
+export type ColumnsOf<Self extends Shape<Size, Size>> = Self[typeof shape][0]
+export type RowsOf<Self extends Shape<number, Size>> = Self[typeof shape][1]
 
 /** The matrices by which a vector, as a row or as a column, keeps its size. */
 export type SquareBeside<Self extends Shape<1, Size>> = SquareOf<RowsOf<Self>>
@@ -45,45 +32,11 @@ export type Jacobian<Value extends Shape<1, Size>, Inputs extends Shape<1, Size>
   RowsOf<Value>
 >
 
-/**
- * A function by component, or such a method of a scalar: a scalar of numbers, otherwise a vector
- * (or a matrix, if `Wide` allows it); those among the operands all have its size.
- */
-export interface ByComponent<Numbers extends unknown[], Wide extends Expression = Scalar | Vector> {
+/** A function by component: a scalar of numbers, otherwise a vector; those among the operands all have its size. */
+export interface ByComponent<Numbers extends unknown[]> {
   (...numbers: Numbers): Scalar
-  <Value extends Wide>(...operands: { [I in keyof Numbers]: Value | Numbers[I] }): Value
+  <Value extends Scalar | Vector>(...operands: { [I in keyof Numbers]: Value | Numbers[I] }): Value
 }
 
-/** `glsl.div`: a matrix divides nothing. */
-export interface Quotient extends ByComponent<Operand[]> {
-  <Value extends AnyMatrix>(matrix: Value, ...divisors: Operand[]): Value
-}
-
-/** `glsl.mult`, and `mult` of a scalar. From left to right a vector among square matrices stays one. */
-export interface Product {
-  (...numbers: Operand[]): Scalar
-  <Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value
-  (...factors: (Vec2 | Mat2 | Operand)[]): Vec2
-  (...factors: (Vec3 | Mat3 | Operand)[]): Vec3
-  (...factors: (Vec4 | Mat4 | Operand)[]): Vec4
-  <Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value
-  <Value extends AnyMatrix>(number: Operand, matrix: Value): Value
-  <Left extends AnyMatrix>(matrix: Left, vector: VectorOf<ColumnsOf<Left>>): VectorOf<RowsOf<Left>>
-  <Right extends AnyMatrix>(
-    vector: VectorOf<RowsOf<Right>>,
-    matrix: Right,
-  ): VectorOf<ColumnsOf<Right>>
-  <Left extends AnyMatrix, Columns extends Size>(
-    left: Left,
-    right: Shape<Columns, ColumnsOf<Left>>,
-  ): MatrixOf<Columns, RowsOf<Left>>
-}
-
-/** `mult` of a matrix. */
-export interface MatrixProduct<Self extends Shape<Size, Size>> {
-  (...factors: (IfSquare<Self> | Operand)[]): Self
-  (...factors: (IfSquare<Self> | VectorOf<ColumnsOf<Self>> | Operand)[]): VectorOf<RowsOf<Self>>
-  <Columns extends Size>(matrix: Shape<Columns, ColumnsOf<Self>>): MatrixOf<Columns, RowsOf<Self>>
-}
-
-type IfSquare<Self extends Shape<Size, Size>> = ColumnsOf<Self> extends RowsOf<Self> ? Self : never
+export type IfSquare<Self extends Shape<Size, Size>> =
+  ColumnsOf<Self> extends RowsOf<Self> ? Self : never

@@ -5,6 +5,7 @@ export { compileWarp } from './compile-warp-text.js'
 export type { Compiled, CompileOptions, Stats } from './compiled.js'
 export { targets, type Target } from './compilation.js'
 export type { Numbers } from './evaluate.js'
+/** @internal */
 export { memoryInUse } from './core.js'
 export { WarpError } from './errors.js'
 export { version } from './generated/version.js'

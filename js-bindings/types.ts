@@ -92,42 +92,55 @@ interface STPQ extends Swizzles<'s' | 't' | 'p' | 'q'> {}
 
 type Parts = (Scalar | Vector | number)[]
 
-/** From columns or rows of its size, from as many numbers, or from one number for the diagonal. */
-interface Rows<Self, Vectors> {
+interface FromColumns<Self, Column> {
+  /** A matrix from numbers, which go down the columns; from one number, it stands on the diagonal. */
   (...numbers: Operand[]): Self
-  (...vectors: Vectors[]): Self
+  /** A matrix from its columns. */
+  (...columns: Column[]): Self
+  /** A matrix from one of another size, cut off or filled up with ones on the diagonal. */
+  (matrix: AnyMatrix): Self
 }
 
-/** The same; or a matrix of another size, cut off or filled up with ones on the diagonal. */
-interface Columns<Self, Vectors> extends Rows<Self, Vectors> {
-  (matrix: AnyMatrix): Self
+interface FromRows<Self, Row> {
+  /** A matrix from numbers, which go along the rows; from one number, it stands on the diagonal. */
+  (...numbers: Operand[]): Self
+  /** A matrix from its rows. */
+  (...rows: Row[]): Self
 }
 
 /** `glsl`: inputs, constants, and every operation as a function. */
 export interface Glsl extends Functions, NoiseFunctions {
-  /** A float of the shader, by its name or the expression that reads it there. */
+  /** A float of the shader, by its name there or the expression that reads it. */
   param(name: string): Scalar
+  /** A vec2 of the shader, by its name there or the expression that reads it. */
   vec2Param(name: string): Vec2
+  /** A vec3 of the shader, by its name there or the expression that reads it. */
   vec3Param(name: string): Vec3
+  /** A vec4 of the shader, by its name there or the expression that reads it. */
   vec4Param(name: string): Vec4
+  /** A mat2 of the shader, by its name there or the expression that reads it. */
   mat2Param(name: string): Mat2
+  /** A mat3 of the shader, by its name there or the expression that reads it. */
   mat3Param(name: string): Mat3
+  /** A mat4 of the shader, by its name there or the expression that reads it. */
   mat4Param(name: string): Mat4
+  /** A constant, as an expression. */
   val(value: number): Scalar
-  /** From numbers and smaller vectors, or from one number for all components. */
+  /** A vec2 from numbers and smaller vectors, or from one number for all components. */
   vec2(...parts: Parts): Vec2
+  /** A vec3 from numbers and smaller vectors, or from one number for all components. */
   vec3(...parts: Parts): Vec3
+  /** A vec4 from numbers and smaller vectors, or from one number for all components. */
   vec4(...parts: Parts): Vec4
-  /** From columns; numbers go down the columns. */
-  mat2: Columns<Mat2, Vec2>
-  mat3: Columns<Mat3, Vec3>
-  mat4: Columns<Mat4, Vec4>
-  /** From rows; numbers go along the rows. */
-  mat2Rows: Rows<Mat2, Vec2>
-  mat3Rows: Rows<Mat3, Vec3>
-  mat4Rows: Rows<Mat4, Vec4>
-  /** The columns and rows of a matrix, by number from 0. */
+  mat2: FromColumns<Mat2, Vec2>
+  mat3: FromColumns<Mat3, Vec3>
+  mat4: FromColumns<Mat4, Vec4>
+  mat2Rows: FromRows<Mat2, Vec2>
+  mat3Rows: FromRows<Mat3, Vec3>
+  mat4Rows: FromRows<Mat4, Vec4>
+  /** The column of a matrix, by its number from 0. */
   column<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<R>
+  /** The row of a matrix, by its number from 0. */
   row<C extends Size, R extends Size>(matrix: Shape<C, R>, index: number): VectorOf<C>
   /**
    * The colour of an image at `uv`, from (0, 0) to (1, 1) across it, v down: red, green, blue and alpha. `sampler` is the

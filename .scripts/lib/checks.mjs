@@ -2,6 +2,7 @@
 import { availableParallelism } from 'node:os'
 import { fuzz } from '../fuzz.mjs'
 import { staleFiles } from '../reference.mjs'
+import { installEnvironments } from './environments.mjs'
 import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
 import { exitCode, run } from './run.mjs'
@@ -54,6 +55,11 @@ async function nodeTests(folder) {
   await node('--test', '--test-reporter=spec', concurrency, ...files)
 }
 
+async function environments() {
+  await installEnvironments()
+  await nodeTests('tests/package')
+}
+
 /** `group` is what `npm test -- <group>` selects; tiers.mjs names the titles that the everyday run leaves out. */
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
@@ -69,4 +75,5 @@ export const checks = [
   { group: 'fuzz', title: 'Fuzzing', work: () => fuzz({ seconds: 60, isKept: false }) },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },
   { group: 'browser', title: 'Browser tests', work: () => nodeTests('tests/browser') },
+  { group: 'package', title: 'The package in its environments', work: environments },
 ]

@@ -17,6 +17,9 @@ export const seconds = (since) => `${((performance.now() - since) / 1000).toFixe
 /** An error whose message says everything: `main` prints it without a stack trace. */
 export class Stop extends Error {}
 
+/** Thrown by a check that cannot be run here, with the reason: it neither passes nor fails. */
+export class NotRun extends Error {}
+
 /** Runs `work` as the whole program and turns a Stop into one line and exit code 1. */
 export async function main(work) {
   try {

@@ -9,6 +9,8 @@ export const leftOut = {
       'compiling it takes twice as long as for the native tests; these have the checks of the standard library',
     Fuzzing:
       'searching takes a minute of each core; its corpus is run every day with the C++ tests',
+    'The package in its environments':
+      'it installs 900 MB of bundlers and needs the npm registry; what it proves changes only with package.json and the build',
   },
   files: {
     'tests/browser/bench.test.js': 'the benchmark is run seldom, by hand, and ships to nobody',

@@ -1,17 +1,46 @@
 // js-bindings/methods.ts: every operation as a method of what it takes first and as a function of the builder.
 
-/** A member of an interface, by what the operation takes. These few are typed otherwise. */
+// Every signature stands beside its own comment: an editor shows none of a property whose type has several.
+
+/** `mult` of a number and of the builder. From left to right a vector among square matrices stays one. */
+const product = [
+  '(...numbers: Operand[]): Scalar',
+  '<Value extends Scalar | Vector | Mat2 | Mat3 | Mat4>(...factors: (Value | Operand)[]): Value',
+  '(...factors: (Vec2 | Mat2 | Operand)[]): Vec2',
+  '(...factors: (Vec3 | Mat3 | Operand)[]): Vec3',
+  '(...factors: (Vec4 | Mat4 | Operand)[]): Vec4',
+  '<Value extends AnyMatrix>(matrix: Value, ...numbers: Operand[]): Value',
+  '<Value extends AnyMatrix>(number: Operand, matrix: Value): Value',
+  '<Left extends AnyMatrix>(matrix: Left, vector: VectorOf<ColumnsOf<Left>>): VectorOf<RowsOf<Left>>',
+  '<Right extends AnyMatrix>(vector: VectorOf<RowsOf<Right>>, matrix: Right): VectorOf<ColumnsOf<Right>>',
+  '<Left extends AnyMatrix, Columns extends Size>(left: Left, right: Shape<Columns, ColumnsOf<Left>>): MatrixOf<Columns, RowsOf<Left>>',
+]
+
+const quotient = [
+  '(...numbers: Operand[]): Scalar',
+  '<Value extends Scalar | Vector>(...operands: (Value | Operand)[]): Value',
+]
+
+/** Members of an interface, by what the operation takes. These few are typed otherwise. */
 const special = {
   mult: {
-    scalar: ': Product',
-    vector: '(...factors: (Self | SquareBeside<Self> | Operand)[]): Self',
-    matrix: ': MatrixProduct<Self>',
-    function: ': Product',
+    scalar: product,
+    vector: ['(...factors: (Self | SquareBeside<Self> | Operand)[]): Self'],
+    matrix: [
+      '(...factors: (IfSquare<Self> | Operand)[]): Self',
+      '(...factors: (IfSquare<Self> | VectorOf<ColumnsOf<Self>> | Operand)[]): VectorOf<RowsOf<Self>>',
+      '<Columns extends Size>(matrix: Shape<Columns, ColumnsOf<Self>>): MatrixOf<Columns, RowsOf<Self>>',
+    ],
+    function: product,
   },
   div: {
-    scalar: ': ByComponent<Operand[]>',
-    matrix: '(...divisors: Operand[]): Self',
-    function: ': Quotient',
+    // A matrix divides nothing.
+    scalar: quotient,
+    matrix: ['(...divisors: Operand[]): Self'],
+    function: [
+      ...quotient,
+      '<Value extends AnyMatrix>(matrix: Value, ...divisors: Operand[]): Value',
+    ],
   },
 }
 
@@ -21,20 +50,20 @@ const receivers = [
     head: 'AnyMethods<Self>',
     about: 'Of numbers, vectors and matrices.',
     has: ({ kinds }) => kinds[0] === 'any',
-    member: method('Self'),
+    signaturesOf: method('Self'),
   },
   {
     head: 'ComponentMethods<Self> extends AnyMethods<Self>',
     about: 'Of numbers and vectors, by component.',
     has: ({ kinds, isOptional }) => isComponentwise(kinds) && kinds.length === 1 && !isOptional,
-    member: method('Self'),
+    signaturesOf: method('Self'),
   },
   {
     head: 'ScalarMethods extends ComponentMethods<Scalar>',
     about: 'Of numbers. A vector beside a number gives a vector.',
     has: ({ kinds, isOptional }) =>
       kinds[0] === 'number' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
-    member: (operation) =>
+    signaturesOf: (operation) =>
       special[operation.base]?.scalar ??
       (isComponentwise(operation.kinds) ? byComponent(operation, 1) : method('Scalar')(operation)),
   },
@@ -43,28 +72,28 @@ const receivers = [
     about: 'Of vectors. A number beside a vector counts for each component.',
     has: ({ kinds, isOptional }) =>
       kinds[0] === 'vector' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
-    member: (operation) => special[operation.base]?.vector ?? method('Self')(operation),
+    signaturesOf: (operation) => special[operation.base]?.vector ?? method('Self')(operation),
   },
   {
     head: 'Vec3Methods',
     has: ({ kinds }) => kinds[0] === 'vec3',
-    member: method('Vec3'),
+    signaturesOf: method('Vec3'),
   },
   {
     head: 'Mat3Methods',
     has: ({ kinds }) => kinds[0] === 'mat3',
-    member: method('Mat3'),
+    signaturesOf: method('Mat3'),
   },
   {
     head: 'MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self>',
     has: ({ kinds, takesMatrices }) => takesMatrices || kinds[0] === 'matrix',
-    member: (operation) => special[operation.base]?.matrix ?? method('Self')(operation),
+    signaturesOf: (operation) => special[operation.base]?.matrix ?? method('Self')(operation),
   },
   {
     head: 'SquareMethods<Self>',
     about: 'Of matrices of as many rows as columns.',
     has: ({ kinds }) => kinds[0] === 'square matrix',
-    member: method('Self'),
+    signaturesOf: method('Self'),
   },
 ]
 
@@ -75,10 +104,16 @@ export function typesText({ operations, aliases }) {
   const known = byName(operations)
   const named = [...known, ...aliases.map((alias) => another(alias, known))]
   const interfaces = [
-    ...receivers.map(({ head, about, has, member }) =>
-      interfaceText(head, about, named.filter(has), member, methodComment),
+    ...receivers.map(({ head, about, has, signaturesOf }) =>
+      interfaceText(head, about, named.filter(has), signaturesOf, methodComment),
     ),
-    interfaceText('Functions', 'Of the builder `glsl`.', named, functionMember, functionComment),
+    interfaceText(
+      'Functions',
+      'Of the builder `glsl`.',
+      named,
+      functionSignatures,
+      functionComment,
+    ),
   ]
   return `// Written by \`npm run reference\` from the tables of operations, src/ops/table.hpp and
 // src/builder/compositions.hpp. What is not in them is in types.ts.
@@ -89,15 +124,16 @@ ${interfaces.join('\n')}`
 }
 
 const signatures = [
-  'ByComponent',
+  'ColumnsOf',
+  'IfSquare',
   'Jacobian',
-  'MatrixProduct',
-  'Product',
-  'Quotient',
+  'MatrixOf',
+  'RowsOf',
   'Shape',
   'Size',
   'SquareBeside',
   'Transposed',
+  'VectorOf',
 ]
 const expressions = [
   'AnyMatrix',
@@ -107,7 +143,9 @@ const expressions = [
   'Mat4',
   'Operand',
   'Scalar',
+  'Vec2',
   'Vec3',
+  'Vec4',
   'Vector',
 ]
 
@@ -130,9 +168,11 @@ function another({ name, of }, operations) {
   return { ...operation, name, forms: [{ ...operation, meaning: `Another name of \`${of}\`.` }] }
 }
 
-function interfaceText(head, about, operations, member, commentOf) {
-  const members = operations.map(
-    (operation) => `${commentOf(operation)}${operation.name}${member(operation)}\n`,
+function interfaceText(head, about, operations, signaturesOf, commentOf) {
+  const members = operations.flatMap((operation) =>
+    signaturesOf(operation).map(
+      (signature) => `${commentOf(operation)}${operation.name}${signature}\n`,
+    ),
   )
   return `${about ? comment(about) : ''}export interface ${head} {\n${members.join('')}}\n`
 }
@@ -168,14 +208,24 @@ function comment(text, width = 96) {
 
 const question = ({ isOptional }, i) => (isOptional && i > 0 ? '?' : '')
 
-/** By component, for the operands from number `first` on. */
+/**
+ * By component, for the operands from number `first` on: a number of numbers, otherwise a vector (or a matrix, where they may be
+ * one); those among the operands all have its size.
+ */
 function byComponent(operation, first) {
   const { operands, isChained, takesMatrices } = operation
-  const numbers = operands
-    .slice(first)
-    .map((name, i) => `${name}${question(operation, first + i)}: Operand`)
-  const list = isChained ? 'Operand[]' : `[${numbers.join(', ')}]`
-  return `: ByComponent<${list}${takesMatrices ? ', Expression' : ''}>`
+  const listOf = (type) =>
+    isChained
+      ? `...operands: (${type})[]`
+      : operands
+          .slice(first)
+          .map((name, i) => `${name}${question(operation, first + i)}: ${type}`)
+          .join(', ')
+  const wide = takesMatrices ? 'Expression' : 'Scalar | Vector'
+  return [
+    `(${listOf('Operand')}): Scalar`,
+    `<Value extends ${wide}>(${listOf('Value | Operand')}): Value`,
+  ]
 }
 
 /** A member function of what is of type `self`. */
@@ -200,11 +250,11 @@ function method(self) {
       .slice(1)
       .map((name, i) => `${name}${question(operation, i + 1)}: ${types[kinds[i + 1]]}`)
     const list = isChained ? `...others: (${types[kinds[0]]})[]` : others.join(', ')
-    return `${generic}(${list}): ${resultType(operation, self)}`
+    return [`${generic}(${list}): ${resultType(operation, self)}`]
   }
 }
 
-function functionMember(operation) {
+function functionSignatures(operation) {
   const { operands, kinds, base } = operation
   if (special[base]?.function) return special[base].function
   if (isComponentwise(kinds)) return byComponent(operation, 0)
@@ -230,7 +280,7 @@ function functionMember(operation) {
     .map(([, generic]) => generic.join(' extends '))
   const list = operands.map((name, i) => `${name}: ${typeOf(kinds[i])}`).join(', ')
   const start = bounds.length ? `<${bounds.join(', ')}>` : ''
-  return `${start}(${list}): ${resultType(operation, 'Value')}`
+  return [`${start}(${list}): ${resultType(operation, 'Value')}`]
 }
 
 /** What comes of operands of which the widest is a `self`. */

@@ -9,6 +9,7 @@ import { type Canvas, sketchRemoved } from './host.js'
 import {
   type LoadModelOptions,
   type Makers,
+  type ModelOf,
   type Preloading,
   type WarpModel,
   awaitable,
@@ -42,7 +43,11 @@ export interface Loading {
    * A .glb, .gltf or .obj file as a p5.Geometry for `model()`. On p5 2.x it is awaited; on 1.x it may be called in
    * `preload()` as `loadModel` is, or awaited.
    */
-  loadWarpModel(url: string | URL, options?: LoadModelOptions): Promise<WarpModel>
+  loadWarpModel<Sketch>(
+    this: Sketch,
+    url: string | URL,
+    options?: LoadModelOptions,
+  ): Promise<ModelOf<Sketch>>
   /**
    * Finds out how normals and uvs vary over a p5.Geometry, for warps that depend on them, and keeps it with the geometry,
    * which comes back: `bumpy = await addSurfaceVariation(buildGeometry(() => sphere(100)))`. To be called again after its
@@ -62,7 +67,12 @@ interface Methods extends Partial<Warping> {
   registerMethod?(event: 'remove', listener: (this: Canvas) => void): void
 }
 
-interface SketchMethods extends Methods, Partial<Loading> {
+interface SketchMethods extends Methods, Partial<Pick<Loading, 'addSurfaceVariation'>> {
+  loadWarpModel?(
+    this: Canvas & Preloading,
+    url: string | URL,
+    options?: LoadModelOptions,
+  ): Promise<WarpModel>
   registerPreloadMethod?(name: string, methods: object): void
 }
 

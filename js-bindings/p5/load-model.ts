@@ -21,7 +21,7 @@ interface Vector {
   z: number
 }
 
-/** What is used of a p5.Geometry, and what is added to it. */
+/** What is used of a p5.Geometry, and what is added to it. `ModelOf` has all of a p5.Geometry, where the types of p5 are known. */
 export interface WarpModel {
   gid: string
   vertices: Vector[]
@@ -38,6 +38,16 @@ export interface WarpModel {
   /** What was left out of the file, in sentences. */
   warnings: string[]
 }
+
+/**
+ * Found by what the sketch's own methods take, so that p5's types, those of @types/p5 and none at all will do.
+ */
+export type ModelOf<Sketch> = Sketch extends {
+  model: (geometry: infer Geometry, ...others: never) => unknown
+  texture: (picture: infer Picture, ...others: never) => unknown
+}
+  ? Geometry & Omit<WarpModel, 'texture'> & { texture?: Picture }
+  : WarpModel
 
 interface Image {
   drawingContext: CanvasRenderingContext2D

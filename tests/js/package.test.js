@@ -1,14 +1,15 @@
 // What `npm i warpjet` brings.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
+import { readFileSync, readdirSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 
-test('the package holds what a user needs and nothing else', () => {
+/** What npm would put into the package. */
+function packedFiles() {
   const packed = execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], {
     cwd: root,
     encoding: 'utf8',
@@ -16,10 +17,27 @@ test('the package holds what a user needs and nothing else', () => {
   })
   const report = JSON.parse(packed)
   const [{ files }] = Array.isArray(report) ? report : Object.values(report)
+  return files
+}
+
+test('the package holds what a user needs and nothing else', () => {
+  const files = packedFiles()
   const others = files
     .map(({ path }) => path)
-    .filter((path) => !/^dist\/(shared\/)?[\w.-]+\.js(\.map)?$|^dist\/types\/.*\.d\.ts$/.test(path))
-  assert.deepEqual(others.sort(), ['CHANGELOG.md', 'LICENSE', 'README.md', 'package.json'])
+    .filter(
+      (path) =>
+        !/^dist\/(shared\/)?[\w.-]+\.js(\.map)?$|^dist\/types\/[\w.-]+\.d\.ts$|^web\/docs\//.test(
+          path,
+        ),
+    )
+  assert.deepEqual(others.sort(), [
+    'CHANGELOG.md',
+    'LICENSE',
+    'NOTICE',
+    'README.md',
+    'package.json',
+    'web/gallery.png',
+  ])
   const modules = ['warpjet', 'text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
   const single = ['warpjet.min', 'mesh.min', 'p5.warpjet.min', 'warpjet.deformers.min']
   for (const file of [...modules, ...single])
@@ -28,43 +46,6 @@ test('the package holds what a user needs and nothing else', () => {
       file,
     )
   assert.ok(files.some(({ path }) => path === 'dist/types/index.d.ts'))
-})
-
-test('the shipped types stand on their own', () => {
-  const project = `${root}.build/consumer`
-  mkdirSync(project, { recursive: true })
-  writeFileSync(
-    `${project}/use.ts`,
-    "import { compileWarp, version } from 'warpjet'\nimport { gen } from 'warpjet/autodiff'\n" +
-      "import { compileWarp as compileText } from 'warpjet/text'\n" +
-      "import { createWarp } from 'warpjet/p5'\nimport { loadMesh, type Mesh } from 'warpjet/mesh'\n" +
-      "import { chain, twist, type TwistOptions } from 'warpjet/deformers'\n" +
-      'export const all: unknown[] = [compileWarp, compileText, gen, createWarp, chain(twist())]\n' +
-      'export const options: TwistOptions = { axis: "x", angle: ({ millis }) => millis.div(1000) }\n' +
-      'export const mesh: Promise<Mesh> = loadMesh(new Uint8Array(8))\n' +
-      'export const text: string = version\n',
-  )
-  for (const [module, moduleResolution] of [
-    ['nodenext', 'nodenext'],
-    ['esnext', 'bundler'],
-  ]) {
-    const options = {
-      strict: true,
-      noEmit: true,
-      module,
-      moduleResolution,
-      target: 'es2022',
-      types: [],
-    }
-    writeFileSync(
-      `${project}/tsconfig.json`,
-      JSON.stringify({ compilerOptions: options, files: ['use.ts'] }),
-    )
-    execFileSync(process.execPath, ['node_modules/typescript/bin/tsc', '-p', project], {
-      cwd: root,
-      encoding: 'utf8',
-    })
-  }
 })
 
 test('every entry loads in Node, without a DOM and without p5', async () => {
@@ -95,4 +76,36 @@ test('require loads every entry, in the versions of Node that package.json names
 test('glsl-autodiff’s global script name works: AutoDiff.gen', async () => {
   await import('../../dist/p5.warpjet.min.js')
   assert.equal(typeof globalThis.AutoDiff.gen, 'function')
+})
+
+test('the links and pictures of what is shipped live wherever it is shown', () => {
+  const { version } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  const cdn = `https://cdn.jsdelivr.net/npm/warpjet@${version.replace(/\.\d+$/, '')}/`
+  const paths = new Set(packedFiles().map(({ path }) => path))
+  const wrong = [...paths]
+    .filter((path) => path.endsWith('.md'))
+    .flatMap((path) => {
+      const text = readFileSync(`${root}${path}`, 'utf8')
+      const links = [...text.matchAll(/\]\(([^)\s]+)\)|(?:src|href)="([^"]+)"/g)]
+      return links.map(([, inText, inHtml]) => ({ path, link: inText ?? inHtml }))
+    })
+    .filter(({ path, link }) => {
+      if (link.startsWith('#')) return false
+      // npm shows the README by itself; the others lie beside what they name.
+      const { href } = new URL(link, path === 'README.md' ? undefined : `${cdn}${path}`)
+      return href.startsWith('https://cdn.jsdelivr.net/npm/warpjet')
+        ? !paths.has(href.replace(cdn, ''))
+        : !href.startsWith('https://')
+    })
+  assert.deepEqual(wrong, [])
+})
+
+test('NOTICE names every library that is compiled in', () => {
+  const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
+  const libraries = readdirSync(`${root}.build/wasm/include`)
+  assert.ok(libraries.length > 0)
+  for (const library of libraries) {
+    const name = library.replace(/\.h(pp)?$/, '').replace('tiny_', 'tiny')
+    assert.ok(notice.includes(name), `${library} is not in NOTICE`)
+  }
 })

@@ -1,0 +1,37 @@
+// The types that are shipped: one file an entry, and one for what several share.
+import { copyFileSync, rmSync } from 'node:fs'
+import { path } from './files.mjs'
+import { run } from './run.mjs'
+
+const written = '.build/types'
+
+const entries = ['index', 'text', 'p5', 'autodiff', 'mesh', 'deformers']
+
+/** Only names what the entries export. */
+const globals = 'globals.d.ts'
+
+export const declarations = [...entries.map((name) => `${name}.d.ts`), 'shared.d.ts', globals]
+
+export async function declareTypes() {
+  for (const folder of [written, 'dist/types'])
+    rmSync(path(folder), { recursive: true, force: true })
+  await run(process.execPath, [
+    'node_modules/typescript/bin/tsc',
+    '--project',
+    '.scripts/tsconfig.types.json',
+  ])
+  const { rolldown } = await import('rolldown')
+  const { dts } = await import('rolldown-plugin-dts')
+  const bundle = await rolldown({
+    input: Object.fromEntries(entries.map((name) => [name, path(written, `${name}.d.ts`)])),
+    plugins: [dts({ dtsInput: true, tsconfig: false })],
+    experimental: { attachDebugInfo: 'none' },
+  })
+  await bundle.write({
+    dir: path('dist/types'),
+    chunkFileNames: 'shared.d.ts',
+    minifyInternalExports: false,
+    codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] },
+  })
+  copyFileSync(path(written, globals), path('dist/types', globals))
+}

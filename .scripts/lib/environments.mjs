@@ -1,0 +1,47 @@
+// The project in which the package is tried: it has the tarball that npm would publish, and the bundlers of tests/package.
+import {
+  copyFileSync,
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+} from 'node:fs'
+import { path } from './files.mjs'
+import { capture, exitCode, run } from './run.mjs'
+import { NotRun, Stop } from './terminal.mjs'
+
+const project = path('.build/package')
+const lists = ['package.json', 'package-lock.json']
+
+/** Throws a NotRun where the registry cannot be reached and the bundlers were not installed before. */
+export async function installEnvironments() {
+  mkdirSync(project, { recursive: true })
+  if (!lists.every(isCurrent) || !existsSync(`${project}/node_modules/.package-lock.json`))
+    await installBundlers()
+  for (const name of tarballs()) rmSync(`${project}/${name}`)
+  await run('npm', ['pack', '--silent', '--ignore-scripts', '--pack-destination', project])
+  const [tarball] = tarballs()
+  const installed = `${project}/node_modules/warpjet`
+  rmSync(installed, { recursive: true, force: true })
+  mkdirSync(installed)
+  await run('tar', ['-xzf', `${project}/${tarball}`, '-C', installed, '--strip-components=1'])
+  cpSync(path('tests/package/project'), project, { recursive: true })
+  cpSync(path('tests/types/shipped'), `${project}/types`, { recursive: true })
+}
+
+const tarballs = () => readdirSync(project).filter((name) => name.endsWith('.tgz'))
+const read = (file) => (existsSync(file) ? readFileSync(file, 'utf8') : null)
+const isCurrent = (name) => read(`${project}/${name}`) === read(path('tests/package', name))
+
+async function installBundlers() {
+  for (const name of lists) copyFileSync(path('tests/package', name), `${project}/${name}`)
+  const options = ['--ignore-scripts', '--prefer-offline', '--no-audit', '--no-fund']
+  if ((await exitCode('npm', ['ci', ...options], { cwd: project })) === 0) return
+  // So that the next run tries again.
+  for (const name of lists) rmSync(`${project}/${name}`)
+  if ((await capture('npm', ['ping'])) === null)
+    throw new NotRun('the npm registry, which has the bundlers, cannot be reached')
+  throw new Stop('npm cannot install what tests/package/package.json names.')
+}

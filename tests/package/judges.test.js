@@ -1,0 +1,49 @@
+// What others' programs say of the tarball, and TypeScript of its types.
+import assert from 'node:assert/strict'
+import { readdirSync } from 'node:fs'
+import { test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { load, project, runIn } from './support/project.js'
+
+test('publint', async () => {
+  const { publint } = await load('publint')
+  const { messages } = await publint({ pkgDir: `${project}/node_modules/warpjet`, strict: true })
+  assert.deepEqual(messages, [])
+})
+
+test('attw --profile esm-only', () => {
+  const tarball = readdirSync(project).find((name) => name.endsWith('.tgz'))
+  const { output, status } = runIn(process.execPath, [
+    'node_modules/@arethetypeswrong/cli/dist/index.js',
+    tarball,
+    '--profile=esm-only',
+    '--no-color',
+    '--format=ascii',
+  ])
+  assert.equal(status, 0, output)
+})
+
+const tsc = fileURLToPath(new URL('../../node_modules/typescript/bin/tsc', import.meta.url))
+
+for (const [module, moduleResolution] of [
+  ['esnext', 'bundler'],
+  ['node16', 'node16'],
+  ['nodenext', 'nodenext'],
+])
+  test(`TypeScript, moduleResolution ${moduleResolution}`, () => {
+    const { output, status } = runIn(process.execPath, [
+      tsc,
+      '--noEmit',
+      '--strict',
+      '--ignoreConfig',
+      '--target',
+      'es2022',
+      '--module',
+      module,
+      '--moduleResolution',
+      moduleResolution,
+      'types/modules.ts',
+    ])
+    assert.equal(output, '')
+    assert.equal(status, 0)
+  })

@@ -1,0 +1,3 @@
+import { tryAll } from './program.js'
+
+console.log(await tryAll())

@@ -1,0 +1,6 @@
+export default {
+  distDir: 'out-next',
+  output: 'export',
+  outputFileTracingRoot: import.meta.dirname,
+  turbopack: { root: import.meta.dirname },
+}

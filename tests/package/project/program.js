@@ -1,0 +1,20 @@
+// What a program in Node, or on a server, uses of the package.
+import { WarpError, compileWarp } from 'warpjet'
+import { gen } from 'warpjet/autodiff'
+import { twist } from 'warpjet/deformers'
+import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
+import warpjet from 'warpjet/p5'
+import { compileWarp as compileText } from 'warpjet/text'
+
+/** A sentence that says that all works. */
+export async function tryAll() {
+  const mesh = await loadMesh('triangle.obj')
+  const baked = bakeWarp(
+    mesh,
+    compileWarp(({ position }) => position.mult(0)),
+  )
+  const shader = compileText(twist()).code + gen((ad) => ad.param('x').sin().output('y'))
+  const refused = await loadMesh('nothing.obj').catch((error) => error instanceof WarpError)
+  const parts = [typeof warpjet, shader.length > 100, exportGLB(baked).length > 100, refused]
+  return `moved ${baked.positions.slice(3, 6)} ${parts}`
+}

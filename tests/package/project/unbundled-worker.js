@@ -1,0 +1,7 @@
+// As worker.js, where there is no import map.
+import { compileWarp } from './node_modules/warpjet/dist/warpjet.js'
+import { loadMesh } from './node_modules/warpjet/dist/mesh.js'
+
+const mesh = await loadMesh(new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'))
+const { positions } = compileWarp(({ position }) => position.mult(0)).evaluate(mesh)
+postMessage(`drawn ${positions.slice(3, 6)}`)

@@ -1,0 +1,23 @@
+// The project that `npm test -- --all package` sets up, and the programs installed in it.
+import { spawnSync } from 'node:child_process'
+import { createRequire } from 'node:module'
+import { fileURLToPath, pathToFileURL } from 'node:url'
+
+export const project = fileURLToPath(new URL('../../../.build/package', import.meta.url))
+export const folder = '.build/package'
+
+const require = createRequire(`${project}/package.json`)
+
+/** A program's module, from the project's own node_modules. */
+export const load = (name) => import(pathToFileURL(require.resolve(name)).href)
+
+/** Runs a program in the project → { output, status }. */
+export function runIn(command, args, env = {}) {
+  const { stdout, stderr, status, error } = spawnSync(command, args, {
+    cwd: project,
+    encoding: 'utf8',
+    env: { ...process.env, NODE_OPTIONS: '', ...env },
+  })
+  if (error) throw error
+  return { output: stdout + stderr, status }
+}

@@ -1,0 +1,33 @@
+// A sketch in global mode, as of two script tags.
+/// <reference types="p5/global" />
+/// <reference types="warpjet/globals" />
+
+const { chain, twist, bend } = warpjet
+let distort: ReturnType<typeof createWarp>
+let airplane: Awaited<ReturnType<typeof loadWarpModel>>
+
+async function setup() {
+  createCanvas(600, 600, WEBGL)
+  airplane = await addSurfaceVariation(await loadWarpModel('airplane.glb'))
+  distort = createWarp(
+    chain(
+      twist({ axis: 'y', length: 300, angle: ({ glsl }) => glsl.param('angle') }),
+      bend({ axis: 'z' }),
+      ({ position }) => position.mult(position.noise()),
+    ),
+    { space: 'world', uniforms: { angle: () => mouseX / 200 } },
+  )
+}
+
+function draw() {
+  background(220)
+  distort()
+  if (airplane.texture) texture(airplane.texture)
+  model(airplane)
+  const text: string = AutoDiff.gen((ad) => ad.param('x').output('y')) + warpjet.version
+  // @ts-expect-error no such deformer
+  warpjet.twirl()
+  void text
+}
+
+void [setup, draw, warpjet.compileWarp(twist()), warpjet.WarpError]
