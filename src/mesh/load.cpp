@@ -28,7 +28,8 @@ ModelFile::Description& ModelFile::description() {
   if (!description_) {
     const bool isGlb = formatOf(bytes_) == Format::Glb;
     const Chunks chunks = isGlb ? chunksOfGlb(bytes_) : Chunks{textOf(bytes_), std::nullopt};
-    description_ = std::make_unique<Description>(describedGltf(chunks.json), chunks.binary);
+    description_ =
+        std::make_unique<Description>(Description{describedGltf(chunks.json), chunks.binary});
   }
   return *description_;
 }
