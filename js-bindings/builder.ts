@@ -1,11 +1,12 @@
 // `glsl`, as a sketch gets it: makes inputs and constants, and has every operation as a function. Operations are also
 // methods of expressions.
-import type { Compilation, Shape } from './compilation.js'
+import type { Compilation } from './compilation.js'
 import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './functions.js'
 import { callNoise, noiseKinds } from './noise.js'
+import type { Shape } from './shape.js'
 import { callTexture } from './texture.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>
@@ -77,13 +78,16 @@ export function createBuilder(compilation: Compilation): Builder {
   return builder
 }
 
+/** Only a compilation makes expressions. */
+const compilationOf = (expression: Expression) => expression.compilation as Compilation
+
 /** Methods that ask for results, as glsl-autodiff has them. */
 const results = {
   output(this: Expression, name: unknown) {
-    this.compilation.output(name, this, 'output')
+    compilationOf(this).output(name, this, 'output')
   },
   outputDeriv(this: Expression, name: unknown, input: unknown) {
-    const { compilation } = this
+    const compilation = compilationOf(this)
     const by = toExpression(compilation, 'outputDeriv', input, 2)
     compilation.output(
       name,
@@ -114,18 +118,18 @@ function installMethods() {
   for (const [name, indices] of swizzles())
     define(name, function (...others) {
       expectNoMore(name, others)
-      return this.compilation.swizzle(name, this, indices)
+      return compilationOf(this).swizzle(name, this, indices)
     })
   for (const { name, number, isConstructor } of getOperations())
     if (!isConstructor)
       define(name, function (...given) {
-        const { compilation } = this
+        const compilation = compilationOf(this)
         const operands = given.map((operand, i) => toExpression(compilation, name, operand, i + 1))
         return compilation.call(number, name, [this, ...operands], true)
       })
   for (const kind of noiseKinds)
     define(kind, function (...operands) {
-      return callNoise(this.compilation, kind, [this, ...operands], true)
+      return callNoise(compilationOf(this), kind, [this, ...operands], true)
     })
   for (const [name, method] of Object.entries(results)) define(name, method)
 }

@@ -1,22 +1,32 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
-import type { Compilation } from './compilation.js'
-import { withCompilation } from './compiled.js'
-import { type CpuWarp, type WarpProgram, createCpuWarp } from './cpu-warp.js'
+import { type CpuWarp, createCpuWarp } from './cpu-warp.js'
+import { type Target, checkTarget, makeProgram } from './kept-module.js'
+import { lazily } from './lazily.js'
+import { noteApproximation } from './notes.js'
+import { checkOptions } from './options.js'
 import type { OffsetFunction, UniformValues } from './types.js'
 import {
-  type BuiltWarp,
+  type KeptWarp,
+  type TextOptions,
   type WarpOptions,
   type WarpText,
-  buildWarp,
+  checkNames,
   declareUniforms,
-  noteIfApproximate,
-  operations,
+  keepWarp,
+  onSurface,
   readOptions,
-  turnTangent,
+  warpResults,
+  writeWarp,
 } from './warp-text.js'
 
 /** An offset function as shader text and on the CPU. */
-export interface CompiledWarp extends WarpText, CpuWarp {}
+export interface CompiledWarp extends WarpText, CpuWarp {
+  /**
+   * The text once more: in another language, or for a host with other names. The offset function is not called again, so
+   * that it is the same warp, also if it was made by chance. What is not given is as in the options of `compileWarp`.
+   */
+  emit(target: Target, options?: TextOptions): WarpText
+}
 
 /**
  * Compiles an offset function into statements that move a vertex and turn its normal. They declare
@@ -34,25 +44,32 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
 ): CompiledWarp {
   const settings = readOptions('compileWarp', given as OffsetFunction, options)
   const { offset, declared } = declareUniforms('compileWarp', given as OffsetFunction, options)
-  return withCompilation(settings.target, false, (compilation) => {
-    const warp = buildWarp(compilation, 'compileWarp', offset, settings)
-    noteIfApproximate(warp)
-    return { ...warp.text, ...createCpuWarp({ declared, ...programOf(compilation, warp) }) }
+  const warp = keepWarp(offset, settings)
+  if (warp.isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
+  const program = lazily(() => programOf(warp))
+  const cpu = createCpuWarp({
+    declared,
+    program,
+    hasNormals: settings.normals,
+    varies: warp.varies,
+    isAccepted: settings.isAccepted,
+    // The tangent is first, for a shader may carry it in the place of another attribute.
+    inputs: { tangent: warp.inputs.tangent!, ...warp.inputs },
   })
+  return {
+    ...writeWarp(warp, settings.target).text,
+    emit(target, options = {}) {
+      checkOptions('emit', options, ['names', 'outputs'])
+      checkNames('emit', options)
+      return writeWarp(warp, checkTarget(target), options).text
+    },
+    ...cpu,
+  }
 }
 
-function programOf(compilation: Compilation, warp: BuiltWarp): Omit<WarpProgram, 'declared'> {
-  const { inputs, moved, deformation, varies, isAccepted } = warp
-  // The tangent is first, for a shader may carry it in the place of another attribute.
-  const names = { tangent: warp.names.tangent!, ...warp.names }
-  // In the order of numbersOf in cpu-warp.ts.
-  const results = [moved]
-  if (deformation) {
-    const operate = operations(compilation)
-    const turned = operate('turnNormal', deformation, inputs.normal)
-    results.push(turned, turnTangent(compilation, deformation, inputs.tangent!, turned))
-    results.push(operate('determinant', deformation))
-  }
-  const hasNormals = deformation !== undefined
-  return { program: compilation.program(results), hasNormals, varies, isAccepted, names }
+/** In the order of numbersOf in cpu-warp.ts. */
+function programOf({ module, settings }: KeptWarp) {
+  const { position, normal, tangent, determinant } = warpResults
+  const results = settings.normals ? [position, normal, tangent, determinant] : [position]
+  return makeProgram(module, results.map(onSurface))
 }

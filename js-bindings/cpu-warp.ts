@@ -1,9 +1,9 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
-import type { Variable } from './compilation.js'
 import { WarpError } from './errors.js'
-import type { Program } from './evaluate.js'
+import type { Program } from './kept-module.js'
 import { type Stream, boundProgram, inputsRead, runProgram } from './evaluation.js'
 import { type VertexInput, variationInputs, vertexInputs } from './inputs.js'
+import type { Variable } from './shape.js'
 import { noteApproximation } from './notes.js'
 import { checkOptions } from './options.js'
 import { type DeclaredUniforms, withDeclared } from './uniforms.js'
@@ -23,14 +23,14 @@ import {
 export interface WarpProgram {
   /** The option `uniforms`. */
   declared: DeclaredUniforms
-  program: Program | undefined
+  program: () => Program | undefined
   hasNormals: boolean
   /** Whether the turn depends on how normal and uv vary over the surface. */
   varies: boolean
   /** Whether they may count as constant nevertheless. */
   isAccepted: boolean
-  /** By input of the warp, the variable of the program. */
-  names: Record<string, string>
+  /** By input of the warp, the number of the program's. */
+  inputs: Record<string, number>
 }
 
 /** Where a warp keeps it, for other modules of ours. */
@@ -203,7 +203,8 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
   }
 }
 
-function programOf(method: string, { program }: WarpProgram): Program {
+function programOf(method: string, warp: WarpProgram): Program {
+  const program = warp.program()
   if (program) return program
   throw new WarpError(
     `${method}: this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.`,
@@ -223,13 +224,13 @@ interface Origin {
 /** The program's inputs in order, the uniforms checked. */
 function originsOf(
   method: string,
-  { declared, names }: WarpProgram,
+  { declared, inputs }: WarpProgram,
   program: Program,
   wanted: readonly number[],
   given: Uniforms | undefined,
 ): Origin[] {
   const nameOf = (variable: Variable) =>
-    Object.keys(names).find((name) => names[name] === variable.name)
+    Object.keys(inputs).find((name) => inputs[name] === variable.number)
   const parameters = program.inputs.filter((variable) => !nameOf(variable))
   const known = [...declared.keys(), ...parameters.map(({ name }) => name)]
   checkUniforms(method, given, [...new Set(known)])

@@ -1,15 +1,8 @@
 // Named expressions on the CPU, in double.
-import type { Variable } from './compilation.js'
 import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
-
-/** src/eval/program.hpp: plain words, which outlive the compilation. */
-export interface Program {
-  words: Uint32Array
-  instructions: number
-  /** Whose numbers it wants, in order. */
-  inputs: Variable[]
-}
+import type { Program } from './kept-module.js'
+import type { Variable } from './shape.js'
 
 export type Numbers = number | ArrayLike<number>
 

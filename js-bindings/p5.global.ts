@@ -7,9 +7,11 @@ import type { CompiledWarp } from './compile-warp.js'
 import type { CpuWarp } from './cpu-warp.js'
 import { WarpError } from './errors.js'
 import { version } from './generated/version.js'
+import { checkTarget } from './kept-module.js'
+import { noteApproximation } from './notes.js'
 import { registerGlobally } from './p5.js'
 import type { OffsetFunction, UniformValues } from './types.js'
-import { type WarpOptions, compileWarpText, noteIfApproximate } from './warp-text.js'
+import { type WarpOptions, declareUniforms, keepWarp, readOptions, writeWarp } from './warp-text.js'
 
 export { compile, gen } from './compile.js'
 export { WarpError } from './errors.js'
@@ -20,9 +22,13 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   offset: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): CompiledWarp {
-  const warp = compileWarpText('compileWarp', offset as OffsetFunction, options)
-  noteIfApproximate(warp)
-  return { ...warp.text, ...onlyInThePackage }
+  const settings = readOptions('compileWarp', offset as OffsetFunction, options)
+  const given = declareUniforms('compileWarp', offset as OffsetFunction, options)
+  const warp = keepWarp(given.offset, settings)
+  if (warp.isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
+  const emit: CompiledWarp['emit'] = (target, more) =>
+    writeWarp(warp, checkTarget(target), more).text
+  return { ...writeWarp(warp, settings.target).text, emit, ...onlyInThePackage }
 }
 
 const onlyInThePackage = Object.fromEntries(

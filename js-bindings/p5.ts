@@ -3,7 +3,7 @@
  * global, and then it is handed over: `p5.registerAddon(warpjet)` on 2.x, `warpjet(p5)` on 2.x and 1.11 alike.
  * p5 is not imported here: it cannot load without a browser, and beside a script tag it would be a second copy of p5.
  */
-import { type Distort, createWarp as create, keepWarp } from './p5/create-warp.js'
+import { type Distort, createWarp as create, putOnAgain } from './p5/create-warp.js'
 import { type Canvas, sketchRemoved } from './p5/host.js'
 import {
   type LoadModelOptions,
@@ -95,7 +95,7 @@ function addMethods(methods: Methods) {
   if (!normalMaterial) return
   methods.normalMaterial = function (this: Canvas, ...args) {
     const result = normalMaterial.apply(this, args)
-    keepWarp(this)
+    putOnAgain(this)
     return result
   }
 }

@@ -4,6 +4,7 @@ import { fuzz } from '../fuzz.mjs'
 import { staleFiles } from '../reference.mjs'
 import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
+import { checkHouse } from './house.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
 
@@ -52,6 +53,11 @@ async function nodeTests(folder, ...options) {
 /** `group` is what `npm test -- <group>` selects. */
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
+  {
+    group: 'house',
+    title: 'Rooms: no circles, and no language but in a dialect',
+    work: checkHouse,
+  },
   {
     group: 'types',
     title: 'Types',

@@ -14,6 +14,8 @@
 
 #include "builder/operations.hpp"
 #include "emit/dialect.hpp"
+#include "noise/noise.hpp"
+#include "texture/texture.hpp"
 
 namespace warpjet {
 namespace {
@@ -53,7 +55,7 @@ std::string typeName(ops::Type type) { return text(type == ops::Type::Bool ? "bo
 // The languages that lack a row, and so have it lowered to others.
 std::string missingIn(const ops::Spellings& spellings) {
   std::vector<std::string_view> names;
-  for (const Dialect* dialect : {&glsl300, &glsl100, &wgsl}) {
+  for (const Dialect* dialect : dialects()) {
     if (spellings.in(dialect->language).text.empty()) names.push_back(dialect->name);
   }
   return array(names, text);
@@ -98,6 +100,14 @@ std::string heading(const Heading& each) {
   return object({{"text", text(each.text)}, {"first", text(each.first)}});
 }
 
+std::string language(const Dialect* each) {
+  return object({{"name", text(each->name)}, {"source", text(each->sourceKey)}});
+}
+
+std::string noise(const NoiseRow& each) {
+  return object({{"name", text(each.name)}, {"use", text(useName(each.use))}});
+}
+
 std::string other(const Operation& each) {
   return object({{"name", text(each.name)}, {"isConstructor", truth(each.isConstructor())}});
 }
@@ -111,6 +121,12 @@ int main() {
                        {"compositions", array(compositions, composition)},
                        {"aliases", array(detail::aliases, alias)},
                        {"others", array(detail::others, other)},
-                       {"headings", array(headings, heading)}})
+                       {"headings", array(headings, heading)},
+                       {"languages", array(dialects(), language)},
+                       {"noises", array(noises, noise)},
+                       {"filters", array(filterNames, text)},
+                       {"wraps", array(wrapNames, text)},
+                       {"mostSeed", std::to_string(mostSeed)},
+                       {"mostOctaves", std::to_string(mostOctaves)}})
             << '\n';
 }

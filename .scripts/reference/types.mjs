@@ -51,11 +51,6 @@ const receivers = [
     member: method('Vec3'),
   },
   {
-    head: 'Mat3Methods',
-    has: ({ kinds }) => kinds[0] === 'mat3',
-    member: method('Mat3'),
-  },
-  {
     head: 'MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self>',
     has: ({ kinds, takesMatrices }) => takesMatrices || kinds[0] === 'matrix',
     member: (operation) => special[operation.base]?.matrix ?? method('Self')(operation),

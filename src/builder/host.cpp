@@ -3,79 +3,72 @@
 #include <utility>
 
 #include "builder/builder.hpp"
-#include "builder/sentences.hpp"
-#include "emit/names.hpp"
-#include "emit/syntax.hpp"
 #include "graph/reachable.hpp"
+#include "module/sentences.hpp"
+#include "module/syntax.hpp"
 
 namespace warpjet {
 
-namespace {
-
-// Whether a text defines or calls a function of that name.
-bool hasCall(std::string_view text, std::string_view name) {
-  for (const std::string_view word : identifiers(text)) {
-    const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
-    const std::size_t next = text.find_first_not_of(" \t\n", end);
-    if (word == name && next != text.npos && text[next] == '(') return true;
-  }
-  return false;
-}
-
-// Which components of the vector `whole` the text `part` reads, such as 0 and 2 for `p.xz`; nothing
-// if it does something else.
-std::vector<int> componentsOf(std::string_view whole, std::string_view part) {
-  if (part.size() < whole.size() + 2 || !part.starts_with(whole)) return {};
-  const std::string_view rest = part.substr(whole.size());
-  if (rest[0] == '[' && rest.size() == 3 && rest[2] == ']' && isDigit(rest[1]))
-    return {rest[1] - '0'};
-  if (rest[0] != '.' || rest.size() > 5) return {};
-  for (const std::string_view letters : {"xyzw", "rgba", "stpq"}) {
-    std::vector<int> indices;
-    for (const char letter : rest.substr(1)) {
-      const std::size_t at = letters.find(letter);
-      if (at != letters.npos) indices.push_back(static_cast<int>(at));
-    }
-    if (indices.size() == rest.size() - 1) return indices;
-  }
-  return {};
-}
-
-}  // namespace
-
-int Builder::input(std::string_view method, std::string_view label, Shape shape) {
+// `position.x`, `position.xz` and `position[0]` are parts of `position`, so that derivatives know
+// that they are the same.
+int Builder::input(std::string_view method, std::string_view text, Shape shape) {
   const auto found = [&]() -> std::optional<Value> {
-    for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
-      const Input& known = graph_.input(i);
-      if (known.label == label) {
-        if (known.shape == shape) return wholeInput(i);
-        return refuse(method, {quotedShort(label), " was read as ", shapeName(known.shape),
-                               " before, and now as ", shapeName(shape), "."});
-      }
-      if (const auto part = partOfInput(i, label, shape)) return part;
-      if (shape.isVector() && !componentsOf(label, known.label).empty())
-        return refuse(method, {quotedShort(known.label), " was read before ", quotedShort(label),
-                               ", whose part it is; read the vector first."});
-    }
-    if (const std::string why = inputProblem(dialect_, label); !why.empty())
-      return refuse(method, {quotedShort(label), " cannot be read in a shader: ", why, "."});
-    return wholeInput(graph_.input(label, shape));
+    std::string why = text.find_first_not_of(' ') == text.npos ? "it is empty"
+                                                               : syntaxProblem(text, allOperators);
+    if (!why.empty())
+      return refuse(method, {quotedShort(text), " cannot be read in a shader: ", why, "."});
+    const Label label = readLabel(text);
+    if (auto known = knownInput(method, label, shape)) return *known;
+    const std::uint32_t number = graph_.input(label.text, shape);
+    nameInput(number, label, method);
+    return wholeInput(number);
   }();
   return finish(found, graph_.size(), method);
 }
 
-// `position.x`, `position.xz` and `position[0]` are parts of `position`, so that derivatives know
-// that they are the same.
-std::optional<Value> Builder::partOfInput(std::uint32_t input, std::string_view label,
-                                          Shape shape) {
-  const Input& vector = graph_.input(input);
-  if (!vector.shape.isVector()) return std::nullopt;
-  const std::vector<int> indices = componentsOf(vector.label, label);
-  if (indices.empty() || vectorOf(static_cast<int>(indices.size())) != shape) return std::nullopt;
-  if (*std::max_element(indices.begin(), indices.end()) >= vector.shape.rows) return std::nullopt;
-  return fill(graph_, shape, [&](int i) {
-    return Expression{&graph_, graph_.component(input, indices[i])};
-  });
+void Builder::nameInput(std::uint32_t number, const Label& label, std::string_view method) {
+  labels_.resize(number + 1);
+  module_.methods.resize(number + 1);
+  labels_[number] = label;
+  module_.methods[number] = method;
+}
+
+// What was asked for before, or a part of it; nothing if it is new. The value in it is missing if
+// it cannot be told.
+std::optional<std::optional<Value>> Builder::knownInput(std::string_view method, const Label& label,
+                                                        Shape shape) {
+  const auto refused = [&](Parts parts) {
+    refuse(method, parts);
+    return std::optional(std::optional<Value>());
+  };
+  const auto components = [&](std::uint32_t input, const std::vector<int>& indices) {
+    return fill(graph_, shape, [&](int i) {
+      return Expression{&graph_, graph_.component(input, indices[i])};
+    });
+  };
+  for (std::uint32_t i = 0; i < labels_.size(); ++i) {
+    if (labels_[i].text != label.text) continue;
+    const Shape known = graph_.input(i).shape;
+    if (known == shape) return wholeInput(i);
+    return refused({quotedShort(label.text), " was read as ", shapeName(known),
+                    " before, and now as ", shapeName(shape), "."});
+  }
+  for (std::uint32_t i = 0; i < labels_.size(); ++i) {
+    const Shape known = graph_.input(i).shape;
+    const auto part = partOf(labels_[i], known, label);
+    if (part && static_cast<int>(part->size()) == shape.size()) return components(i, *part);
+    if (isWithin(label, labels_[i]) && !known.isNumber()) return std::nullopt;
+  }
+  for (const Label& known : labels_) {
+    if (!mayMeet(known, label)) continue;
+    const std::string_view whole = isWithin(known, label) && shape.isMatrix() ? "matrix" : "vector";
+    if (isWithin(known, label))
+      return refused({quotedShort(known.text), " was read before ", quotedShort(label.text),
+                      ", whose part it is; read the ", whole, " first."});
+    return refused({quotedShort(known.text), " was read before ", quotedShort(label.text),
+                    " and may be a part of it; read the ", whole, " of both first."});
+  }
+  return std::nullopt;
 }
 
 Value Builder::wholeInput(std::uint32_t input) {
@@ -84,7 +77,11 @@ Value Builder::wholeInput(std::uint32_t input) {
   });
 }
 
-int Builder::addFunction(std::string_view name, std::string_view source, int arity) {
+std::uint32_t Builder::inputOf(int handle) {
+  return graph_.node(values_.get(graph_, handle)[0].id).operands[0];
+}
+
+int Builder::addFunction(std::string_view name, const std::vector<HostText>& sources, int arity) {
   const auto refuseName = [&](std::string_view why, std::string_view detail = ".") {
     refuse("fn", {quotedShort(name), why, detail});
     return failed;
@@ -93,17 +90,14 @@ int Builder::addFunction(std::string_view name, std::string_view source, int ari
     return refuseName(" cannot name a function: such names are warpjet's own; rename it.", "");
   for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
     if (graph_.function(i).name != name) continue;
-    if (sources_[i] == source && graph_.function(i).arity == arity) return static_cast<int>(i);
+    if (module_.sources[i] == sources && graph_.function(i).arity == arity)
+      return static_cast<int>(i);
     return refuseName(" is the name of another function already; rename one");
   }
   if (arity < 1) return refuseName(" must have at least one argument");
-  if (const std::string why = outputProblem(dialect_, name); !why.empty())
-    return refuseName(" cannot name a function: ", why + ".");
-  if (!hasCall(source, name))
-    return refuseName(" is not in the source, which must define a function of that name");
   const std::uint32_t number = graph_.addFunction({std::string(name), arity});
-  sources_.resize(number);
-  sources_.emplace_back(source);
+  module_.sources.resize(number);
+  module_.sources.push_back(sources);
   return static_cast<int>(number);
 }
 
@@ -111,7 +105,7 @@ int Builder::addFunction(std::string_view name, std::string_view source, int ari
 // pending.
 bool Builder::hasAllPartials(const Value& value) {
   pendingCalls_.clear();
-  if (sources_.empty()) return true;
+  if (module_.sources.empty()) return true;
   for (const NodeId id : reachable(graph_, value.nodes())) {
     if (graph_.isCall(id) && !graph_.isOurCall(id) && !graph_.hasPartials(id))
       pendingCalls_.push_back(id);

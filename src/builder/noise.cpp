@@ -2,7 +2,7 @@
 #include "noise/noise.hpp"
 
 #include "builder/builder.hpp"
-#include "builder/sentences.hpp"
+#include "module/sentences.hpp"
 
 namespace warpjet {
 
@@ -37,8 +37,9 @@ int Builder::callNoise(const Noise& noise, bool isMethod) {
     // Derivatives of a function are by its point alone.
     const bool isPlain = !isFractal(noise.kind) || (graph_.isConstant(arguments.end()[-2].id) &&
                                                     graph_.isConstant(arguments.end()[-1].id));
-    const Numbers values = isPlain ? library_.call(definition, arguments)
-                                   : definition.body(library_, definition.settings, arguments);
+    const Numbers values = isPlain
+                               ? module_.library.call(definition, arguments)
+                               : definition.body(module_.library, definition.settings, arguments);
     const int size = static_cast<int>(values.size());
     return fill(graph_, vectorOf(size), [&](int i) { return values[i]; });
   }();

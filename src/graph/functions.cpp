@@ -14,9 +14,17 @@ constexpr NodeId none{~std::uint32_t{0}};
 
 std::uint32_t Graph::input(std::string_view label, Shape shape) {
   for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
-    if (inputs_[i].label == label && inputs_[i].shape == shape) return i;
+    if (inputs_[i].label == label && inputs_[i].shape == shape && !inputs_[i].image) return i;
   }
   inputs_.push_back({std::string(label), shape});
+  return static_cast<std::uint32_t>(inputs_.size() - 1);
+}
+
+std::uint32_t Graph::sizeOf(std::uint32_t image) {
+  for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
+    if (inputs_[i].image == image) return i;
+  }
+  inputs_.push_back({{}, vectorOf(2), image});
   return static_cast<std::uint32_t>(inputs_.size() - 1);
 }
 

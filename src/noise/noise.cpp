@@ -15,11 +15,21 @@ constexpr std::uint32_t pack(const Noise& noise, int dimensions) {
          static_cast<std::uint32_t>(dimensions) << 24;
 }
 
+struct Unpacked {
+  Noise noise;
+  std::size_t dimensions;
+};
+
+Unpacked unpack(std::uint32_t settings) {
+  return {{NoiseKind(settings & 255), NoiseKind(settings >> 8 & 255),
+           static_cast<int>(settings >> 16 & 255)},
+          settings >> 24};
+}
+
 Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments) {
-  const Noise noise{NoiseKind(settings & 255), NoiseKind(settings >> 8 & 255),
-                    static_cast<int>(settings >> 16 & 255)};
+  const auto [noise, dimensions] = unpack(settings);
   Numbers p;
-  while (p.size() < settings >> 24) p.push_back(arguments[p.size()]);
+  while (p.size() < dimensions) p.push_back(arguments[p.size()]);
   const Expression* parameters = arguments.begin() + p.size();
   const Expression seed = parameters[0];
   switch (noise.kind) {
@@ -64,7 +74,13 @@ Definition definitionOf(const Noise& noise, int dimensions) {
     made.low = noise.kind >= NoiseKind::Ridged ? 0 : -1;
     made.high = 1;
   }
+  made.maker = noiseFrom;
   return made;
+}
+
+Definition noiseFrom(std::uint32_t settings) {
+  const auto [noise, dimensions] = unpack(settings);
+  return definitionOf(noise, static_cast<int>(dimensions));
 }
 
 Expression callBase(Library& library, NoiseKind base, const Numbers& p, Expression seed) {

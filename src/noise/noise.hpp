@@ -39,5 +39,7 @@ struct Noise {
 // A function of a point of so many dimensions and of a hash; of fractals, also of lacunarity and
 // gain.
 Definition definitionOf(const Noise& noise, int dimensions);
+// The same from its settings.
+Definition noiseFrom(std::uint32_t settings);
 
 }  // namespace warpjet

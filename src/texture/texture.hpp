@@ -10,6 +10,9 @@
 
 namespace warpjet {
 
+// Reads a texel; each language has a text for it.
+inline constexpr const char* texelName = "warpjetTexel";
+
 // Bilinear is continuous. Bicubic passes through the texels too and is continuously differentiable
 // (Keys, "Cubic Convolution Interpolation for Digital Image Processing", 1981, with a = -1/2: the
 // Catmull-Rom spline). Bspline is the uniform cubic B-spline with the texels as control points: it
@@ -27,5 +30,7 @@ struct Sampling {
 
 // A function of x, y, an image, and its width and height.
 Definition definitionOf(const Sampling& sampling);
+// The same from its settings.
+Definition samplingFrom(std::uint32_t settings);
 
 }  // namespace warpjet

@@ -159,8 +159,8 @@ describe('emit', () => {
       assert.equal(stderr, '')
       const lines = stdout.split('\n')
       assert.deepEqual(lines.slice(0, 2), [
-        '// uniforms: millis',
-        '// attributes: position, normal',
+        '// uniforms: float millis',
+        '// attributes: vec3 position, vec3 normal',
       ])
       assert.equal(lines.slice(2).join('\n').trim(), compileWarp(offset, { target }).code.trim())
     }
@@ -266,7 +266,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     await bake('--set', 'follow=0,0', '--subdivide', '0.1')
     assert.deepEqual(await moved(), [1, -2.5])
     const { stdout } = await works('emit', 'uniforms.js')
-    assert.match(stdout, /^\/\/ uniforms: (center, follow|follow, center)\n/)
+    assert.match(stdout, /^\/\/ uniforms: (vec3 center, vec2 follow|vec2 follow, vec3 center)\n/)
     await refuses(
       ['bake', 'model.glb', 'uniforms.js', '-q', '-o', 'bad.glb', '--set', 'center=1'],
       /"center" is a vec3 and takes an array of 3 numbers, but a float came/,
