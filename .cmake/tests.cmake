@@ -1,16 +1,58 @@
-# Native build: one GoogleTest program from all of tests/cpp, and the printer of the tables.
+# Native build: one GoogleTest program from all of tests/cpp, the fuzz targets, and the printer of the tables.
 find_package(GTest REQUIRED)
-include(GoogleTest)
 enable_testing()
 
 file(GLOB test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/cpp/*.cpp)
 add_executable(warpjet_tests ${test_sources})
 target_include_directories(warpjet_tests PRIVATE tests/cpp)
+# Tests read JSON too.
+target_include_directories(warpjet_tests SYSTEM PRIVATE ${libraries_folder})
 target_link_libraries(warpjet_tests PRIVATE warpjet_mesh warpjet_core GTest::gtest_main)
-# Half of the time of compiling them; the wasm build, which has none of it, finds an include that is missing.
-target_precompile_headers(warpjet_tests PRIVATE <gtest/gtest.h>)
-# PRE_TEST: the list of tests is asked for by ctest, so a crash at start-up is a failing test, not a failing build.
-gtest_discover_tests(warpjet_tests DISCOVERY_MODE PRE_TEST)
+# A process for each eighth of them, not for each: under the sanitizers a process takes longer to start than most tests.
+set(shards 8)
+foreach(shard RANGE 1 ${shards})
+  math(EXPR index "${shard} - 1")
+  add_test(NAME tests_${shard}_of_${shards} COMMAND warpjet_tests --gtest_brief=1)
+  set_tests_properties(tests_${shard}_of_${shards} PROPERTIES
+                       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+endforeach()
+
+# Half of the time of compiling; the wasm build, which has none of it, finds an include that is missing. ccache keeps
+# nothing that clang compiles with a precompiled header, and then that costs more than it saves.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  target_precompile_headers(warpjet_core PRIVATE
+    <algorithm> <array> <cmath> <cstdint> <functional> <initializer_list> <optional> <span> <string> <string_view>
+    <unordered_map> <utility> <vector>)
+  target_precompile_headers(warpjet_tests PRIVATE <gtest/gtest.h>)
+endif()
+
+# The targets that `npm run fuzz` feeds. Given files, they run each once, without libFuzzer too: the corpus is a test.
+function(warpjet_fuzz_target subject library)
+  set(name ${subject}_fuzz)
+  add_executable(${name} ${ARGN})
+  target_include_directories(${name} PRIVATE tests)
+  target_include_directories(${name} SYSTEM PRIVATE ${libraries_folder})
+  target_link_libraries(${name} PRIVATE ${library})
+  if(WARPJET_SANITIZE)
+    foreach(target ${name} ${library})
+      target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    endforeach()
+    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  else()
+    target_sources(${name} PRIVATE tests/fuzz/replay.cpp)
+  endif()
+  file(GLOB corpus CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus/${subject}/*)
+  add_test(NAME ${subject}_corpus COMMAND ${name} ${corpus})
+endfunction()
+
+warpjet_fuzz_target(mesh warpjet_mesh tests/fuzz/mesh_fuzz.cpp tests/fuzz/gltf_mutator.cpp tests/fuzz/limits.cpp)
+warpjet_fuzz_target(graph warpjet_core tests/fuzz/graph_fuzz.cpp tests/fuzz/graph_calls.cpp)
+
+# Writes the seeds of the fuzz targets.
+add_executable(fuzz_seeds EXCLUDE_FROM_ALL tests/fuzz/seeds.cpp tests/fuzz/mesh_seeds.cpp tests/fuzz/graph_seeds.cpp)
+target_include_directories(fuzz_seeds PRIVATE tests)
+target_include_directories(fuzz_seeds SYSTEM PRIVATE ${libraries_folder})
+target_link_libraries(fuzz_seeds PRIVATE warpjet_core)
 
 # What `npm run reference` makes the types and the reference of operations from.
 add_executable(warpjet_table EXCLUDE_FROM_ALL .scripts/reference/table.cpp)

@@ -22,8 +22,9 @@ const compiled = [
   ...[...packed, 'unpack'].map((name) => `.build/wasm/${name}.wasm`),
 ]
 
-const shared = ['p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
-const bundles = ['warpjet', ...shared, 'p5.warpjet.min', 'warpjet.deformers.min'].map(
+const shared = ['text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
+const single = ['warpjet', 'mesh', 'p5.warpjet', 'warpjet.deformers']
+const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,
 )
 const entries = ['index', ...shared, 'p5.global', 'deformers.global'].map(
@@ -71,7 +72,7 @@ async function buildAll() {
 
   await step('Types', {
     inputs: [...inputs, '.scripts/tsconfig.types.json'],
-    outputs: ['index', 'p5', 'autodiff', 'mesh', 'deformers'].map(
+    outputs: ['index', 'text', 'p5', 'autodiff', 'mesh', 'deformers'].map(
       (name) => `dist/types/${name}.d.ts`,
     ),
     work: declareTypes,
@@ -113,10 +114,11 @@ const writeGenerated = (name, text) => writeFileSync(path(generated, name), text
 
 async function bundle() {
   const vite = await import('vite')
-  const { modules, scripts } = await import('./vite.library.mjs')
-  for (const file of walk('dist', /\.js$/)) rmSync(path(file))
+  const { modules, singleModules, scripts } = await import('./vite.library.mjs')
+  for (const file of walk('dist', /\.js(\.map)?$/)) rmSync(path(file))
   await vite.build(modules)
-  for (const script of scripts) await vite.build(script)
+  for (const module of singleModules) await vite.build(module)
+  for (const script of scripts()) await vite.build(script)
 }
 
 async function declareTypes() {

@@ -11,6 +11,7 @@ import { run } from './lib/run.mjs'
 import { Stop, good, heading, isMain, main, say } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
 
+const programs = '.build/sanitize'
 const folder = '.build/fuzz'
 const seeds = 'tests/fuzz/corpus'
 
@@ -30,7 +31,7 @@ const limits = [
 
 /** Runs the targets at once where there are cores for it; `isKept` says whether to go on from earlier runs. */
 export async function fuzz({ seconds, names = Object.keys(targets), isKept = true }) {
-  await cmakeBuild('fuzz', ...names.map((name) => `${name}_fuzz`))
+  await cmakeBuild('sanitize', ...names.map((name) => `${name}_fuzz`))
   const results = []
   if (availableParallelism() >= names.length)
     results.push(...(await Promise.all(names.map((name) => runTarget(name, seconds, isKept)))))
@@ -47,7 +48,7 @@ async function runTarget(name, seconds, isKept) {
   for (const needed of [corpus, findings]) mkdirSync(path(needed), { recursive: true })
   const known = new Set(readdirSync(path(findings)))
 
-  const program = `${folder}/${name}_fuzz`
+  const program = `${programs}/${name}_fuzz`
   const args = [corpus, `${seeds}/${name}`, `-max_total_time=${seconds}`, ...limits]
   const log = `${findings}/${name}.log`
   const { code, progress, reason } = await follow(
@@ -107,9 +108,9 @@ const count = (text) => Number(text).toLocaleString('en')
 
 /** Writes tests/fuzz/corpus anew. */
 async function writeSeeds() {
-  await cmakeBuild('fuzz', 'fuzz_seeds')
+  await cmakeBuild('sanitize', 'fuzz_seeds')
   rmSync(path(seeds), { recursive: true, force: true })
-  await run(path(folder, 'fuzz_seeds'), [seeds])
+  await run(path(programs, 'fuzz_seeds'), [seeds])
   good(`${walk(seeds).length} files in ${seeds}`)
 }
 

@@ -1,30 +1,58 @@
-// npm test: set-up, build, then every check; `npm test -- js cpp` runs only those groups. Nothing stops at a failure.
+// npm test: set-up, build, then the everyday checks; `npm test -- --all` is every check there is. `npm test -- js cpp` runs
+// only those groups, with `--all` whole. Nothing stops at a failure.
+import { parseArgs } from 'node:util'
 import { build } from './build.mjs'
 import { checks } from './lib/checks.mjs'
-import { Stop, bad, good, heading, main, say, seconds } from './lib/terminal.mjs'
+import { Stop, bad, good, heading, main, say } from './lib/terminal.mjs'
+import { chooseTier, leftOut, limits } from './lib/tiers.mjs'
+import { printTimes } from './lib/times.mjs'
 import { setup } from './setup.mjs'
 
 await main(async () => {
-  const chosen = select(process.argv.slice(2))
-  const { chromium } = await setup()
-  process.env.WARPJET_CHROMIUM = chromium
+  const start = performance.now()
+  const { groups, tier } = options()
+  const chosen = select(groups, tier)
+  chooseTier(tier)
+  const results = []
+  const attempted = async (step) => results.push(await attempt(step))
 
-  const results = [await attempt({ title: 'Build', work: build })]
-  for (const check of chosen) results.push(await attempt(check))
+  await attempted({
+    title: 'Set-up',
+    work: async () => (process.env.WARPJET_CHROMIUM = (await setup()).chromium),
+  })
+  if (!results[0].passed) throw new Stop('Nothing can be tested without that.')
+  await attempted({ title: 'Build', work: build })
+  for (const check of chosen) await attempted(check)
 
-  heading('Summary')
-  for (const { title, passed, time } of results) (passed ? good : bad)(`${title} (${time})`)
-  const failed = results.filter(({ passed }) => !passed).length
-  if (failed) throw new Stop(`${failed} of ${results.length} steps failed.`)
+  heading(tier === 'all' ? 'Everything' : 'The everyday run; `npm test -- --all` is everything')
+  printTimes(results, performance.now() - start, groups.length ? null : limits[tier])
+  const failed = results.filter(({ passed }) => !passed)
+  if (failed.length) throw new Stop(`Failed: ${failed.map(({ title }) => title).join(', ')}.`)
   good('Everything passed.')
 })
 
-function select(groups) {
+function options() {
   const known = [...new Set(checks.map(({ group }) => group))]
-  const unknown = groups.find((group) => !known.includes(group))
-  if (unknown)
-    throw new Stop(`There are no tests named ${unknown}: choose from ${known.join(', ')}.`)
-  return groups.length ? checks.filter(({ group }) => groups.includes(group)) : checks
+  try {
+    const { values, positionals } = parseArgs({
+      options: { all: { type: 'boolean' } },
+      allowPositionals: true,
+    })
+    const unknown = positionals.find((group) => !known.includes(group))
+    if (unknown) throw new Error(`There are no tests named ${unknown}.`)
+    return { groups: positionals, tier: values.all ? 'all' : 'everyday' }
+  } catch ({ message }) {
+    throw new Stop(`${message}\n\nnpm test -- [--all] [${known.join('] [')}]`)
+  }
+}
+
+function select(groups, tier) {
+  const chosen = checks.filter(({ group }) => !groups.length || groups.includes(group))
+  const run = chosen.filter(({ title }) => tier === 'all' || !(title in leftOut.steps))
+  const reasons = chosen.map(({ title }) => `${title}: ${leftOut.steps[title]}`)
+  if (!run.length)
+    throw new Stop(`Nothing of that is run every day; add --all.\n${reasons.join('\n')}`)
+  return run
 }
 
 async function attempt({ title, work }) {
@@ -37,7 +65,7 @@ async function attempt({ title, work }) {
     bad(error instanceof Stop ? error.message : error.stack)
     passed = false
   }
-  const time = seconds(start)
-  say(`${title}: ${passed ? 'passed' : 'FAILED'} in ${time}`)
+  const time = performance.now() - start
+  if (!passed) say(`${title}: FAILED`)
   return { title, passed, time }
 }

@@ -1,58 +1,120 @@
-// How Vite bundles the library: ES modules that share chunks, and one script for a <script> tag.
+// How Vite bundles the library: ES modules that share files, and files that need no other, for pages without a bundler.
+import { createHash } from 'node:crypto'
+import { readFileSync } from 'node:fs'
 import { path } from './lib/files.mjs'
 
-const common = {
-  configFile: false,
-  root: path('.'),
-  publicDir: false,
-  logLevel: 'warn',
-}
+const { name, version, license } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
 
 // p5 is the page's own: the addon is handed it, or finds it as a global. The command line runs in Node only.
 const external = ['p5', /^node:/]
 
-export const modules = {
-  ...common,
-  build: {
-    outDir: 'dist',
-    emptyOutDir: false,
-    target: 'es2022',
-    lib: {
-      entry: {
-        warpjet: path('js-bindings/index.ts'),
-        p5: path('js-bindings/p5.ts'),
-        'p5.browser': path('js-bindings/p5.browser.ts'),
-        autodiff: path('js-bindings/autodiff.ts'),
-        mesh: path('js-bindings/mesh.ts'),
-        deformers: path('js-bindings/deformers.ts'),
-        cli: path('js-bindings/cli.ts'),
-      },
-      formats: ['es'],
-    },
-    rolldownOptions: { external, output: { chunkFileNames: 'shared-[hash].js' } },
-  },
-}
+const banner = `/*! ${name} ${version} | ${license} licence, notices in the package's LICENSE | https://www.npmjs.com/package/${name}/v/${version} */`
 
-/** One file for a <script> tag; `replaced` are modules that are others there. */
-const scriptOf = (entry, fileName, replaced) => ({
-  ...common,
-  resolve: { alias: replaced },
+/** `output` are options of Rolldown, `lib` those of Vite. */
+const settings = (lib, output, others) => ({
+  configFile: false,
+  root: path('.'),
+  publicDir: false,
+  logLevel: 'warn',
+  plugins: [withoutWasmInMaps],
+  ...others,
   build: {
     outDir: 'dist',
     emptyOutDir: false,
     target: 'es2022',
-    minify: true,
-    lib: { entry: path(entry), formats: ['iife'], name: 'warpjet', fileName: () => fileName },
-    rolldownOptions: { external, output: { globals: { p5: 'p5' } } },
+    sourcemap: true,
+    minify: false,
+    lib,
+    rolldownOptions: { external, output: { postBanner: banner, ...output } },
   },
 })
 
-export const scripts = [
-  // It stays one small file: what reads models is fetched from beside it.
-  scriptOf('js-bindings/p5.global.ts', 'p5.warpjet.min.js', [
-    { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
-  ]),
-  scriptOf('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js', [
-    { find: /^\.\.?\/errors\.js$/, replacement: path('js-bindings/errors.global.ts') },
-  ]),
+/** A map tells where code comes from, and nobody reads base64. */
+const withoutWasmInMaps = {
+  name: 'without-wasm-in-maps',
+  generateBundle(_, files) {
+    for (const { map } of Object.values(files))
+      map?.sources.forEach((source, i) => {
+        if (source.endsWith('-wasm.js')) map.sourcesContent[i] = null
+      })
+  },
+}
+
+/**
+ * The files that hold what several entries need, so that each entry brings what it uses and no more. A module goes to the
+ * first that names it or something that needs it.
+ */
+const sharedFiles = [
+  {
+    name: 'basics',
+    test: /\/js-bindings\/(describe|errors|inputs|notes|options|shapes|uniforms|vertices|warp-program|wasm|generated\/version)\.ts$/,
+  },
+  { name: 'compiler', test: /\/js-bindings\/(compile|compile-warp-text)\.ts$/ },
+  { name: 'evaluation', test: /\/js-bindings\/compile-warp\.ts$/ },
+  { name: 'meshes', test: /\/js-bindings\/mesh[/.]/ },
+  { name: 'p5-addon', test: /\/js-bindings\/p5\// },
 ]
+
+export const modules = settings(
+  {
+    entry: {
+      warpjet: path('js-bindings/index.ts'),
+      text: path('js-bindings/text.ts'),
+      p5: path('js-bindings/p5.ts'),
+      'p5.browser': path('js-bindings/p5.browser.ts'),
+      autodiff: path('js-bindings/autodiff.ts'),
+      mesh: path('js-bindings/mesh.ts'),
+      deformers: path('js-bindings/deformers.ts'),
+      cli: path('js-bindings/cli.ts'),
+    },
+    formats: ['es'],
+  },
+  {
+    chunkFileNames: 'shared/[name].js',
+    minifyInternalExports: false,
+    codeSplitting: { groups: sharedFiles },
+  },
+)
+
+// Errors name the class of what was thrown.
+const keepNames = { class: true, function: false }
+const minified = {
+  minify: { compress: { keepNames }, mangle: { keepNames }, codegen: true },
+  comments: false,
+}
+
+const single = (entry, fileName, format, others) =>
+  settings(
+    { entry: path(entry), name, formats: [format], fileName: () => fileName },
+    minified,
+    others,
+  )
+
+/** Modules of one file each. */
+export const singleModules = [
+  single('js-bindings/index.ts', 'warpjet.min.js', 'es'),
+  single('js-bindings/mesh.ts', 'mesh.min.js', 'es'),
+]
+
+/** Files for <script> tags, when those modules are there; `alias` names modules that are others in them. */
+export const scripts = () => [
+  single('js-bindings/p5.global.ts', 'p5.warpjet.min.js', 'iife', {
+    // What reads models is fetched when it is needed.
+    resolve: {
+      alias: [
+        { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
+      ],
+    },
+    define: { meshIntegrity: JSON.stringify(integrityOf('dist/mesh.min.js')) },
+  }),
+  single('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js', 'iife', {
+    resolve: {
+      alias: [{ find: /^\.\.?\/errors\.js$/, replacement: path('js-bindings/errors.global.ts') }],
+    },
+  }),
+]
+
+const integrityOf = (file) =>
+  `sha384-${createHash('sha384')
+    .update(readFileSync(path(file)))
+    .digest('base64')}`

@@ -59,7 +59,7 @@ EMSCRIPTEN_KEEPALIVE int callFunction(Session* session, int function) {
   return session->builder.callFunction(function);
 }
 
-// Kinds by their number in noiseNames.
+// Kinds by the number of their row.
 EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int octaves,
                                    int isMethod) {
   return session->builder.callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);

@@ -6,7 +6,7 @@ import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './functions.js'
 import { callNoise, noiseKinds } from './noise.js'
-import type { Shape } from './shape.js'
+import type { Shape } from './shapes.js'
 import { callTexture } from './texture.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>
@@ -84,12 +84,12 @@ const compilationOf = (expression: Expression) => expression.compilation as Comp
 /** Methods that ask for results, as glsl-autodiff has them. */
 const results = {
   output(this: Expression, name: unknown) {
-    compilationOf(this).output(name, this, 'output')
+    compilationOf(this).ask(name, this, 'output')
   },
   outputDeriv(this: Expression, name: unknown, input: unknown) {
     const compilation = compilationOf(this)
     const by = toExpression(compilation, 'outputDeriv', input, 2)
-    compilation.output(
+    compilation.ask(
       name,
       compilation.call(operationNumber('derivative'), 'outputDeriv', [this, by]),
       'outputDeriv',

@@ -3,8 +3,10 @@
 // `npx warpjet`: finds the command, and turns errors into one sentence and an exit code.
 import { bake } from './cli/bake.js'
 import { emit } from './cli/emit.js'
+import { reasonOf } from './cli/files.js'
 import { help, helpOf } from './cli/help.js'
 import { info } from './cli/info.js'
+import { printable } from './cli/printable.js'
 import { UsageError } from './cli/usage.js'
 import { WarpError } from './errors.js'
 import { version } from './generated/version.js'
@@ -15,10 +17,13 @@ const [name = '', ...args] = process.argv.slice(2)
 const asksForHelp = (text: string) => text === '--help' || text === '-h'
 
 // Whoever reads may have enough, as `head` does.
-for (const stream of [process.stdout, process.stderr])
-  stream.on('error', (error: { code?: string }) => {
-    if (error.code !== 'EPIPE') throw error
-  })
+process.stdout.on('error', ({ code }: { code?: string }) => {
+  if (code === 'EPIPE') return
+  console.error(`warpjet: the output cannot be written: ${reasonOf(code)}.`)
+  process.exit(1)
+})
+// There is nowhere left to say so.
+process.stderr.on('error', () => {})
 
 try {
   const command = Object.hasOwn(commands, name) ? commands[name] : undefined
@@ -39,10 +44,11 @@ process.exit()
 /** Says what went wrong: 2 for a wrong command line, 1 for what it names. */
 function report(error: unknown): number {
   if (error instanceof UsageError) {
-    console.error(`warpjet: ${error.message} \`npx warpjet ${error.command}--help\` shows how.`)
+    const { command, message } = error
+    console.error(`warpjet: ${printable(message)} \`npx warpjet ${command}--help\` shows how.`)
     return 2
   }
-  if (error instanceof WarpError) console.error(`warpjet: ${error.message}`)
+  if (error instanceof WarpError) console.error(`warpjet: ${printable(error.message)}`)
   else console.error(error)
   return 1
 }

@@ -4,7 +4,8 @@ import { type Core, type Session, failed, getCore, needsPartials } from './core.
 import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import type { KeptModule, Target } from './kept-module.js'
-import type { Shape } from './shape.js'
+import { isCallable } from './options.js'
+import type { Shape } from './shapes.js'
 import { callerOutside } from './source-lines.js'
 
 /** A function of the host from numbers to a number, as the sketch declared it. */
@@ -13,6 +14,11 @@ export interface HostFunction {
   arity: number
   /** One for each argument: a number, an expression, or a function from the arguments to one of them. */
   derivatives: readonly unknown[] | undefined
+}
+
+/** What `gen` alone has: results that expressions ask for by `.output(name)`, and the lines of the sketch. */
+export interface Gen {
+  debug: boolean
 }
 
 export class Compilation {
@@ -26,13 +32,13 @@ export class Compilation {
   constructor(
     /** The language of texts of the sketch that do not say theirs. */
     readonly target: Target,
-    private readonly debug = false,
+    private readonly gen?: Gen,
   ) {
     this.session = this.core.open()
   }
 
   close() {
-    if (this.session) this.core._closeSession(this.session)
+    if (this.session && !this.core.isBroken) this.core._closeSession(this.session)
     this.session = 0
   }
 
@@ -40,6 +46,10 @@ export class Compilation {
     if (!this.session)
       throw new WarpError(
         `${method}: the function that made this expression is over; use expressions only inside it.`,
+      )
+    if (this.core.isBroken)
+      throw new WarpError(
+        `${method}: the compiler ran out of memory, and this warp was lost with it; make it again.`,
       )
     return this.session
   }
@@ -50,7 +60,7 @@ export class Compilation {
 
   private expression(handle: number): Expression {
     if (handle === failed) this.refuse()
-    if (this.debug) this.core.comment(this.open('debug'), callerOutside())
+    if (this.gen?.debug) this.core.comment(this.open('debug'), callerOutside())
     return new Expression(this, handle)
   }
 
@@ -162,7 +172,7 @@ export class Compilation {
       toExpression(
         this,
         name,
-        typeof given === 'function' ? given(...operands) : given,
+        isCallable(given) ? given(...(operands as never[])) : given,
         `derivative ${i + 1}`,
       )
     this.nesting++
@@ -176,7 +186,16 @@ export class Compilation {
     if (!this.core._setPartials(session, call)) this.refuse()
   }
 
-  /** Asks for a result under a name. */
+  /** Asks for a result by the method of an expression. */
+  ask(name: unknown, value: Expression, method: string) {
+    if (!this.gen)
+      throw new WarpError(
+        `${method}: only gen takes results this way; return the expression from the function instead.`,
+      )
+    this.output(name, value, method)
+  }
+
+  /** Adds a result under a name. */
   output(name: unknown, value: Expression, method: string) {
     this.core.output(this.open(method), method, resultName(name, method), value.handle)
   }

@@ -1,32 +1,19 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
+import { type Emits, compileOffset } from './compile-offset.js'
 import { type CpuWarp, createCpuWarp } from './cpu-warp.js'
-import { type Target, checkTarget, makeProgram } from './kept-module.js'
+import { makeProgram } from './kept-module.js'
 import { lazily } from './lazily.js'
-import { noteApproximation } from './notes.js'
-import { checkOptions } from './options.js'
 import type { OffsetFunction, UniformValues } from './types.js'
 import {
   type KeptWarp,
-  type TextOptions,
   type WarpOptions,
   type WarpText,
-  checkNames,
-  declareUniforms,
-  keepWarp,
   onSurface,
-  readOptions,
   warpResults,
-  writeWarp,
 } from './warp-text.js'
 
 /** An offset function as shader text and on the CPU. */
-export interface CompiledWarp extends WarpText, CpuWarp {
-  /**
-   * The text once more: in another language, or for a host with other names. The offset function is not called again, so
-   * that it is the same warp, also if it was made by chance. What is not given is as in the options of `compileWarp`.
-   */
-  emit(target: Target, options?: TextOptions): WarpText
-}
+export interface CompiledWarp extends WarpText, Emits, CpuWarp {}
 
 /**
  * Compiles an offset function into statements that move a vertex and turn its normal. They declare
@@ -42,29 +29,18 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   given: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): CompiledWarp {
-  const settings = readOptions('compileWarp', given as OffsetFunction, options)
-  const { offset, declared } = declareUniforms('compileWarp', given as OffsetFunction, options)
-  const warp = keepWarp(offset, settings)
-  if (warp.isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
-  const program = lazily(() => programOf(warp))
+  const { warp, declared, text, emit } = compileOffset(given as OffsetFunction, options)
+  const { normals, isAccepted } = warp.settings
   const cpu = createCpuWarp({
     declared,
-    program,
-    hasNormals: settings.normals,
+    program: lazily(() => programOf(warp)),
+    hasNormals: normals,
     varies: warp.varies,
-    isAccepted: settings.isAccepted,
+    isAccepted,
     // The tangent is first, for a shader may carry it in the place of another attribute.
     inputs: { tangent: warp.inputs.tangent!, ...warp.inputs },
   })
-  return {
-    ...writeWarp(warp, settings.target).text,
-    emit(target, options = {}) {
-      checkOptions('emit', options, ['names', 'outputs'])
-      checkNames('emit', options)
-      return writeWarp(warp, checkTarget(target), options).text
-    },
-    ...cpu,
-  }
+  return { ...text, emit, ...cpu }
 }
 
 /** In the order of numbersOf in cpu-warp.ts. */

@@ -1,10 +1,11 @@
 // Any expressions, as text and on the CPU: `compile`, and glsl-autodiff's `gen`.
 import { createBuilder } from './builder.js'
+import type { Compilation } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import { type Compiled, type CompileOptions, declared, withCompilation } from './compiled.js'
 import { type Numbers, evaluate } from './evaluate.js'
 import { Expression, toExpression } from './expression.js'
-import { checkTarget, makeProgram, resultsOf, writeText } from './kept-module.js'
+import { type KeptModule, checkTarget, makeProgram, resultsOf, writeText } from './kept-module.js'
 import { lazily } from './lazily.js'
 import { checkCallback, checkOptions } from './options.js'
 import type { Expression as AnyExpression, Glsl } from './types.js'
@@ -29,7 +30,7 @@ export function compile(
   checkCallback('compile', callback)
   checkOptions('compile', options, ['target'])
   const target = checkTarget(options.target)
-  const module = withCompilation(target, false, (compilation) => {
+  const module = withCompilation(target, (compilation) => {
     const results: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (typeof results !== 'object' || results === null || isNoRecord(results))
       throw new WarpError(
@@ -80,12 +81,13 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
       `gen: maxDepthPerVariable must be a number of at least 1, but is ${describe(maxDepthPerVariable)}.`,
     )
   const target = checkTarget(settings.target)
-  const [module, returned] = withCompilation(target, debug, (compilation) => {
+  const run = (compilation: Compilation): [KeptModule, unknown] => {
     const returned: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (isUnfinished(returned))
       throw new WarpError('gen: the function must be a plain one, not async and no generator.')
     return [compilation.finish(), returned]
-  })
+  }
+  const [module, returned] = withCompilation(target, run, { debug })
   const { code, declarations } = writeText(module, target, {}, maxDepthPerVariable)
   if (declarations.includes('warpjet'))
     throw new WarpError(

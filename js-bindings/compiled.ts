@@ -1,7 +1,7 @@
 // What every compilation takes and gives.
-import { Compilation } from './compilation.js'
+import { Compilation, type Gen } from './compilation.js'
 import type { Target } from './kept-module.js'
-import { type TypeName, type Variable, typeOf } from './shape.js'
+import { type TypeName, type Variable, typeOf } from './shapes.js'
 
 /** How much work a result is. */
 export interface Stats {
@@ -39,10 +39,10 @@ export interface CompileOptions {
 /** Does some work with a compilation, and closes it whatever happens. */
 export function withCompilation<Result>(
   target: Target,
-  debug: boolean,
   work: (compilation: Compilation) => Result,
+  gen?: Gen,
 ): Result {
-  const compilation = new Compilation(target, debug)
+  const compilation = new Compilation(target, gen)
   try {
     return work(compilation)
   } finally {

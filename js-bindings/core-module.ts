@@ -1,4 +1,5 @@
 // Starts the compiler's wasm by hand: the JavaScript that Emscripten would write for it is four times as large.
+import { WarpError } from './errors.js'
 import base64 from './generated/core-wasm.js'
 import { open } from './wasm.js'
 
@@ -11,8 +12,11 @@ interface Exports extends Record<string, unknown> {
   release(address: number): void
 }
 
-/** Every exported C function with a `_` before its name, every function of embind, and the memory as arrays. */
-export function startCore<Core>(): Core {
+/**
+ * Every exported C function with a `_` before its name, every function of embind, and the memory as arrays. `giveUp` is
+ * called when the instance has stopped, for want of memory: what it holds may then be in any state.
+ */
+export function startCore<Core>(giveUp: () => void): Core {
   const functions: Record<string, unknown> = {}
   // By the address that stands for the type.
   const textTypes = new Set<number>()
@@ -32,10 +36,11 @@ export function startCore<Core>(): Core {
       const isText = Array.from(words().subarray(types / 4, types / 4 + count), (type) =>
         textTypes.has(type),
       )
-      functions[textUntilZero(name)] = embound(call, context, isText)
+      functions[textUntilZero(name)] = guarded(embound(call, context, isText))
     },
   }
-  const exports = new WebAssembly.Instance(open(base64), {
+  const module = open(base64)
+  const exports = new WebAssembly.Instance(module, {
     env,
     wasi_snapshot_preview1: { proc_exit },
   }).exports as Exports
@@ -61,6 +66,7 @@ export function startCore<Core>(): Core {
         if (!takesText[i]) return value
         const text = new TextEncoder().encode(value as string)
         const address = exports.allocate(4 + text.length)
+        if (!address) proc_exit()
         texts.push(address)
         words()[address / 4] = text.length
         bytes().set(text, address + 4)
@@ -75,13 +81,35 @@ export function startCore<Core>(): Core {
     }
   }
 
+  function guarded<Given extends unknown[]>(call: (...given: Given) => unknown) {
+    return (...given: Given) => {
+      try {
+        return call(...given)
+      } catch (error) {
+        if (!isTrap(error)) throw error
+        if (!functions.isBroken) giveUp()
+        functions.isBroken = true
+        // No more stack: the sketch calls itself without end, which JavaScript says better.
+        if (error instanceof RangeError) throw error
+        const megabytes = Math.ceil(exports.memory.buffer.byteLength / 2 ** 20)
+        throw new WarpError(
+          `There is not enough memory for so large a warp: the compiler already holds ${megabytes} MB.`,
+        )
+      }
+    }
+  }
+
   exports._initialize()
-  for (const [name, value] of Object.entries(exports)) functions[`_${name}`] = value
+  for (const [name, value] of Object.entries(exports))
+    if (typeof value === 'function') functions[`_${name}`] = guarded(value as () => unknown)
   return Object.defineProperties(functions, {
     HEAPU32: { get: words },
     HEAPF64: { get: () => new Float64Array(exports.memory.buffer) },
   }) as Core
 }
+
+const isTrap = (error: unknown) =>
+  error instanceof WebAssembly.RuntimeError || error instanceof RangeError
 
 /** C's functions, under the names that Emscripten's -sJS_MATH and .cmake/math.cpp give them. */
 function mathematics() {

@@ -78,6 +78,9 @@ export interface Core {
   allInputLines(reading: Reading): string
   outputLines(reading: Reading): string
 
+  /** Whether it ran out of memory, and nothing of it may be used any more. */
+  isBroken?: boolean
+
   readonly HEAPU32: Uint32Array
   readonly HEAPF64: Float64Array
 }
@@ -88,7 +91,12 @@ export const needsPartials = -2
 let core: Core | undefined
 
 export function getCore(): Core {
-  return (core ??= startCore<Core>())
+  return (core ??= startCore<Core>(giveUp))
+}
+
+/** The next warp gets a new instance, with a memory of its own. */
+function giveUp() {
+  core = undefined
 }
 
 /** How many bytes the compiler holds inside the wasm. Between two warps it is always the same. */

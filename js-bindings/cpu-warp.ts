@@ -1,12 +1,12 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
 import { WarpError } from './errors.js'
-import type { Program } from './kept-module.js'
 import { type Stream, boundProgram, inputsRead, runProgram } from './evaluation.js'
 import { type VertexInput, variationInputs, vertexInputs } from './inputs.js'
-import type { Variable } from './shape.js'
+import type { Program } from './kept-module.js'
 import { noteApproximation } from './notes.js'
 import { checkOptions } from './options.js'
-import { type DeclaredUniforms, withDeclared } from './uniforms.js'
+import type { Variable } from './shapes.js'
+import { withDeclared } from './uniforms.js'
 import {
   type Box,
   type Range,
@@ -18,23 +18,7 @@ import {
   readNumbers,
   readRanges,
 } from './vertices.js'
-
-/** What is kept of a compilation. There is no program if the warp calls a `glsl.fn` or `glsl.texture`. */
-export interface WarpProgram {
-  /** The option `uniforms`. */
-  declared: DeclaredUniforms
-  program: () => Program | undefined
-  hasNormals: boolean
-  /** Whether the turn depends on how normal and uv vary over the surface. */
-  varies: boolean
-  /** Whether they may count as constant nevertheless. */
-  isAccepted: boolean
-  /** By input of the warp, the number of the program's. */
-  inputs: Record<string, number>
-}
-
-/** Where a warp keeps it, for other modules of ours. */
-export const warpProgram = Symbol.for('warpjet.program')
+import { type WarpProgram, warpProgram } from './warp-program.js'
 
 /** Flat arrays in the order of the vertices that came. */
 export interface WarpedVertices {
@@ -229,11 +213,15 @@ function originsOf(
   wanted: readonly number[],
   given: Uniforms | undefined,
 ): Origin[] {
-  const nameOf = (variable: Variable) =>
-    Object.keys(inputs).find((name) => inputs[name] === variable.number)
+  // The first of two inputs that are one.
+  const names = new Map(
+    Object.entries(inputs)
+      .reverse()
+      .map(([input, number]) => [number, input]),
+  )
+  const nameOf = (variable: Variable) => names.get(variable.number)
   const parameters = program.inputs.filter((variable) => !nameOf(variable))
-  const known = [...declared.keys(), ...parameters.map(({ name }) => name)]
-  checkUniforms(method, given, [...new Set(known)])
+  checkUniforms(method, given, [...declared.keys(), ...parameters.map(({ name }) => name)])
   const uniforms = withDeclared(method, declared, given, parameters)
   const read = inputsRead(program, wanted)
   return program.inputs.map((variable, i) => {

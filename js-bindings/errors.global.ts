@@ -4,8 +4,8 @@
  */
 export { describe, describeShape, shorten } from './describe.js'
 
-const { warpjet } = globalThis as { warpjet?: typeof import('./p5.global.js') }
-if (!warpjet)
+const { warpjet } = globalThis as { warpjet?: typeof import('./global.js') }
+if (!warpjet?.WarpError)
   throw new Error('warpjet.deformers.min.js needs the script p5.warpjet.min.js in a tag before it.')
 
 export const { WarpError } = warpjet

@@ -2,7 +2,8 @@
 import { getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
 import type { Program } from './kept-module.js'
-import type { Variable } from './shape.js'
+import { own } from './options.js'
+import type { Variable } from './shapes.js'
 
 export type Numbers = number | ArrayLike<number>
 
@@ -21,9 +22,9 @@ export function evaluate(
     throw new WarpError(
       'evaluate: only the GPU can call a function of glsl.fn and read an image by glsl.texture.',
     )
-  const isRead = (input: Variable) => read.some(({ name }) => name === input.name)
+  const names = new Set(read.map(({ name }) => name))
   const numbers = program.inputs.flatMap((input) =>
-    isRead(input) ? readNumbers(input, given) : Array<number>(sizeOf(input)).fill(0),
+    names.has(input.name) ? readNumbers(input, given) : Array<number>(sizeOf(input)).fill(0),
   )
   const results = run(program, numbers, totalSize(outputs))
   let at = 0
@@ -36,7 +37,7 @@ export function evaluate(
 }
 
 function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>): number[] {
-  const value: unknown = given?.[input.name]
+  const value = own(given ?? {}, input.name)
   const size = sizeOf(input)
   const list = size === 1 && typeof value === 'number' ? [value] : value
   const fits =
@@ -52,6 +53,8 @@ function readNumbers(input: Variable, given: Readonly<Record<string, Numbers>>):
 function run({ words, instructions }: Program, inputs: number[], resultCount: number): number[] {
   const core = getCore()
   const numbers = core._allocate(8 * (inputs.length + resultCount) + 4 * words.length)
+  if (!numbers)
+    throw new WarpError('evaluate: there is not enough memory to compute so many numbers.')
   try {
     const results = numbers + 8 * inputs.length
     const code = results + 8 * resultCount
@@ -60,6 +63,6 @@ function run({ words, instructions }: Program, inputs: number[], resultCount: nu
     core._run(code, words.length, instructions, numbers, inputs.length, results, resultCount)
     return [...core.HEAPF64.subarray(results / 8, results / 8 + resultCount)]
   } finally {
-    core._release(numbers)
+    if (!core.isBroken) core._release(numbers)
   }
 }

@@ -79,7 +79,7 @@ function getEvaluation(): Evaluation {
   } catch (error) {
     if (error instanceof WebAssembly.CompileError)
       throw new WarpError(
-        'A warp on the CPU needs WebAssembly with SIMD, which this browser lacks; update it (Chrome 91, Firefox 89, Safari 16.4 and Node 16.4 have it).',
+        'A warp on the CPU needs WebAssembly with SIMD, which this browser lacks; update it (Chrome 114, Firefox 89, Safari 16.4 and Node have it).',
       )
     throw error
   }

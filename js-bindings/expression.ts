@@ -1,9 +1,13 @@
 // What a sketch holds while it writes an offset: the handle of a number, vector or matrix in the wasm. Its methods come
 // from `builder.ts`; `types.ts` names them.
+import { isExpression } from './describe.js'
 import { WarpError, describe } from './errors.js'
-import type { Shape } from './shape.js'
+import type { Shape } from './shapes.js'
 
 const largestFloat32 = 3.4028234663852886e38
+
+/** Nothing that a shader could read, so that it is refused wherever a name is asked for. */
+export const expressionAsText = 'an expression of warpjet'
 
 /** The compilation that an expression is of. */
 export interface Origin {
@@ -17,8 +21,12 @@ export class Expression {
     readonly handle: number,
   ) {}
 
-  /** JavaScript asks for this where an operator of its own meets an expression. */
-  [Symbol.toPrimitive](): never {
+  /**
+   * JavaScript asks for this where an operator of its own meets an expression, and as "string" where only a text is wanted:
+   * in messages, and by the friendly errors of p5 1.11, which read what they are handed as if it were a number.
+   */
+  [Symbol.toPrimitive](hint: string): string {
+    if (hint === 'string') return expressionAsText
     throw new WarpError(
       "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().",
     )
@@ -47,9 +55,13 @@ export function toExpression(
       refuse(`is ${operand}, too close to zero for a shader to hold; use 0 instead.`)
     return compilation.constant(operand, method)
   }
-  if (!(operand instanceof Expression))
+  if (!isExpression(operand))
     return refuse(
       `must be a number or an expression, but is ${describe(operand)}${Array.isArray(operand) ? '; write glsl.vec3(x, y, z) for a vector' : ''}.`,
+    )
+  if (!(operand instanceof Expression))
+    return refuse(
+      'was made by another copy of warpjet; this page loads two, so take all of warpjet from one place.',
     )
   if (operand.compilation !== compilation)
     refuse(

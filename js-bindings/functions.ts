@@ -1,7 +1,7 @@
 // `glsl.fn`: functions of the host's shader, used like built-in ones.
 import type { Compilation, HostFunction } from './compilation.js'
 import { WarpError, describe } from './errors.js'
-import { type Expression, toExpression } from './expression.js'
+import { type Expression, expressionAsText, toExpression } from './expression.js'
 import { checkOptions } from './options.js'
 import { languages } from './tables.js'
 
@@ -32,6 +32,10 @@ export function declareFunction(compilation: Compilation, options: unknown) {
   if (!sources.has(language))
     throw new WarpError(
       `fn: the option "source" of ${name} must be a text of ${language.toUpperCase()} for the target ${compilation.target}, or an object { ${language}: … } with one, but is ${describe(source)}.`,
+    )
+  if ([...sources.values()].some((text) => text.includes(expressionAsText)))
+    throw new WarpError(
+      `fn: the option "source" of ${name} has an expression in its text; make it an argument of the function.`,
     )
   const isList = Array.isArray(derivatives) && derivatives.length === arity
   if (derivatives !== undefined && !isList)

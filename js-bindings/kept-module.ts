@@ -2,7 +2,7 @@
 // programs are made of them as often as need be.
 import { type Core, type Reading, getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
-import type { Variable } from './shape.js'
+import type { Variable } from './shapes.js'
 import { languages } from './tables.js'
 
 /** A shading language: GLSL ES 3.00 (WebGL 2), GLSL ES 1.00 (WebGL 1), or WGSL (WebGPU). */
@@ -90,13 +90,14 @@ export const makeProgram = (module: KeptModule, results: readonly number[]): Pro
 function reading<Result>(module: KeptModule, work: (core: Core, open: Reading) => Result): Result {
   const core = getCore()
   const memory = core._allocate(4 * module.length)
+  if (!memory) throw new WarpError('There is not enough memory to write so large a warp.')
   core.HEAPU32.set(module, memory / 4)
   const open = core._openReading(memory, module.length)
   core._release(memory)
   try {
     return work(core, open)
   } finally {
-    core._closeReading(open)
+    if (!core.isBroken) core._closeReading(open)
   }
 }
 

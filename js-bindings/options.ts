@@ -1,4 +1,5 @@
 // Checks of what a caller hands in beside the callback.
+import { isClass } from './describe.js'
 import { WarpError, describe } from './errors.js'
 
 /** An object of options, or nothing; `known` names what it may hold. */
@@ -13,9 +14,17 @@ export function checkOptions(method: string, options: unknown, known: readonly s
 }
 
 export function checkCallback(method: string, callback: unknown) {
-  if (typeof callback !== 'function')
+  if (!isCallable(callback))
     throw new WarpError(`${method}: a function was expected, but ${describe(callback)} came.`)
 }
+
+/** A function, and no class. */
+export const isCallable = (value: unknown): value is (...inputs: never[]) => unknown =>
+  typeof value === 'function' && !isClass(value)
+
+/** What an object itself holds under a name: `constructor` and `toString` every object has, from `Object`. */
+export const own = (object: object, name: string): unknown =>
+  Object.hasOwn(object, name) ? Reflect.get(object, name) : undefined
 
 /** An array, typed or not; what is in it is not looked at. */
 export const isList = (value: unknown): value is ArrayLike<number> =>

@@ -1,8 +1,8 @@
-// 'warpjet/p5' as bundlers for the browser resolve it: the same addon, registered with the p5 that the
-// project imports. Elsewhere (Node, import maps) `p5.ts` stands alone, since p5 cannot load without a browser.
+// 'warpjet/p5' where p5 can load, which is all but servers: the same addon, registered with the p5 that the project imports.
 import p5 from 'p5'
-import warpjet from './p5.js'
+import { warpjet } from './p5/addon.js'
+
+export { warpjet as default, createWarp } from './p5/addon.js'
+export { registerGlobally } from './p5/register.js'
 
 warpjet(p5)
-
-export { default, createWarp, registerGlobally } from './p5.js'

@@ -1,50 +1,36 @@
 /**
- * The single script for a <script> tag. Its exports are what the global `warpjet` holds. It may stand before or after
- * p5's own tag: p5 starts a sketch when the page has loaded, which is after DOMContentLoaded.
+ * The single script for a <script> tag, which may stand before or after p5's own tag. Whatever comes of a second one of the
+ * same page, the first one stays, with what was added to it.
  */
-import { gen } from './compile.js'
-import type { CompiledWarp } from './compile-warp.js'
-import type { CpuWarp } from './cpu-warp.js'
-import { WarpError } from './errors.js'
-import { version } from './generated/version.js'
-import { checkTarget } from './kept-module.js'
-import { noteApproximation } from './notes.js'
-import { registerGlobally } from './p5.js'
-import type { OffsetFunction, UniformValues } from './types.js'
-import { type WarpOptions, declareUniforms, keepWarp, readOptions, writeWarp } from './warp-text.js'
+import * as library from './global.js'
+import { registerGlobally } from './p5/register.js'
 
-export { compile, gen } from './compile.js'
-export { WarpError } from './errors.js'
-export { version } from './generated/version.js'
-
-/** `compileWarp` without what runs on the CPU, which would make this script a quarter larger. */
-export function compileWarp<const Uniforms extends UniformValues = {}>(
-  offset: OffsetFunction<NoInfer<Uniforms>>,
-  options: WarpOptions<Uniforms> = {},
-): CompiledWarp {
-  const settings = readOptions('compileWarp', offset as OffsetFunction, options)
-  const given = declareUniforms('compileWarp', offset as OffsetFunction, options)
-  const warp = keepWarp(given.offset, settings)
-  if (warp.isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
-  const emit: CompiledWarp['emit'] = (target, more) =>
-    writeWarp(warp, checkTarget(target), more).text
-  return { ...writeWarp(warp, settings.target).text, emit, ...onlyInThePackage }
+const globals = globalThis as {
+  warpjet?: Partial<typeof library>
+  AutoDiff?: unknown
+  p5?: unknown
 }
 
-const onlyInThePackage = Object.fromEntries(
-  ['evaluate', 'evaluateAt', 'bounds', 'foldover'].map((method) => [
-    method,
-    () => {
-      throw new WarpError(
-        `${method}: this script leaves out what runs on the CPU; take compileWarp from the package: const { compileWarp } = await import('https://cdn.jsdelivr.net/npm/warpjet@${version}/dist/warpjet.js').`,
-      )
-    },
-  ]),
-) as unknown as CpuWarp
+// A page has its elements among its globals, by their ids.
+const present = globals.warpjet?.version
+if (present === undefined) start()
+else if (present !== library.version)
+  console.warn(
+    `warpjet: this page has scripts of two versions, ${present} and then ${library.version}; the first one counts, so leave one of them out.`,
+  )
 
-if (!registerGlobally() && typeof document !== 'undefined')
-  document.addEventListener('DOMContentLoaded', registerGlobally)
+function start() {
+  globals.warpjet = { ...library }
+  // glsl-autodiff's global, so that sketches written for it run unchanged.
+  globals.AutoDiff ??= { gen: library.gen }
+  if (registerGlobally() || typeof document === 'undefined') return
+  if (document.readyState === 'complete') setTimeout(missP5)
+  else addEventListener('load', missP5)
+}
 
-// glsl-autodiff's global, so that sketches written for it run unchanged.
-const globals = globalThis as { AutoDiff?: unknown }
-globals.AutoDiff ??= { gen }
+function missP5() {
+  if (globals.p5 === undefined)
+    console.warn(
+      "warpjet: there is no p5 on this page, and createWarp comes with it; add p5's script, version 1.11 or newer. A page without p5 wants warpjet.min.js instead.",
+    )
+}

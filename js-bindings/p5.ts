@@ -1,121 +1,15 @@
 /**
- * The p5 addon. Where p5 is a global, as after its script tag, importing this file is enough. As a module p5 is no
- * global, and then it is handed over: `p5.registerAddon(warpjet)` on 2.x, `warpjet(p5)` on 2.x and 1.11 alike.
- * p5 is not imported here: it cannot load without a browser, and beside a script tag it would be a second copy of p5.
+ * 'warpjet/p5' where p5 cannot load, as on a server, and as a file of its own. It adds itself to a p5 that is a global, as
+ * p5's script tag makes it; as a module p5 is none, and is handed over: `warpjet(p5)`.
  */
-import { type Distort, createWarp as create, putOnAgain } from './p5/create-warp.js'
-import { type Canvas, sketchRemoved } from './p5/host.js'
-import {
-  type LoadModelOptions,
-  type Makers,
-  type Preloading,
-  type WarpModel,
-  awaitable,
-  emptyModel,
-  fillModel,
-} from './p5/load-model.js'
-import type { CreateWarpOptions } from './p5/options.js'
-import { addSurfaceVariation } from './p5/variation.js'
-import type { OffsetFunction, UniformValues } from './types.js'
+import { registerGlobally } from './p5/register.js'
 
-export type { Distort }
-export type { LoadModelOptions, WarpModel }
+export { warpjet as default, createWarp } from './p5/addon.js'
+export type { Loading, Warping } from './p5/addon.js'
+export type { Distort } from './p5/create-warp.js'
+export type { LoadModelOptions, WarpModel } from './p5/load-model.js'
 export type { CreateWarpOptions, WarpSpace, WarpType } from './p5/options.js'
+export { registerGlobally } from './p5/register.js'
 export type { WarpUniforms } from './p5/uniforms.js'
-
-/**
- * What the addon adds to a sketch and to a p5.Graphics. TypeScript lets nobody add to the default export that p5's own
- * types are: write `p as p5 & Warping`, or use the function `createWarp` below.
- */
-export interface Warping {
-  createWarp<const Uniforms extends UniformValues = {}>(
-    offset: OffsetFunction<NoInfer<Uniforms>>,
-    options?: CreateWarpOptions<Uniforms>,
-  ): Distort<Uniforms>
-}
-
-/** `sketch.createWarp(offset, options)` without registering anything; `canvas` is a sketch or a p5.Graphics. */
-export const createWarp = <const Uniforms extends UniformValues = {}>(
-  canvas: object,
-  offset: OffsetFunction<NoInfer<Uniforms>>,
-  options?: CreateWarpOptions<Uniforms>,
-): Distort<Uniforms> => create(canvas as Canvas, offset as OffsetFunction, options)
-
-/** What it adds to a sketch alone. */
-export interface Loading {
-  /**
-   * A .glb, .gltf or .obj file as a p5.Geometry for `model()`. On p5 2.x it is awaited; on 1.x it may be called in
-   * `preload()` as `loadModel` is, or awaited.
-   */
-  loadWarpModel(url: string | URL, options?: LoadModelOptions): Promise<WarpModel>
-  /**
-   * Finds out how normals and uvs vary over a p5.Geometry, for warps that depend on them, and keeps it with the geometry,
-   * which comes back: `bumpy = await addSurfaceVariation(buildGeometry(() => sphere(100)))`. To be called again after its
-   * vertices have changed. Needs p5 2. Throws a `WarpError`.
-   */
-  addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
-}
-
-interface P5 extends Makers {
-  prototype: SketchMethods
-  Graphics: { prototype: Methods }
-  registerAddon?(addon: unknown): void
-}
-
-interface Methods extends Partial<Warping> {
-  normalMaterial?(...args: unknown[]): unknown
-  registerMethod?(event: 'remove', listener: (this: Canvas) => void): void
-}
-
-interface SketchMethods extends Methods, Partial<Loading> {
-  registerPreloadMethod?(name: string, methods: object): void
-}
-
-const registered = Symbol.for('warpjet')
-
-/** Adds `createWarp` to p5 and p5.Graphics, and `loadWarpModel` to p5. Doing it again changes nothing. */
-export default function warpjet(p5: object, _fn?: object, lifecycles?: { remove?: unknown }): void {
-  const host = p5 as P5
-  if (!lifecycles && host.registerAddon) return host.registerAddon(warpjet)
-  if (registered in p5) return
-  Object.defineProperty(p5, registered, { value: true })
-
-  for (const methods of [host.prototype, host.Graphics.prototype]) addMethods(methods)
-  addLoading(host, !lifecycles)
-  if (lifecycles) lifecycles.remove = sketchRemoved
-  else host.prototype.registerMethod?.('remove', sketchRemoved)
-}
-
-function addMethods(methods: Methods) {
-  methods.createWarp = function (offset, options) {
-    return createWarp(this, offset, options)
-  }
-  // On 1.11 a p5.Graphics takes this method from p5 itself.
-  const { normalMaterial } = methods
-  if (!normalMaterial) return
-  methods.normalMaterial = function (this: Canvas, ...args) {
-    const result = normalMaterial.apply(this, args)
-    putOnAgain(this)
-    return result
-  }
-}
-
-function addLoading(p5: P5, preloads: boolean) {
-  p5.prototype.loadWarpModel = function (this: Canvas & Preloading, url, options) {
-    const model = emptyModel(p5, this._renderer)
-    const filling = fillModel(model, p5, url, options)
-    return preloads ? awaitable(model, filling, this) : filling.then(() => model)
-  }
-  p5.prototype.addSurfaceVariation = addSurfaceVariation
-  p5.prototype.registerPreloadMethod?.('loadWarpModel', p5.prototype)
-}
-
-/** Registers with p5 if it is a global, and says whether it was. */
-export function registerGlobally(): boolean {
-  const p5: unknown = (globalThis as Record<string, unknown>).p5
-  if (typeof p5 !== 'function') return false
-  warpjet(p5)
-  return true
-}
 
 registerGlobally()

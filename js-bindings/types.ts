@@ -65,9 +65,9 @@ export type Expression = Scalar | Vector | AnyMatrix
 export type Operand = Scalar | number
 
 interface Results {
-  /** Writes this expression into a shader variable of that name. */
+  /** In `gen` alone: writes this expression into a shader variable of that name. */
   output(name: string): void
-  /** Writes the partial derivative by an input, such as `x` or `position.y()`. */
+  /** In `gen` alone: writes the partial derivative by an input, such as `x` or `position.y()`. */
   outputDeriv(name: string, input: Scalar): void
 }
 

@@ -3,8 +3,8 @@ import type { Compilation } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import type { Expression } from './expression.js'
 import { inputSizes } from './inputs.js'
-import { isList } from './options.js'
-import { type Shape, type Variable, imageShape, typeOf } from './shape.js'
+import { isCallable, isList, own } from './options.js'
+import { type Shape, type Variable, imageShape, typeOf } from './shapes.js'
 import type { ImageLike, OffsetFunction, UniformValue, WarpInputs } from './types.js'
 
 type Given = UniformValue | (() => UniformValue)
@@ -53,7 +53,7 @@ function declare(method: string, name: string, given: Given): DeclaredUniform {
     throw new WarpError(
       `${method}: the uniform "${name}" has the name of an input; give it another one, such as "my${name[0]!.toUpperCase()}${name.slice(1)}".`,
     )
-  const isFunction = typeof given === 'function'
+  const isFunction = isCallable(given)
   const first = isFunction ? given() : given
   const place = `the uniform "${name}"`
   if (isImage(first))
@@ -153,8 +153,7 @@ export function settled<Values extends object>(
 ): Values | undefined {
   if (!declared?.size || (given !== undefined && typeof given !== 'object')) return given
   const functions = [...declared].filter(
-    ([name, { isFunction, image }]) =>
-      isFunction && !image && (given as Record<string, unknown>)?.[name] === undefined,
+    ([name, { isFunction, image }]) => isFunction && !image && own(given ?? {}, name) === undefined,
   )
   const now = functions.map(([name, { numbers }]) => [name, unlisted(numbers(method))])
   return { ...given, ...Object.fromEntries(now) } as Values
@@ -219,10 +218,11 @@ export function withDeclared(
   given: Readonly<Record<string, unknown>> = {},
   parameters: readonly Variable[],
 ): Record<string, unknown> {
-  const all = { ...given }
+  const all = Object.assign(Object.create(null), given) as Record<string, unknown>
+  const read = new Set(parameters.map(({ name }) => name))
   for (const [name, uniform] of declared) {
-    const value = given[name]
-    const isRead = parameters.some((parameter) => parameter.name === name)
+    const value = own(given, name)
+    const isRead = read.has(name)
     if (uniform.image) delete all[name]
     else if (value !== undefined)
       all[name] = numbersFor(`${method}: the uniform "${name}"`, uniform.shape, value)

@@ -113,7 +113,7 @@ export function readNumbers(place: string, value: unknown, count: number): numbe
 }
 
 /** Refuses a uniform that is none of the inputs of a draw call and no parameter of the warp. */
-export function checkUniforms(method: string, uniforms: unknown, parameters: readonly string[]) {
+export function checkUniforms(method: string, uniforms: unknown, parameters: Iterable<string>) {
   if (uniforms === undefined) return
   if (typeof uniforms !== 'object' || uniforms === null || isList(uniforms))
     throw new WarpError(
@@ -123,11 +123,11 @@ export function checkUniforms(method: string, uniforms: unknown, parameters: rea
     throw new WarpError(
       `${method}: the uniforms are to be given by themselves, as in { millis: 1200 }, not as { uniforms: … }.`,
     )
-  const known = [...Object.keys(drawInputs), ...parameters]
+  const known = new Set([...Object.keys(drawInputs), ...parameters])
   for (const name of Object.keys(uniforms))
-    if (!known.includes(name))
+    if (!known.has(name))
       throw new WarpError(
-        `${method}: the warp has no uniform "${name}"; there are ${known.join(', ')}.`,
+        `${method}: the warp has no uniform "${name}"; there are ${[...known].join(', ')}.`,
       )
 }
 

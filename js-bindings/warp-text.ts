@@ -8,8 +8,9 @@ import {
   withCompilation,
 } from './compiled.js'
 import { type Compilation, resultName } from './compilation.js'
+import { isExpression } from './describe.js'
 import { WarpError, describe, describeShape } from './errors.js'
-import { Expression, toExpression } from './expression.js'
+import { type Expression, toExpression } from './expression.js'
 import {
   type InputName,
   drawInputs,
@@ -21,7 +22,7 @@ import {
 import { type KeptModule, type Target, checkTarget, writeText } from './kept-module.js'
 import { checkCallback, checkOptions } from './options.js'
 import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from './types.js'
-import type { Variable } from './shape.js'
+import type { Variable } from './shapes.js'
 import { type DeclaredUniforms, readDeclared, withUniforms } from './uniforms.js'
 
 /** The host shader's expression for each input; its name unless given. */
@@ -173,7 +174,7 @@ export const onSurface = (result: number) => (result < warpResults.normal ? resu
 /** Calls the offset function. */
 export function keepWarp(offsetFunction: OffsetFunction, settings: Settings): KeptWarp {
   const { method, target, names, normals, surfaceVariation, isAccepted } = settings
-  return withCompilation(target, false, (compilation) => {
+  return withCompilation(target, (compilation) => {
     const given: Record<string, Expression> = {}
     for (const [name, label] of Object.entries(names))
       given[name] = compilation.input(
@@ -233,22 +234,40 @@ export function writeWarp(
     inputs: given,
     results,
   })
-  const parameters = read.filter(({ number }) => !Object.values(inputs).includes(number))
-  const among = (known: Record<string, number>) =>
-    Object.keys(known).flatMap((name) => {
+  const known = new Set(Object.values(inputs))
+  const parameters = read.filter(({ number }) => !known.has(number))
+  const among = (sizes: Record<string, number>) =>
+    Object.keys(sizes).flatMap((name) => {
       const input = read.find(({ number }) => number === inputs[name])
       return input ? declared({ ...input, name }) : []
     })
+  const drawn = among(drawInputs)
+  refuseNamesakes(method, names, drawn, parameters)
   return {
     text: {
       code,
       declarations,
       stats,
-      uniforms: [...among(drawInputs), ...parameters.map(declared)],
+      uniforms: [...drawn, ...parameters.map(declared)],
       attributes: among(vertexInputs),
     },
     parameters,
   }
+}
+
+/** A parameter under the name of an input that the shader calls otherwise: both would be one uniform. */
+function refuseNamesakes(
+  method: string,
+  labels: Record<string, string>,
+  inputs: readonly Declared[],
+  parameters: readonly Variable[],
+) {
+  const taken = new Set(inputs.map(({ name }) => name))
+  for (const { name } of parameters)
+    if (taken.has(name))
+      throw new WarpError(
+        `${method}: the shader's "${name}" has the name of the input ${name}, which the warp reads as "${labels[name]}"; rename it.`,
+      )
 }
 
 /** Inputs that had one name when the function was called are one. */
@@ -288,11 +307,11 @@ function warpInputs(compilation: Compilation, inputs: Record<string, Expression>
 
 function checkOffset(compilation: Compilation, method: string, offset: unknown): Expression {
   const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
-  if (!(offset instanceof Expression))
+  if (!isExpression(offset))
     throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
-  toExpression(compilation, method, offset, 'the offset')
-  const [columns, rows] = compilation.shapeOf(offset)
+  const vector = toExpression(compilation, method, offset, 'the offset')
+  const [columns, rows] = compilation.shapeOf(vector)
   if (columns !== 1 || rows !== 3)
     throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)
-  return offset
+  return vector
 }

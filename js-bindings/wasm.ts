@@ -1,15 +1,20 @@
 // How each wasm module starts: it is inlined, packed and in base64, and compiled synchronously, so that `createWarp`
 // works in a plain `setup()`. The one that unpacks the others is not packed.
+import { WarpError } from './errors.js'
 import unpackModule from './generated/unpack-wasm.js'
 
 type Factory<Module> = (options: { wasmBinary: Uint8Array }) => Module
 
 /** A new instance, with a memory of its own. */
 export function instantiate<Module>(factory: Factory<Module>, base64: string): Module {
-  return factory({ wasmBinary: unpack(decode(base64)) })
+  const wasmBinary = unpack(decode(base64))
+  return orTooLarge(() => factory({ wasmBinary }))
 }
 
-export const open = (base64: string) => new WebAssembly.Module(unpack(decode(base64)))
+export function open(base64: string): WebAssembly.Module {
+  const bytes = unpack(decode(base64))
+  return orTooLarge(() => new WebAssembly.Module(bytes))
+}
 
 /** js-bindings/unpack.cpp. */
 interface Unpacker {
@@ -23,7 +28,7 @@ interface Unpacker {
 const headerSize = 13
 
 function unpack(packed: Uint8Array): Uint8Array<ArrayBuffer> {
-  const module = new WebAssembly.Module(decode(unpackModule))
+  const module = openUnpacker()
   const unpacker = new WebAssembly.Instance(module).exports as unknown as Unpacker
   const input = unpacker.__heap_base.value as number
   const output = input + packed.length
@@ -32,6 +37,35 @@ function unpack(packed: Uint8Array): Uint8Array<ArrayBuffer> {
   new Uint8Array(unpacker.memory.buffer).set(packed, input)
   unpacker.unpack(input + headerSize, output, size)
   return new Uint8Array(unpacker.memory.buffer, output, size)
+}
+
+/** Small, and of the first WebAssembly there was: what refuses it refuses all of them. */
+function openUnpacker(): WebAssembly.Module {
+  if (typeof WebAssembly !== 'object')
+    throw new WarpError(
+      'warpjet needs WebAssembly, which this browser lacks or has switched off, as the Lockdown Mode of iOS does.',
+    )
+  try {
+    return new WebAssembly.Module(decode(unpackModule))
+  } catch (cause) {
+    const error = new WarpError(
+      "warpjet needs WebAssembly, which the Content-Security-Policy of this page forbids; where the server's header or the page's <meta> tag sets that policy, add 'wasm-unsafe-eval' to its script-src, as in: script-src 'self' 'wasm-unsafe-eval'.",
+    )
+    throw Object.assign(error, { cause })
+  }
+}
+
+/** Chrome compiled no more than 4 KB in a page's own thread before version 114, and 8 MB since. */
+function orTooLarge<Result>(start: () => Result): Result {
+  try {
+    return start()
+  } catch (cause) {
+    if (!(cause instanceof RangeError && /main thread/.test(cause.message))) throw cause
+    const error = new WarpError(
+      'warpjet needs a browser that compiles WebAssembly of any size at once; update it (Chrome and Edge do since version 114).',
+    )
+    throw Object.assign(error, { cause })
+  }
 }
 
 function decode(text: string): Uint8Array<ArrayBuffer> {

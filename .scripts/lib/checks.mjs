@@ -7,6 +7,7 @@ import { cmakeBuild } from './cmake.mjs'
 import { checkHouse } from './house.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
+import { isEveryday, leftOut } from './tiers.mjs'
 
 const node = (...args) => run(process.execPath, args)
 const binary = (name) => path('node_modules', name)
@@ -44,13 +45,17 @@ async function cpp(preset) {
   ])
 }
 
-async function nodeTests(folder, ...options) {
-  const files = walk(folder, /\.test\.js$/)
+async function nodeTests(folder) {
+  const files = walk(folder, /\.test\.js$/).filter(
+    (file) => !(isEveryday() && file in leftOut.files),
+  )
   if (!files.length) throw new Stop(`There are no tests in ${folder}.`)
-  await node('--test', '--test-reporter=spec', ...options, ...files)
+  // Node's own choice is one file fewer than there are cores. The browsers of two files fill each other's pauses.
+  const concurrency = `--test-concurrency=${availableParallelism()}`
+  await node('--test', '--test-reporter=spec', concurrency, ...files)
 }
 
-/** `group` is what `npm test -- <group>` selects. */
+/** `group` is what `npm test -- <group>` selects; tiers.mjs names the titles that the everyday run leaves out. */
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
   {
@@ -64,15 +69,10 @@ export const checks = [
     work: () => node(binary('typescript/bin/tsc'), '--project', 'tsconfig.json'),
   },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
-  { group: 'cpp', title: 'C++ tests', work: () => cpp('native') },
-  { group: 'cpp', title: 'C++ tests under ASan and UBSan', work: () => cpp('sanitize') },
+  { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
+  { group: 'cpp', title: 'The same under ASan and UBSan', work: () => cpp('sanitize') },
   // From the committed seeds alone, so that it takes the same time everywhere.
   { group: 'fuzz', title: 'Fuzzing', work: () => fuzz({ seconds: 60, isKept: false }) },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },
-  // One after the other: each starts a browser that takes every core.
-  {
-    group: 'browser',
-    title: 'Browser tests',
-    work: () => nodeTests('tests/browser', '--test-concurrency=1'),
-  },
+  { group: 'browser', title: 'Browser tests', work: () => nodeTests('tests/browser') },
 ]

@@ -53,7 +53,7 @@ async function compiler() {
 const fuzzProbe = `extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }
 `
 
-/** For `npm run fuzz`: clang, and libFuzzer with the sanitizers, which Debian has in a package of its own. */
+/** For what runs under sanitizers: clang, and libFuzzer with the sanitizers, which Debian has in a package of its own. */
 async function libFuzzer() {
   const file = onPath('clang++')
   if (!file) return {}
@@ -78,6 +78,7 @@ export const requirements = [
     apt: ['g++'],
     advice: 'install g++ 11 or newer and name it in CXX',
   },
+  { name: 'ccache', find: program(['ccache'], '4.0'), apt: ['ccache'] },
   { name: "clang's libFuzzer", find: libFuzzer, apt: ['clang', 'libclang-rt-dev'] },
   {
     name: 'GoogleTest',

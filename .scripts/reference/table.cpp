@@ -1,5 +1,7 @@
 // Prints what the tables say for people and for types, as JSON. This program is only built
 // natively, so that none of these texts is in the wasm.
+#include "noise/table.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -14,7 +16,6 @@
 
 #include "builder/operations.hpp"
 #include "emit/dialect.hpp"
-#include "noise/noise.hpp"
 #include "texture/texture.hpp"
 
 namespace warpjet {
@@ -102,6 +103,11 @@ std::string heading(const Heading& each) {
 
 std::string language(const Dialect* each) {
   return object({{"name", text(each->name)}, {"source", text(each->sourceKey)}});
+}
+
+std::string_view useName(NoiseUse use) {
+  constexpr std::string_view names[] = {"base", "plain", "made", "fractal"};
+  return names[static_cast<std::size_t>(use)];
 }
 
 std::string noise(const NoiseRow& each) {

@@ -1,11 +1,10 @@
 // `npx warpjet bake`: a warped model as a file.
 import { writeFile } from 'node:fs/promises'
-import { resolve } from 'node:path'
 import { type CompiledWarp, compileWarp } from '../compile-warp.js'
 import { WarpError } from '../errors.js'
 import { type Mesh, type Uniforms, bakeWarp, exportGLB, loadMesh, subdivide } from '../mesh.js'
 import { mostTriangles } from '../mesh/subdivide.js'
-import { writing } from './files.js'
+import { areOneFile, writing } from './files.js'
 import { Progress, count } from './progress.js'
 import { type UsageError, readArguments, readCount, readPositive } from './usage.js'
 import { blame, readWarp } from './warp-file.js'
@@ -24,7 +23,7 @@ export async function bake(args: string[]): Promise<void> {
   const { output } = values
   if (output === undefined) throw wrong('bake needs -o and the name of the file to write.')
   if (!/\.glb$/i.test(output)) throw wrong(`bake writes .glb files, but -o is "${output}".`)
-  if (resolve(output) === resolve(model)) throw wrong('bake does not write over the model itself.')
+  if (await areOneFile(output, model)) throw wrong('bake does not write over the model itself.')
   const uniforms = readUniforms(values.set, wrong)
   const { subdivide: distance, 'max-triangles': most } = values
   if (most !== undefined && distance === undefined)

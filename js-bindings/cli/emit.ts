@@ -3,7 +3,7 @@ import { writeFile } from 'node:fs/promises'
 import { compileWarp } from '../compile-warp.js'
 import type { Declared } from '../compiled.js'
 import { targets, type Target } from '../kept-module.js'
-import { writing } from './files.js'
+import { areOneFile, writing } from './files.js'
 import { readArguments } from './usage.js'
 import { blame, readWarp } from './warp-file.js'
 
@@ -19,6 +19,9 @@ export async function emit(args: string[]): Promise<void> {
     throw wrong(`--target must be one of ${targets.join(', ')}, but is "${target}".`)
 
   const [file] = files as [string]
+  const { output } = values
+  if (output !== undefined && (await areOneFile(output, file)))
+    throw wrong('emit does not write over the warp itself.')
   const { offset, uniforms } = await readWarp(file)
   const { tangents, 'surface-variation': surfaceVariation } = values
   const warp = await blame(file, () =>
@@ -31,7 +34,6 @@ export async function emit(args: string[]): Promise<void> {
     warp.code.trimEnd(),
   ]
   const text = lines.join('\n') + '\n'
-  const { output } = values
   if (output === undefined) process.stdout.write(text)
   else await writing(output, () => writeFile(output, text))
 }

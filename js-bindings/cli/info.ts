@@ -1,5 +1,6 @@
 // `npx warpjet info`: what is in a model.
 import { type Mesh, loadMesh } from '../mesh.js'
+import { printable } from './printable.js'
 import { readArguments } from './usage.js'
 
 export async function info(args: string[]): Promise<void> {
@@ -7,7 +8,7 @@ export async function info(args: string[]): Promise<void> {
   const mesh = await loadMesh(files[0]!)
   const rows = Object.entries(describe(mesh)).map(([name, text]) => `${name.padEnd(11)} ${text}`)
   const notes = (mesh.warnings ?? []).map((warning) => `note        ${warning}`)
-  console.log([...rows, ...notes].join('\n'))
+  console.log([...rows, ...notes].map(printable).join('\n'))
 }
 
 function describe(mesh: Mesh): Record<string, string> {

@@ -1,4 +1,5 @@
 // What is told on the way, on stderr, so that stdout has only the result.
+import { printable } from './printable.js'
 
 export const count = (number: number, one: string, many = `${one}s`) =>
   `${number.toLocaleString('en-US')} ${number === 1 ? one : many}`
@@ -13,7 +14,7 @@ export class Progress {
   step(text: string) {
     if (this.isQuiet) return
     this.clear()
-    process.stderr.write(`${text}\n`)
+    process.stderr.write(`${printable(text)}\n`)
   }
 
   /** Takes away a line that `update` wrote. */

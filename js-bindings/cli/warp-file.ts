@@ -29,11 +29,18 @@ export async function readWarp(file: string): Promise<WarpFile> {
 
 async function load(file: string): Promise<Record<string, unknown>> {
   const url = pathToFileURL(resolve(file)).href
-  try {
-    return await import(/* @vite-ignore */ url)
-  } catch (error) {
-    throw new WarpError(sentence(file, url, error))
-  }
+  const forsaken = Symbol()
+  const given = await Promise.race([
+    import(/* @vite-ignore */ url).catch((error: unknown) => {
+      throw new WarpError(sentence(file, url, error))
+    }),
+    // Node, with nothing left to do, would end without a word.
+    new Promise<symbol>((resolve) => process.once('beforeExit', () => resolve(forsaken))),
+  ])
+  if (given !== forsaken) return given
+  throw new WarpError(
+    `${file} never ends: outside of its functions it awaits something that never comes.`,
+  )
 }
 
 function sentence(file: string, url: string, error: unknown): string {

@@ -1,6 +1,6 @@
 import { WarpError, describe, describeShape } from '../errors.js'
 import type { Expression } from '../expression.js'
-import { isList } from '../options.js'
+import { isCallable, isList } from '../options.js'
 import type { Glsl, Mat3, Mat4, OffsetFunction, UniformValues, Vec3, WarpInputs } from '../types.js'
 import { type OptionInputs, type OrFunction, isExpression } from './kinds.js'
 import { inputsAt, surfaceOf } from './places.js'
@@ -28,13 +28,13 @@ export function inSpace<Uniforms extends UniformValues = {}>(
   matrix: MatrixOption,
   warp: OffsetFunction<Uniforms>,
 ): OffsetFunction<Uniforms> {
-  if (typeof matrix !== 'function' && !isExpression(matrix)) checkNumbers(matrix)
+  if (!isCallable(matrix) && !isExpression(matrix)) checkNumbers(matrix)
   checkWarps('inSpace', [warp], 2)
   return (inputs) => {
     const { glsl } = inputs
     const { linear, shift } = readSpace(
       inputs,
-      typeof matrix === 'function' ? matrix(inputs as OptionInputs) : matrix,
+      isCallable(matrix) ? matrix(inputs as OptionInputs) : matrix,
     )
     const determinant = linear.determinant()
     const { position, normal } = surfaceOf(inputs)

@@ -1,5 +1,6 @@
 // What options of deformers may be: numbers, vectors and axes, each a constant, an expression, or a function of what the
 // offset function is given.
+import { isExpression as hasItsShape } from '../describe.js'
 import { isList } from '../options.js'
 import type { Glsl, Operand, Scalar, Vec3, WarpInputs } from '../types.js'
 
@@ -32,9 +33,7 @@ export interface Kind<Value> {
   make(glsl: Glsl, value: never): Value
 }
 
-/** An expression, known by its shape: the script for a <script> tag has no access to its class. */
-export const isExpression = (value: unknown): value is Scalar | Vec3 =>
-  typeof value === 'object' && value !== null && 'compilation' in value && 'handle' in value
+export const isExpression = (value: unknown): value is Scalar | Vec3 => hasItsShape(value)
 
 const isNumber = (value: unknown) =>
   typeof value === 'number' && Number.isFinite(Math.fround(value))

@@ -1,7 +1,7 @@
 // From what a caller hands to a deformer to what its formula works with. Constants are checked at once, what is computed
 // when the warp is made.
 import { WarpError, describe, describeShape } from '../errors.js'
-import { checkOptions } from '../options.js'
+import { checkOptions, isCallable } from '../options.js'
 import type { Expression } from '../expression.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types.js'
 import { type Kind, isExpression } from './kinds.js'
@@ -42,13 +42,13 @@ export function checkDeformerOptions(name: string, options: object | undefined, 
 /** Checks a constant; gives what makes the value inside of a warp. `place` names the option in messages. */
 export function reader<Value>(place: string, kind: Kind<Value>, given: unknown) {
   const value = given === undefined ? kind.standard : given
-  const isComputed = kind.rows !== 0 && typeof value === 'function'
+  const isComputed = kind.rows !== 0 && isCallable(value)
   const mustBe = isComputed ? returning(place, kind) : being(place, kind)
   const isKnown = kind.rows === 0 || !(isComputed || isExpression(value))
   if (isKnown && !kind.allows(value)) throw new WarpError(mustBe(describe(value)))
 
   return (inputs: WarpInputs): Value => {
-    const result: unknown = isComputed ? value(inputs) : value
+    const result: unknown = isComputed ? value(inputs as never) : value
     const wrong =
       kind.rows !== 0 && isExpression(result)
         ? wrongShape(place, kind.rows, result, inputs)

@@ -1,6 +1,7 @@
 // What all compositions check.
 import { WarpError, describe, describeShape } from '../errors.js'
 import type { Expression } from '../expression.js'
+import { isCallable } from '../options.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types.js'
 import { isExpression } from './kinds.js'
 
@@ -8,7 +9,7 @@ export function checkWarps(method: string, warps: readonly unknown[], first = 1)
   if (warps.length === 0)
     throw new WarpError(`${method}: at least one offset function was expected, but none came.`)
   warps.forEach((warp, i) => {
-    if (typeof warp !== 'function')
+    if (!isCallable(warp))
       throw new WarpError(
         `${method}: argument ${i + first} must be an offset function, such as twist({ angle: 1 }), but is ${describe(warp)}.`,
       )

@@ -1,10 +1,11 @@
 // `bakeWarp`: a mesh as a warp leaves it.
-import { type CpuWarp, type WarpProgram, warpProgram } from '../cpu-warp.js'
+import type { CpuWarp } from '../cpu-warp.js'
 import { WarpError, describe } from '../errors.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
 import { withJob } from './module.js'
 import { takeVariation } from './variation.js'
 import type { Uniforms, Vertices } from '../vertices.js'
+import { type WarpProgram, warpProgram } from '../warp-program.js'
 
 /** What of `compileWarp`'s result is used here. */
 export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {

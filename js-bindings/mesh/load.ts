@@ -20,9 +20,10 @@ export interface LoadOptions {
 type FurtherFiles = Map<string, Uint8Array>
 
 /**
- * Reads a model: .glb and .gltf (2.0), and .obj. All triangles of its scene become one mesh, each where its nodes place
- * it; missing normals are computed, and what is left out, such as animations, stands in `warnings`. `source` is bytes, a
- * Blob or File, or a URL, which in Node may be a path. Throws a `WarpError` for a file that cannot be read, or is broken
+ * Reads a model: .glb and .gltf (2.0), and .obj. All triangles of its scene become one mesh, each where its nodes and bones
+ * place it; missing normals are computed, colours outside 0 to 1 clamped to it (whole numbers to 255 in an .obj scaled),
+ * normals of other lengths scaled to 1; what is left out, such as animations, or put right stands in `warnings`. `source` is
+ * bytes, a Blob or File, or a URL, which in Node may be a path. Throws a `WarpError` for a file that cannot be read, or is broken
  * or too large.
  */
 export async function loadMesh(source: Source, options: LoadOptions = {}): Promise<Mesh> {

@@ -32,7 +32,7 @@ export interface Mesh {
   /** Three a triangle; without them, every three vertices are one. */
   indices?: Uint32Array
   material?: Material
-  /** What was left out of a file, in sentences. */
+  /** What was left out of a file or put right, in sentences. */
   warnings?: string[]
 }
 

@@ -225,6 +225,7 @@ function start(method: string): MeshModule {
   try {
     return getModule()
   } catch (cause) {
+    if (cause instanceof WarpError) throw cause
     const error = new WarpError(
       `${method}: meshes need WebAssembly with exceptions, which every current browser has and this one lacks.`,
     )

@@ -10,13 +10,28 @@ export type Source = Bytes | URL | string
 /** The bytes of a further file that a .gltf names, such as "scene.bin"; nothing if there is none. */
 export type Resolve = (uri: string) => Bytes | undefined | Promise<Bytes | undefined>
 
-declare const process: { versions?: { node?: string } } | undefined
+interface NodeModules {
+  'node:fs/promises': {
+    readFile(url: URL): Promise<Uint8Array>
+    realpath(path: string): Promise<string>
+  }
+  'node:url': { pathToFileURL(path: string): URL; fileURLToPath(url: URL | string): string }
+}
 
-const isNode = () => typeof process === 'object' && process.versions?.node !== undefined
+declare const process:
+  | {
+      versions?: { node?: string }
+      // Not import(), which bundlers follow, those for browsers into an error.
+      getBuiltinModule<Name extends keyof NodeModules>(name: Name): NodeModules[Name]
+    }
+  | undefined
 
-// In variables, or bundlers for browsers would look for them.
-const fileSystem = 'node:fs/promises'
-const nodeUrl = 'node:url'
+/** Node, or nothing. */
+const node = () => (typeof process === 'object' && process.versions?.node ? process : undefined)
+
+/** Why a browser gives nothing that lies at a file: address. */
+export const filesAreClosed =
+  'a page that was opened as a file may read no other file, so serve its folder, for example by: npx serve'
 
 /** Nothing is there. */
 class Missing extends WarpError {}
@@ -50,9 +65,9 @@ async function toBytes(source: unknown, method: string): Promise<Uint8Array | un
 /** A text as a URL: relative to the page, or in Node a path unless it says otherwise; anything else as it is. */
 export async function locate(source: unknown, method: string): Promise<unknown> {
   if (typeof source !== 'string') return source
-  if (isNode() && !/^([a-z][a-z\d+.-]*:\/\/|(file|data|blob):)/i.test(source)) {
-    const { pathToFileURL } = await import(/* @vite-ignore */ nodeUrl)
-    return pathToFileURL(source)
+  if (!/^([a-z][a-z\d+.-]*:\/\/|(file|data|blob):)/i.test(source)) {
+    const path = node()?.getBuiltinModule('node:url').pathToFileURL(source)
+    if (path) return path
   }
   const url = parsed(source, pageUrl())
   if (!url) throw new WarpError(`${method}: "${shorten(source)}" is no URL.`)
@@ -60,7 +75,7 @@ export async function locate(source: unknown, method: string): Promise<unknown> 
 }
 
 function pageUrl(): string | undefined {
-  if (isNode()) return undefined
+  if (node()) return undefined
   return typeof document === 'object' ? document.baseURI : globalThis.location?.href
 }
 
@@ -73,15 +88,15 @@ function parsed(text: string, base?: string | URL): URL | undefined {
 }
 
 async function fetchBytes(url: URL, method: string): Promise<Uint8Array> {
-  if (isNode() && url.protocol === 'file:') return readFile(url, method)
-  const sentence = (why: string) => `${method}: ${shorten(url.href)} cannot be loaded; ${why}.`
+  const files = url.protocol === 'file:' && node()?.getBuiltinModule('node:fs/promises')
+  if (files) return readFile(files, url, method)
+  const sentence = (why: string) => `${method}: ${addressOf(url)} cannot be loaded; ${why}.`
   let response: Response
   try {
     response = await fetch(url)
   } catch {
-    throw new WarpError(
-      sentence('there is no such server, or it does not allow this page to read from it'),
-    )
+    const unreachable = 'there is no such server, or it does not allow this page to read from it'
+    throw new WarpError(sentence(url.protocol === 'file:' ? filesAreClosed : unreachable))
   }
   const { ok, status } = response
   if (!ok)
@@ -93,10 +108,19 @@ async function fetchBytes(url: URL, method: string): Promise<Uint8Array> {
   }
 }
 
-async function readFile(url: URL, method: string): Promise<Uint8Array> {
-  const { readFile } = await import(/* @vite-ignore */ fileSystem)
+/** Without what follows the file's name, which must be seen; data: has no end. */
+function addressOf({ href }: URL): string {
+  const address = href.split(/[?#]/)[0]!
+  return address.length <= 160 ? address : `${address.slice(0, 60)}…${address.slice(-100)}`
+}
+
+async function readFile(
+  files: NodeModules['node:fs/promises'],
+  url: URL,
+  method: string,
+): Promise<Uint8Array> {
   try {
-    return await readFile(url)
+    return await files.readFile(url)
   } catch (error) {
     const { code } = error as { code?: string }
     // Percent signs that stand for nothing name no file.
@@ -115,6 +139,20 @@ function pathOf({ pathname }: URL): string {
   }
 }
 
+/** Whether no symbolic link leads from there out of the folder. */
+async function staysIn(folder: string, url: URL): Promise<boolean> {
+  const { realpath } = node()!.getBuiltinModule('node:fs/promises')
+  const { fileURLToPath, pathToFileURL } = node()!.getBuiltinModule('node:url')
+  try {
+    const file = pathToFileURL(await realpath(fileURLToPath(url)))
+    const home = pathToFileURL((await realpath(fileURLToPath(folder))) + '/')
+    return file.href.startsWith(home.href)
+  } catch {
+    // It does not exist, or nobody may look there.
+    return false
+  }
+}
+
 /**
  * The further files of a model where it lies itself: only those beside or below it, so that a file from a stranger reads
  * nothing else. Nothing for those that are not there, since a model can do without its pictures.
@@ -125,6 +163,7 @@ export function resolveBeside(model: URL, method: string): Resolve {
   return async (uri) => {
     const url = parsed(uri, model)
     if (folder === undefined || !url?.href.startsWith(folder)) return undefined
+    if (node() && url.protocol === 'file:' && !(await staysIn(folder, url))) return undefined
     try {
       return await fetchBytes(url, method)
     } catch (error) {

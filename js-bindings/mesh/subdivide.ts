@@ -1,9 +1,10 @@
 // `subdivide`: more triangles, where a warp needs them.
-import { type CpuWarp, warpProgram } from '../cpu-warp.js'
+import type { CpuWarp } from '../cpu-warp.js'
 import { WarpError, describe } from '../errors.js'
 import { checkOptions } from '../options.js'
 import { settled } from '../uniforms.js'
 import type { Uniforms } from '../vertices.js'
+import { warpProgram } from '../warp-program.js'
 import { type Evaluates, asksForVariation, checkWarp, evaluateFor } from './bake.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
 import { type Job, withJob } from './module.js'

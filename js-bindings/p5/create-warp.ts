@@ -3,7 +3,14 @@ import { type KeptWarp, keepWarp, readOptions as readWarpOptions, writeWarp } fr
 import { WarpError, describe } from '../errors.js'
 import { noteApproximation } from '../notes.js'
 import { hookStyleOf, namesFor, results, weave } from './hooks.js'
-import { type Canvas, type Shader, materialOf, webglOf } from './host.js'
+import {
+  type Canvas,
+  type Shader,
+  drawsNormals,
+  materialOf,
+  rememberNormals,
+  webglOf,
+} from './host.js'
 import { type CreateWarpOptions, type WarpSettings, type WarpType, readOptions } from './options.js'
 import { checkCallback } from '../options.js'
 import type { OffsetFunction, UniformOverrides } from '../types.js'
@@ -47,10 +54,11 @@ export function createWarp(
     // setAttributes() and a second createCanvas() make a new renderer, where the old one's shaders mean nothing.
     if (renderer !== written.renderer) written = writeFor(canvas, warp, settings)
 
-    const followed = materialOf(renderer)._useNormalMaterial ? 'normal' : 'specular'
-    const shader = written.shaderFor(settings.type ?? followed)
+    const isNormal = drawsNormals(renderer)
+    const shader = written.shaderFor(settings.type ?? (isNormal ? 'normal' : 'specular'))
     if (written.varies && settings.surfaceVariation === undefined) noteUnlessUsed()
     canvas.shader(shader)
+    if (isNormal) rememberNormals(renderer, shader)
     canvas.noStroke()
     setInputs(shader, written.inputs, canvas)
     setUniforms(shader, uniforms, settings)

@@ -28,6 +28,12 @@ export interface Shader {
 interface MaterialState {
   readonly userFillShader?: Shader | null
   readonly _useNormalMaterial?: boolean
+  // Each call of fill, texture and the other materials makes one of these anew.
+  readonly curFillColor?: unknown
+  readonly curAmbientColor?: unknown
+  readonly curEmissiveColor?: unknown
+  readonly curSpecularColor?: unknown
+  readonly _tex?: unknown
 }
 
 /** On 1.11 the material is a set of fields of the renderer itself, on 2.x it lies in `states`. */
@@ -58,6 +64,33 @@ export interface Canvas {
 export const sketchOf = (canvas: Canvas): Canvas => canvas._pInst ?? canvas
 
 export const materialOf = (renderer: Renderer): MaterialState => renderer.states ?? renderer
+
+/** For a warp's shader that p5 draws normals with: what else of the material there was then. */
+const besideNormals = new WeakMap<Shader, unknown[]>()
+
+/** To be called when a warp's shader was put on under `normalMaterial()`. */
+export function rememberNormals(renderer: Renderer, shader: Shader) {
+  besideNormals.set(shader, othersOf(materialOf(renderer)))
+}
+
+/**
+ * Whether the sketch draws by `normalMaterial()`. p5 forgets it where a shader is put on, such as a warp's, and pop()
+ * brings that shader back without it: so it holds as long as the shader is there and no other material came.
+ */
+export function drawsNormals(renderer: Renderer): boolean {
+  const material = materialOf(renderer)
+  if (material._useNormalMaterial) return true
+  const others = material.userFillShader && besideNormals.get(material.userFillShader)
+  return others?.every((value, i) => value === othersOf(material)[i]) ?? false
+}
+
+const othersOf = (material: MaterialState) => [
+  material.curFillColor,
+  material.curAmbientColor,
+  material.curEmissiveColor,
+  material.curSpecularColor,
+  material._tex,
+]
 
 const removed = new WeakSet<Canvas>()
 

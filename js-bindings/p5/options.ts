@@ -54,17 +54,18 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
     )
   const uniforms = readDeclared('createWarp', options.uniforms)
+  const defined = uniformsIn(defs)
   for (const name of uniforms.keys())
-    if (declaresUniform(defs, name))
+    if (defined.has(name))
       throw new WarpError(
         `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
       )
   return { uniforms, type, space, defs, surfaceVariation }
 }
 
-/** Whether GLSL such as `uniform float size, amount;` has a uniform of that name. */
-const declaresUniform = (defs: string, name: string) =>
-  (defs.match(/\buniform\b[^;]*/g) ?? []).some((text) => text.match(/\w+/g)!.includes(name))
+/** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */
+const uniformsIn = (defs: string) =>
+  new Set((defs.match(/\buniform\b[^;]*/g) ?? []).flatMap((text) => text.match(/\w+/g)!))
 
 function mustBeOneOf(option: string, choices: string[], value: unknown) {
   if (choices.includes(value as string)) return

@@ -1,7 +1,7 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
-import type { Declared } from '../compiled.js'
 import { WarpError, describe } from '../errors.js'
-import { type Shape, type Variable, typeOf } from '../shape.js'
+import type { Declared } from '../compiled.js'
+import { type Shape, type Variable, typeOf } from '../shapes.js'
 import {
   type DeclaredUniforms,
   componentsOf,
@@ -11,6 +11,7 @@ import {
   unlisted,
 } from '../uniforms.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
+import { own } from '../options.js'
 import type { WarpSettings } from './options.js'
 
 /** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
@@ -47,7 +48,7 @@ export const inputUniforms = Object.fromEntries(
 
 /** The inputs among the `uniforms` of a compiled warp, where the sketch's own parameters are too. */
 const inputsAmong = (read: readonly Declared[]) =>
-  read.flatMap(({ name, type }) => (name in inputs ? { type, ...inputs[name]! } : []))
+  read.flatMap(({ name, type }) => (Object.hasOwn(inputs, name) ? { type, ...inputs[name]! } : []))
 
 export const uniformDeclarations = (read: readonly Declared[]) =>
   inputsAmong(read)
@@ -60,9 +61,11 @@ export const labelsOf = (declared: DeclaredUniforms) =>
 
 /** Of those that the warp reads, which `parameters` tells. */
 export function declarationsOf(declared: DeclaredUniforms, parameters: readonly Variable[]) {
-  const labels = [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`])
+  const labels = new Set(
+    [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`]),
+  )
   return parameters
-    .filter(({ name }) => labels.includes(name))
+    .filter(({ name }) => labels.has(name))
     .map(({ name, shape }) => `uniform ${precisely(shape)} ${name};\n`)
     .join('')
 }
@@ -132,11 +135,12 @@ export function setUniforms(
   { defs, uniforms: declared }: WarpSettings,
 ) {
   setDeclared(shader, given, declared)
+  const words = new Set(defs.match(/\w+/g))
   for (const [name, value] of Object.entries(given)) {
     if (declared.has(name)) continue
-    const uniform = shader.uniforms[name]
+    const uniform = own(shader.uniforms, name) as Uniform | undefined
     if (uniform) shader.setUniform(name, readValue(name, value, uniform))
-    else if (!defs.match(/\w+/g)?.includes(name))
+    else if (!words.has(name))
       throw new WarpError(
         declared.size
           ? `The warp has no uniform "${name}"; there are ${listed(declared)}.`

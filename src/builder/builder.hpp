@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -132,6 +133,8 @@ class Builder {
   Values values_;
   std::vector<Value> operands_;
   std::vector<Label> labels_;  // by input
+  // By the root of their labels: there may be thousands.
+  std::map<std::string, std::vector<std::uint32_t>, std::less<>> numbers_;
   std::size_t commented_ = 0;
   std::vector<NodeId> pendingCalls_;
   std::vector<bool> needed_;  // kept for its memory

@@ -31,12 +31,14 @@ void Builder::nameInput(std::uint32_t number, const Label& label, std::string_vi
   module_.methods.resize(number + 1);
   labels_[number] = label;
   module_.methods[number] = method;
+  numbers_[label.root].push_back(number);
 }
 
 // What was asked for before, or a part of it; nothing if it is new. The value in it is missing if
 // it cannot be told.
 std::optional<std::optional<Value>> Builder::knownInput(std::string_view method, const Label& label,
                                                         Shape shape) {
+  const std::vector<std::uint32_t>& beside = numbers_[label.root];
   const auto refused = [&](Parts parts) {
     refuse(method, parts);
     return std::optional(std::optional<Value>());
@@ -46,20 +48,21 @@ std::optional<std::optional<Value>> Builder::knownInput(std::string_view method,
       return Expression{&graph_, graph_.component(input, indices[i])};
     });
   };
-  for (std::uint32_t i = 0; i < labels_.size(); ++i) {
+  for (const std::uint32_t i : beside) {
     if (labels_[i].text != label.text) continue;
     const Shape known = graph_.input(i).shape;
     if (known == shape) return wholeInput(i);
     return refused({quotedShort(label.text), " was read as ", shapeName(known),
                     " before, and now as ", shapeName(shape), "."});
   }
-  for (std::uint32_t i = 0; i < labels_.size(); ++i) {
+  for (const std::uint32_t i : beside) {
     const Shape known = graph_.input(i).shape;
     const auto part = partOf(labels_[i], known, label);
     if (part && static_cast<int>(part->size()) == shape.size()) return components(i, *part);
     if (isWithin(label, labels_[i]) && !known.isNumber()) return std::nullopt;
   }
-  for (const Label& known : labels_) {
+  for (const std::uint32_t i : beside) {
+    const Label& known = labels_[i];
     if (!mayMeet(known, label)) continue;
     const std::string_view whole = isWithin(known, label) && shape.isMatrix() ? "matrix" : "vector";
     if (isWithin(known, label))
@@ -82,16 +85,16 @@ std::uint32_t Builder::inputOf(int handle) {
 }
 
 int Builder::addFunction(std::string_view name, const std::vector<HostText>& sources, int arity) {
-  const auto refuseName = [&](std::string_view why, std::string_view detail = ".") {
-    refuse("fn", {quotedShort(name), why, detail});
+  const auto refuseName = [&](std::string_view why) {
+    refuse("fn", {quotedShort(name), why, "."});
     return failed;
   };
   if (name.starts_with("warpjet"))
-    return refuseName(" cannot name a function: such names are warpjet's own; rename it.", "");
-  for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
-    if (graph_.function(i).name != name) continue;
-    if (module_.sources[i] == sources && graph_.function(i).arity == arity)
-      return static_cast<int>(i);
+    return refuseName(" cannot name a function: such names are warpjet's own; rename it");
+  if (const auto known = graph_.functionNamed(name)) {
+    const bool isSame = !graph_.function(*known).isOurs() && module_.sources[*known] == sources &&
+                        graph_.function(*known).arity == arity;
+    if (isSame) return static_cast<int>(*known);
     return refuseName(" is the name of another function already; rename one");
   }
   if (arity < 1) return refuseName(" must have at least one argument");

@@ -32,31 +32,15 @@ class Sum {
 
 }  // namespace
 
-Differentiator::Tangents& Differentiator::tangentsBy(NodeId input) {
-  for (Tangents& tangents : tangents_) {
-    if (tangents.input == input) return tangents;
-  }
-  return tangents_.emplace_back(Tangents{input});
+void Differentiator::forgetIfTooMuch() {
+  if (bytes_ < mostBytes) return;
+  tangents_.clear();
+  components_.clear();
+  bytes_ = 0;
 }
 
-const Differentiator::Components& Differentiator::componentsOf(std::uint32_t input) {
-  std::size_t place = 0;
-  while (place < components_.size() && components_[place].input != input) ++place;
-  if (place == components_.size()) components_.push_back({input});
-  auto& bits = components_[place].bits;
-  std::size_t i = bits.size();
-  bits.resize(graph_.size());
-  for (; i < bits.size(); ++i) {
-    const NodeId id{static_cast<std::uint32_t>(i)};
-    const Node& node = graph_.node(id);
-    if (graph_.isInput(id) && node.operands[0] == input) bits[i] = 1u << node.operands[1];
-    for (int k = 0; k < graph_.arity(id); ++k) bits[i] |= bits[index(graph_.operand(id, k))];
-  }
-  return components_[place];
-}
-
-NodeId Differentiator::whole(NodeId id, const Tangents& tangents) {
-  return graph_.apply(ops::find("mult"), {tangents.factors[index(id)], tangents.bases[index(id)]});
+NodeId Differentiator::whole(const Tangent& tangent) {
+  return graph_.apply(ops::find("mult"), {tangent.factor, tangent.base});
 }
 
 // The base of all operands, if they depend on the same components as the node does. A choice begins
@@ -68,28 +52,26 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Tangents& tang
                             ops::find("clamp")};
   if (std::find(std::begin(choices), std::end(choices), graph_.node(id).op) != std::end(choices))
     return {};
-  const auto& bits = components.bits;
   std::optional<NodeId> base;
   for (int i = 0; i < graph_.arity(id); ++i) {
     const NodeId operand = graph_.operand(id, i);
-    if (bits[index(operand)] == 0) continue;
+    if (components[operand] == 0) continue;
     // The arguments of a call, each with a tangent.
     if (graph_.isList(operand) || graph_.isResult(id)) return {};
-    if (bits[index(operand)] != bits[index(id)]) return {};
-    if (base && tangents.bases[index(operand)] != *base) return {};
-    base = tangents.bases[index(operand)];
+    if (components[operand] != components[id]) return {};
+    if (base && tangents[operand].base != *base) return {};
+    base = tangents[operand].base;
   }
   return base;
 }
 
 void Differentiator::findTangent(NodeId id, Tangents& tangents, const Components& components) {
-  NodeId& factor = tangents.factors[index(id)] = graph_.constant(1);
-  NodeId& base = tangents.bases[index(id)] = graph_.constant(1);
+  auto& [factor, base] = tangents.set(id) = {graph_.constant(1), graph_.constant(1)};
   // Not zero; who reads the call asks for the tangent of each argument.
   if (graph_.isList(id) || graph_.isOurCall(id)) return;
   const auto common = commonBase(id, tangents, components);
   (common ? factor : base) = chainRule(id, [&](NodeId operand) {
-    return common ? tangents.factors[index(operand)] : whole(operand, tangents);
+    return common ? tangents[operand].factor : whole(tangents[operand]);
   });
   if (common) base = *common;
 }
@@ -114,30 +96,39 @@ NodeId Differentiator::chainRule(NodeId id, TangentOf tangent) {
 }
 
 NodeId Differentiator::derivative(NodeId root, NodeId input) {
-  const Components& components = componentsOf(graph_.node(input).operands[0]);
-  Tangents& tangents = tangentsBy(input);
-  tangents.factors.resize(graph_.size(), unknown);
-  tangents.bases.resize(graph_.size(), unknown);
+  forgetIfTooMuch();
+  const std::uint32_t variable = graph_.node(input).operands[0];
+  Components& components = components_[variable];
+  Tangents& tangents = tangents_[input];
+  const std::size_t before = components.bytes() + tangents.bytes();
   const NodeId zero = graph_.constant(0), one = graph_.constant(1);
-  const auto isKnown = [&](NodeId id) { return tangents.factors[index(id)] != unknown; };
+  const auto isKnown = [&](NodeId id) { return tangents[id].factor != unknown; };
   const auto dependsOnInput = [&](NodeId id) {
     for (int i = 0; i < graph_.arity(id); ++i) {
-      if (tangents.factors[index(graph_.operand(id, i))] != zero) return true;
+      if (tangents[graph_.operand(id, i)].factor != zero) return true;
     }
     return false;
   };
+  const auto componentsOf = [&](NodeId id) {
+    const Node& node = graph_.node(id);
+    const bool isOfInput = graph_.isInput(id) && node.operands[0] == variable;
+    std::uint32_t bits = isOfInput ? 1u << node.operands[1] : 0;
+    for (int i = 0; i < graph_.arity(id); ++i) bits |= components[graph_.operand(id, i)];
+    return bits;
+  };
 
   for (const NodeId id : reachable(graph_, {&root, 1}, isKnown)) {
-    NodeId& factor = tangents.factors[index(id)] = zero;
-    NodeId& base = tangents.bases[index(id)] = one;
+    if (const std::uint32_t bits = componentsOf(id)) components.set(id) = bits;
+    Tangent& tangent = tangents.set(id) = {zero, one};
     if (id == input) {
-      factor = one;
+      tangent.factor = one;
     } else if (dependsOnInput(id)) {
       findTangent(id, tangents, components);
-      if (base == zero) factor = zero;
+      if (tangent.base == zero) tangent.factor = zero;
     }
   }
-  return whole(root, tangents);
+  bytes_ += components.bytes() + tangents.bytes() - before;
+  return whole(tangents[root]);
 }
 
 }  // namespace warpjet

@@ -4,9 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
-#include <vector>
 
+#include "diff/paged.hpp"
 #include "graph/graph.hpp"
 
 namespace warpjet {
@@ -19,34 +20,38 @@ class Differentiator {
   // Calls of the host's functions on the way must have their partials.
   NodeId derivative(NodeId root, NodeId input);
 
+  // What it remembers for later derivatives.
+  std::size_t bytes() const { return bytes_; }
+
  private:
-  // By node index, its derivative as a product: the base is the derivative of an earlier node, the
-  // factor what the chain rule has made since. Where all components of an input have come by that
-  // node, the factor is the same for each of them, so that the columns of a Jacobian share it.
-  struct Tangents {
-    NodeId input;
-    std::vector<NodeId> factors = {}, bases = {};
-  };
-  // By node index, on which components of an input it depends, a bit each.
-  struct Components {
-    std::uint32_t input;
-    std::vector<std::uint32_t> bits = {};
-  };
   static constexpr NodeId unknown{~std::uint32_t{0}};
 
-  Tangents& tangentsBy(NodeId input);
-  const Components& componentsOf(std::uint32_t input);
+  // A node's derivative as a product: the base is the derivative of an earlier node, the factor
+  // what the chain rule has made since. Where all components of an input have come by that node,
+  // the factor is the same for each of them, so that the columns of a Jacobian share it.
+  struct Tangent {
+    NodeId factor = unknown, base = unknown;
+  };
+  using Tangents = Paged<Tangent>;
+  // On which components of an input a node depends, a bit each.
+  using Components = Paged<std::uint32_t>;
+
+  // What is remembered, at most, but for one derivative; then all is forgotten, and found again
+  // where it is needed. Hundreds of parameters of a million nodes would take all memory.
+  static constexpr std::size_t mostBytes = std::size_t{1} << 27;
+
+  void forgetIfTooMuch();
   void findTangent(NodeId id, Tangents& tangents, const Components& components);
   std::optional<NodeId> commonBase(NodeId id, const Tangents& tangents,
                                    const Components& components) const;
   template <class TangentOf>
   NodeId chainRule(NodeId id, TangentOf tangent);
-  NodeId whole(NodeId id, const Tangents& tangents);
+  NodeId whole(const Tangent& tangent);
 
   Graph& graph_;
-  // There are few inputs.
-  std::vector<Tangents> tangents_;
-  std::vector<Components> components_;
+  std::map<NodeId, Tangents> tangents_;
+  std::map<std::uint32_t, Components> components_;  // by input
+  std::size_t bytes_ = 0;                           // of both
 };
 
 }  // namespace warpjet

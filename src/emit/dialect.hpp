@@ -27,6 +27,7 @@ struct Dialect {
   std::string_view builtIns;      // variables of the language that an expression may read
   std::string_view otherTypes;    // those of them that are no floats
   std::string_view keywords;      // these, and all words reserved for later
+  std::string_view functions;     // of the language
   std::size_t longestName;
 
   // Types, by float and bool; of vectors from two components up, of matrices by columns and rows

@@ -2,9 +2,9 @@
 
 namespace warpjet {
 
-// The GLSL ES 1.00 specification, section 3.6. WebGL 1 cannot ask an image for its size, so that it
-// is a variable of the host like others. Texels are read at their centres, where not even a linear
-// filter mixes neighbours.
+// The GLSL ES 1.00 specification, sections 3.6 and 8, and its extensions in WebGL. WebGL 1 cannot
+// ask an image for its size, so that it is a variable of the host like others. Texels are read at
+// their centres, where not even a linear filter mixes neighbours.
 const Dialect glsl100{
     .name = "glsl100",
     .language = ops::Language::Glsl100,
@@ -25,6 +25,14 @@ const Dialect glsl100{
         "fixed unsigned superp input output hvec2 hvec3 hvec4 dvec2 dvec3 dvec4 fvec2 fvec3 "
         "fvec4 sampler1D sampler3D sampler1DShadow sampler2DShadow sampler2DRect sampler3DRect "
         "sampler2DRectShadow sizeof cast namespace using ",
+    .functions =
+        " radians degrees sin cos tan asin acos atan pow exp log exp2 log2 sqrt inversesqrt abs "
+        "sign floor ceil fract mod min max clamp mix step smoothstep length distance dot cross "
+        "normalize faceforward reflect refract matrixCompMult lessThan lessThanEqual greaterThan "
+        "greaterThanEqual equal notEqual any all not texture2D texture2DProj texture2DLod "
+        "texture2DProjLod textureCube textureCubeLod texture2DLodEXT texture2DProjLodEXT "
+        "textureCubeLodEXT texture2DGradEXT texture2DProjGradEXT textureCubeGradEXT dFdx dFdy "
+        "fwidth ",
     .longestName = glsl::longestName,
     .numbers = glsl::numbers,
     .vectors = glsl::vectors,

@@ -2,7 +2,7 @@
 
 namespace warpjet {
 
-// The GLSL ES 3.00 specification, section 3.8.
+// The GLSL ES 3.00 specification, sections 3.8 and 8.
 const Dialect glsl300{
     .name = "glsl300",
     .language = ops::Language::Glsl300,
@@ -37,6 +37,17 @@ const Dialect glsl300{
         "isampler2DRect usampler2DRect samplerExternalOES image1DShadow image2DShadow "
         "samplerBuffer isamplerBuffer usamplerBuffer sampler2DMS isampler2DMS usampler2DMS "
         "sampler2DMSArray isampler2DMSArray usampler2DMSArray sizeof cast namespace using ",
+    .functions =
+        " radians degrees sin cos tan asin acos atan pow exp log exp2 log2 sqrt inversesqrt abs "
+        "sign floor ceil fract mod min max clamp mix step smoothstep length distance dot cross "
+        "normalize faceforward reflect refract matrixCompMult lessThan lessThanEqual greaterThan "
+        "greaterThanEqual equal notEqual any all not sinh cosh tanh asinh acosh atanh trunc "
+        "round roundEven modf isnan isinf floatBitsToInt floatBitsToUint intBitsToFloat "
+        "uintBitsToFloat packSnorm2x16 unpackSnorm2x16 packUnorm2x16 unpackUnorm2x16 "
+        "packHalf2x16 unpackHalf2x16 outerProduct transpose determinant inverse textureSize "
+        "texture textureProj textureLod textureOffset texelFetch texelFetchOffset "
+        "textureProjOffset textureLodOffset textureProjLod textureProjLodOffset textureGrad "
+        "textureGradOffset textureProjGrad textureProjGradOffset dFdx dFdy fwidth ",
     .longestName = glsl::longestName,
     .numbers = glsl::numbers,
     .vectors = glsl::vectors,

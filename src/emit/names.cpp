@@ -61,6 +61,20 @@ std::string outputProblem(const Dialect& dialect, std::string_view name) {
   return reservedProblem(dialect, name);
 }
 
+std::string functionProblem(const Dialect& dialect, std::string_view name) {
+  if (name == "main") return "it is the function that a shader begins with";
+  if (name.starts_with(ourPrefix)) return "such names are warpjet's own; rename it";
+  if (Dialect::holds(dialect.functions, name))
+    return quoted(name) + " is a function of " + std::string(dialect.family);
+  return outputProblem(dialect, name);
+}
+
+bool isCalled(std::string_view text, std::string_view word) {
+  const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
+  const std::size_t next = text.find_first_not_of(" \t\n", end);
+  return next != text.npos && text[next] == '(';
+}
+
 bool isPlainVariable(std::string_view text) {
   bool atStart = true;
   for (const char c : text) {
@@ -73,7 +87,7 @@ bool isPlainVariable(std::string_view text) {
 void Temporaries::reserve(std::string_view text) {
   for (const std::string_view name : identifiers(text)) {
     const bool isLikeOurs = name.size() > 1 && name[0] == 't' && isDigit(name[1]);
-    if (isLikeOurs) used_.emplace_back(name);
+    if (isLikeOurs) used_.emplace(name);
   }
 }
 
@@ -81,7 +95,7 @@ std::string Temporaries::next() {
   std::string name;
   do {
     name = 't' + std::to_string(count_++);
-  } while (std::find(used_.begin(), used_.end(), name) != used_.end());
+  } while (used_.contains(name));
   return name;
 }
 

@@ -1,6 +1,7 @@
 // Names and expressions that come from outside: are they safe to write into a shader?
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,15 @@ std::string inputProblem(const Dialect& dialect, std::string_view text);
 // What is wrong with the name of a result, or nothing.
 std::string outputProblem(const Dialect& dialect, std::string_view name);
 
+// What is wrong with the name of a function of the host, or nothing.
+std::string functionProblem(const Dialect& dialect, std::string_view name);
+
+// How the names of our own functions begin.
+inline constexpr std::string_view ourPrefix = "warpjet";
+
+// Whether a word of a text, one of its `identifiers`, is what is called there.
+bool isCalled(std::string_view text, std::string_view word);
+
 // Whether a text is an identifier, perhaps with members: `position`, `inputs.uv`.
 bool isPlainVariable(std::string_view text);
 
@@ -26,7 +36,7 @@ class Temporaries {
   std::string next();
 
  private:
-  std::vector<std::string> used_;
+  std::set<std::string, std::less<>> used_;
   int count_ = 0;
 };
 

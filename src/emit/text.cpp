@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <set>
 
-#include "emit/bundle.hpp"
 #include "emit/functions.hpp"
 #include "emit/lower.hpp"
 #include "emit/names.hpp"
@@ -17,12 +17,9 @@ namespace {
 
 // Whether a text defines or calls a function of that name.
 bool hasCall(std::string_view text, std::string_view name) {
-  for (const std::string_view word : identifiers(text)) {
-    const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
-    const std::size_t next = text.find_first_not_of(" \t\n", end);
-    if (word == name && next != text.npos && text[next] == '(') return true;
-  }
-  return false;
+  const auto words = identifiers(text);
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return word == name && isCalled(text, word); });
 }
 
 class TextWriter {
@@ -38,7 +35,7 @@ class TextWriter {
     if (!isFine) return {{}, problem_};
     Text text = compose();
     if (isFull_) refuse("A result", {tooLarge});
-    if (isFull_ || hidesWhatIsRead(text.emitted)) return {{}, problem_};
+    if (isFull_ || hidesWhatIsRead(text)) return {{}, problem_};
     return {std::move(text)};
   }
 
@@ -106,7 +103,7 @@ class TextWriter {
         return refuse("fn", {"the option \"source\" of ", function.name, " must be a text of ",
                              dialect_.family, " for the target ", dialect_.name,
                              ", or an object { ", key, ": … } with one."});
-      if (const std::string why = outputProblem(dialect_, function.name); !why.empty())
+      if (const std::string why = functionProblem(dialect_, function.name); !why.empty())
         return refuse("fn", {quotedShort(function.name), " cannot name a function: ", why, "."});
       if (!hasCall(sourceOf(i)->text, function.name))
         return refuse("fn", {quotedShort(function.name),
@@ -129,11 +126,8 @@ class TextWriter {
       const auto& [name, shape, components, method] = outputs_[i];
       if (const std::string why = outputProblem(dialect_, name); !why.empty())
         return refuse(method, {quotedShort(name), " cannot name a result: ", why, "."});
-      for (std::size_t k = 0; k < i; ++k) {
-        if (outputs_[k].name == name)
-          return refuse(method,
-                        {"there are two results named ", quotedShort(name), "; rename one."});
-      }
+      if (!outputNames_.insert(name).second)
+        return refuse(method, {"there are two results named ", quotedShort(name), "; rename one."});
       if (dialect_.typeName(ops::Type::Float, shape).empty())
         return refuse(method, {"the result ", quotedShort(name), " is ", shapeName(shape), ", but ",
                                dialect_.lacks, "."});
@@ -182,34 +176,34 @@ class TextWriter {
     isFull_ = (&graph != &graph_ && graph.full()) || library.isFull();
   }
 
-  // A result named like a variable or function that the text reads would hide it.
-  bool hidesWhatIsRead(const Emitted& emitted) {
-    const auto refuses = [&](std::string_view name, std::string_view read) {
-      for (const Output& output : outputs_) {
-        if (output.name != name) continue;
-        refuse({}, {"The result ", quotedShort(name),
-                    " has the name of a variable or function that is read for it (",
-                    quotedShort(read), "); rename the result."});
-        return true;
-      }
-      return false;
+  // A result named like a variable or function that the text reads would hide it, and a variable
+  // cannot have the name of a function.
+  bool hidesWhatIsRead(const Text& text) {
+    const auto refusesResult = [&](std::string_view name, std::string_view read) {
+      if (!outputNames_.contains(name)) return false;
+      refuse({}, {"The result ", quotedShort(name),
+                  " has the name of a variable or function that is read for it (",
+                  quotedShort(read), "); rename the result."});
+      return true;
     };
-    for (const std::uint32_t i : emitted.inputs) {
+    std::set<std::string_view> variables;
+    for (const std::uint32_t i : text.emitted.inputs) {
       for (const std::string_view word : identifiers(inputs_[i])) {
-        if (refuses(word, inputs_[i])) return true;
+        if (refusesResult(word, inputs_[i])) return true;
+        if (!isCalled(inputs_[i], word)) variables.insert(word);
       }
     }
-    std::vector<std::string> called;
-    for (const std::uint32_t i : emitted.functions) called.push_back(graph_.function(i).name);
-    for (const auto& [number, order] : emitted.ourFunctions)
-      called.push_back(nameWithDerivatives(graph_.function(number), order));
-    for (const std::string& name : called) {
-      if (refuses(name, name)) return true;
-      for (const std::uint32_t input : emitted.inputs) {
-        if (inputs_[input] != name) continue;
-        refuse({}, {quotedShort(name), " is both a variable and a function; rename one."});
-        return true;
-      }
+    std::vector<std::string_view> functions;
+    for (const std::uint32_t i : text.emitted.functions)
+      functions.push_back(graph_.function(i).name);
+    for (const std::string_view word : identifiers(text.declarations)) {
+      if (word.starts_with(ourPrefix)) functions.push_back(word);
+    }
+    for (const std::string_view name : functions) {
+      if (refusesResult(name, name)) return true;
+      if (!variables.contains(name)) continue;
+      refuse({}, {quotedShort(name), " is both a variable and a function; rename one."});
+      return true;
     }
     return false;
   }
@@ -220,6 +214,7 @@ class TextWriter {
   const TextOptions& options_;
   std::vector<std::string> inputs_;  // by number, the host's text
   std::vector<Output> outputs_;
+  std::set<std::string, std::less<>> outputNames_;
   bool isFull_ = false;
   std::string problem_;
 };

@@ -2,7 +2,7 @@
 
 namespace warpjet {
 
-// The WebGPU Shading Language, W3C, sections 6 and 16.
+// The WebGPU Shading Language, W3C, sections 6, 16 and 17.
 const Dialect wgsl{
     .name = "wgsl",
     .language = ops::Language::Wgsl,
@@ -35,7 +35,34 @@ const Dialect wgsl{
         "using varying virtual volatile wgsl where with writeonly yield array atomic bool f16 "
         "f32 i32 u32 mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4 mat2x2f "
         "mat2x3f mat2x4f mat3x2f mat3x3f mat3x4f mat4x2f mat4x3f mat4x4f ptr sampler vec2 vec3 "
-        "vec4 vec2f vec3f vec4f vec2i vec3i vec4i vec2u vec3u vec4u ",
+        "vec4 vec2f vec3f vec4f vec2i vec3i vec4i vec2u vec3u vec4u vec2h vec3h vec4h mat2x2h "
+        "mat2x3h mat2x4h mat3x2h mat3x3h mat3x4h mat4x2h mat4x3h mat4x4h sampler_comparison "
+        "texture_1d texture_2d texture_2d_array texture_3d texture_cube texture_cube_array "
+        "texture_depth_2d texture_depth_2d_array texture_depth_cube texture_depth_cube_array "
+        "texture_depth_multisampled_2d texture_external texture_multisampled_2d "
+        "texture_storage_1d texture_storage_2d texture_storage_2d_array texture_storage_3d ",
+    .functions =
+        " abs acos acosh all any arrayLength asin asinh atan atan2 atanh ceil clamp cos cosh "
+        "countLeadingZeros countOneBits countTrailingZeros cross degrees determinant distance "
+        "dot dot4I8Packed dot4U8Packed exp exp2 extractBits faceForward firstLeadingBit "
+        "firstTrailingBit floor fma fract frexp insertBits inverseSqrt ldexp length log log2 max "
+        "min mix modf normalize pow quantizeToF16 radians reflect refract reverseBits round "
+        "saturate select sign sin sinh smoothstep sqrt step tan tanh transpose trunc dpdx "
+        "dpdxCoarse dpdxFine dpdy dpdyCoarse dpdyFine fwidth fwidthCoarse fwidthFine "
+        "textureDimensions textureGather textureGatherCompare textureLoad textureNumLayers "
+        "textureNumLevels textureNumSamples textureSample textureSampleBaseClampToEdge "
+        "textureSampleBias textureSampleCompare textureSampleCompareLevel textureSampleGrad "
+        "textureSampleLevel textureStore atomicAdd atomicAnd atomicCompareExchangeWeak "
+        "atomicExchange atomicLoad atomicMax atomicMin atomicOr atomicStore atomicSub atomicXor "
+        "pack2x16float pack2x16snorm pack2x16unorm pack4x8snorm pack4x8unorm pack4xI8 "
+        "pack4xI8Clamp pack4xU8 pack4xU8Clamp unpack2x16float unpack2x16snorm unpack2x16unorm "
+        "unpack4x8snorm unpack4x8unorm unpack4xI8 unpack4xU8 storageBarrier textureBarrier "
+        "workgroupBarrier workgroupUniformLoad subgroupAdd subgroupAll subgroupAnd subgroupAny "
+        "subgroupBallot subgroupBroadcast subgroupBroadcastFirst subgroupElect "
+        "subgroupExclusiveAdd subgroupExclusiveMul subgroupInclusiveAdd subgroupInclusiveMul "
+        "subgroupMax subgroupMin subgroupMul subgroupOr subgroupShuffle subgroupShuffleDown "
+        "subgroupShuffleUp subgroupShuffleXor subgroupXor quadBroadcast quadSwapDiagonal "
+        "quadSwapX quadSwapY ",
     .longestName = 256,
     .numbers = {"f32", "bool"},
     .vectors = {{{"vec2f", "vec3f", "vec4f"}, {"vec2<bool>", "vec3<bool>", "vec4<bool>"}}},

@@ -48,9 +48,7 @@ std::string_view Writer::callText(NodeId id) {
   const Function& function = graph_.function(id);
   const std::string name =
       function.isOurs() ? nameWithDerivatives(function, orderOf(id)) : function.name;
-  const std::string text = name + "($0)";
-  const auto known = std::find(callTexts_.begin(), callTexts_.end(), text);
-  return known != callTexts_.end() ? *known : callTexts_.emplace_back(text);
+  return *callTexts_.insert(name + "($0)").first;
 }
 
 void Writer::writeResult(std::string& text, NodeId id) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <list>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -65,7 +65,7 @@ class Writer {
   std::vector<std::string> texts_;
   std::vector<std::string> inputNames_;
   std::vector<std::uint8_t> orders_;  // by node, of calls of functions of ours
-  std::list<std::string> callTexts_;  // such as `bump($0)`, each once
+  std::set<std::string> callTexts_;   // such as `bump($0)`
   std::vector<Frame> frames_;
 };
 

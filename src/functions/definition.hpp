@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "graph/expression.hpp"
@@ -38,6 +39,13 @@ class Numbers {
   std::array<Expression, most> items_{};
   std::size_t size_ = 0;
 };
+
+// For names such as warpjetNoise3.
+inline std::string capitalized(std::string_view text) {
+  std::string name(text);
+  name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
 
 struct Definition {
   // The values from the arguments. May call other functions of the library.

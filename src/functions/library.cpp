@@ -7,10 +7,8 @@ namespace warpjet {
 namespace {
 
 std::uint32_t numberOf(Graph& graph, const Function& function) {
-  for (std::uint32_t i = 0; i < graph.functionCount(); ++i) {
-    if (graph.function(i).name == function.name) return i;
-  }
-  return graph.addFunction(function);
+  const auto known = graph.functionNamed(function.name);
+  return known ? *known : graph.addFunction(function);
 }
 
 }  // namespace

@@ -13,11 +13,20 @@ constexpr NodeId none{~std::uint32_t{0}};
 }  // namespace
 
 std::uint32_t Graph::input(std::string_view label, Shape shape) {
-  for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
-    if (inputs_[i].label == label && inputs_[i].shape == shape && !inputs_[i].image) return i;
+  const auto [begin, end] = inputNumbers_.equal_range(label);
+  for (auto known = begin; known != end; ++known) {
+    if (inputs_[known->second].shape == shape) return known->second;
   }
+  const auto number = static_cast<std::uint32_t>(inputs_.size());
   inputs_.push_back({std::string(label), shape});
-  return static_cast<std::uint32_t>(inputs_.size() - 1);
+  inputNumbers_.emplace(label, number);
+  return number;
+}
+
+std::optional<std::uint32_t> Graph::inputLabelled(std::string_view label) const {
+  const auto known = inputNumbers_.lower_bound(label);
+  if (known == inputNumbers_.end() || known->first != label) return std::nullopt;
+  return known->second;
 }
 
 std::uint32_t Graph::sizeOf(std::uint32_t image) {
@@ -29,8 +38,16 @@ std::uint32_t Graph::sizeOf(std::uint32_t image) {
 }
 
 std::uint32_t Graph::addFunction(Function function) {
+  const auto number = static_cast<std::uint32_t>(functions_.size());
+  functionNumbers_.emplace(function.name, number);
   functions_.push_back(std::move(function));
-  return static_cast<std::uint32_t>(functions_.size() - 1);
+  return number;
+}
+
+std::optional<std::uint32_t> Graph::functionNamed(std::string_view name) const {
+  const auto known = functionNumbers_.find(name);
+  if (known == functionNumbers_.end()) return std::nullopt;
+  return known->second;
 }
 
 NodeId Graph::call(std::uint32_t function, std::span<const NodeId> arguments) {

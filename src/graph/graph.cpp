@@ -50,6 +50,11 @@ Graph::Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Fun
       capacity_(nodes_.size()),
       simplification_(Simplification::On) {
   for (const Node& node : nodes_) has_[index(node.op)] = true;
+  for (std::uint32_t i = 0; i < functions_.size(); ++i)
+    functionNumbers_.emplace(functions_[i].name, i);
+  for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
+    if (!inputs_[i].image) inputNumbers_.emplace(inputs_[i].label, i);
+  }
 }
 
 Graph Graph::copy() const {

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -96,9 +97,13 @@ class Graph {
   std::uint32_t input(std::string_view label, Shape shape);
   // The number of the input that is the size of an image.
   std::uint32_t sizeOf(std::uint32_t image);
+  // The first input with this label, whatever its shape.
+  std::optional<std::uint32_t> inputLabelled(std::string_view label) const;
   NodeId component(std::uint32_t input, int component);
 
+  // Names are given once.
   std::uint32_t addFunction(Function function);
+  std::optional<std::uint32_t> functionNamed(std::string_view name) const;
   NodeId call(std::uint32_t function, std::span<const NodeId> arguments);
   // Of a call of a function of ours.
   NodeId result(NodeId call, int number);
@@ -159,6 +164,9 @@ class Graph {
   std::vector<std::uint32_t> table_;  // open addressing; an entry is a node's index plus one
   std::vector<Input> inputs_;
   std::vector<Function> functions_;
+  // Numbers by label and by name: there may be thousands.
+  std::multimap<std::string, std::uint32_t, std::less<>> inputNumbers_;
+  std::map<std::string, std::uint32_t, std::less<>> functionNumbers_;
   std::vector<NodeId> partials_;  // by call, a list; as long as there are calls with any
   std::size_t capacity_;
   Simplification simplification_;

@@ -1,7 +1,7 @@
 // Which nodes a result needs: roots enter, all that they are computed from leaves, operands first.
 #pragma once
 
-#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,21 +14,26 @@ namespace warpjet {
 // enter a node for which `skip(id)` holds.
 template <class Skip>
 std::vector<NodeId> reachable(const Graph& graph, std::span<const NodeId> roots, Skip skip) {
+  constexpr std::uint32_t wordSize = 64;
   std::vector<NodeId> pending(roots.begin(), roots.end());
-  std::vector<bool> needed(graph.size());
-  std::uint32_t begin = static_cast<std::uint32_t>(graph.size()), end = 0;
+  // A bit each, by words, since most of a large graph may not be needed.
+  std::vector<std::uint64_t> needed(graph.size() / wordSize + 1);
+  std::size_t count = 0;
   while (!pending.empty()) {
     const NodeId id = pending.back();
     pending.pop_back();
-    if (needed[index(id)] || skip(id)) continue;
-    needed[index(id)] = true;
-    begin = std::min(begin, index(id));
-    end = std::max(end, index(id) + 1);
+    std::uint64_t& word = needed[index(id) / wordSize];
+    const std::uint64_t bit = std::uint64_t{1} << index(id) % wordSize;
+    if ((word & bit) != 0 || skip(id)) continue;
+    word |= bit;
+    ++count;
     for (int i = 0; i < graph.arity(id); ++i) pending.push_back(graph.operand(id, i));
   }
   std::vector<NodeId> found;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    if (needed[i]) found.push_back(NodeId{i});
+  found.reserve(count);
+  for (std::uint32_t i = 0; found.size() < count; ++i) {
+    for (std::uint64_t word = needed[i]; word != 0; word &= word - 1)
+      found.push_back(NodeId{i * wordSize + static_cast<std::uint32_t>(std::countr_zero(word))});
   }
   return found;
 }

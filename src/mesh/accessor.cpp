@@ -60,7 +60,7 @@ Elements ownElements(const Gltf& gltf, int accessor, std::size_t size) {
   return elementsIn(gltf, accessor, info.bufferView, info.byteOffset, info.count, size, stride);
 }
 
-// Of an element, or less for types that nothing here reads: those are refused where they are read.
+// Of an element, or less for what is no vector: that is checked or refused where it is read.
 std::size_t sizeOf(const tinygltf::Accessor& info) {
   // The numbers of tinygltf's vector types are their lengths.
   const int width = info.type <= TINYGLTF_TYPE_VEC4 ? info.type : 1;
@@ -162,10 +162,6 @@ std::size_t countOf(const Gltf& gltf, int accessor) {
   return info.count;
 }
 
-bool isFloat(const Gltf& gltf, int accessor) {
-  return accessorAt(gltf, accessor).componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
-}
-
 void appendFloats(const Gltf& gltf, int accessor, int least, int width,
                   std::vector<float>& numbers) {
   const tinygltf::Accessor& info = accessorAt(gltf, accessor);
@@ -179,6 +175,13 @@ void appendFloats(const Gltf& gltf, int accessor, int least, int width,
       appendAs<T>(gltf, accessor, static_cast<std::size_t>(info.type),
                   static_cast<std::size_t>(width), numbers);
   });
+}
+
+void appendMatrices(const Gltf& gltf, int accessor, std::vector<float>& numbers) {
+  const tinygltf::Accessor& info = accessorAt(gltf, accessor);
+  if (info.type != TINYGLTF_TYPE_MAT4 || info.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT)
+    fail(accessor, "must hold 4 by 4 matrices of floats for its use");
+  appendAs<float>(gltf, accessor, 16, 16, numbers);
 }
 
 std::vector<std::uint32_t> indicesOf(const Gltf& gltf, int accessor) {

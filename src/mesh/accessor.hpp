@@ -13,14 +13,14 @@ namespace warpjet {
 // 2^22 if it has no bytes of its own, so that nobody makes room for a count that only is said.
 std::size_t countOf(const Gltf& gltf, int accessor);
 
-// Whether its numbers are floats as they are, so that nothing was quantized.
-bool isFloat(const Gltf& gltf, int accessor);
-
 // Appends `width` floats for each element; elements of fewer numbers are followed by ones (a colour
 // without alpha). Floats and integers of 8 and 16 bits, normalized or not (KHR_mesh_quantization),
 // in vectors of `least` to `width` numbers. Throws a FileProblem.
 void appendFloats(const Gltf& gltf, int accessor, int least, int width,
                   std::vector<float>& numbers);
+
+// Appends 16 floats for each matrix, by columns. Throws a FileProblem.
+void appendMatrices(const Gltf& gltf, int accessor, std::vector<float>& numbers);
 
 // Unsigned integers of 8, 16 and 32 bits. Throws a FileProblem.
 std::vector<std::uint32_t> indicesOf(const Gltf& gltf, int accessor);

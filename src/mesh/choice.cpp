@@ -7,17 +7,6 @@
 
 namespace warpjet {
 
-namespace {
-
-// A triangle whose height is less than this share of its longest side is split through that side
-// whenever it is split at all. So triangles at the border of a fine region, or between two edges
-// that are nearly one, do not become ever thinner. (Bisecting the longest side never makes the
-// smallest angle less than half of what it was: Rosenberg and Stenger, "A lower bound on the angles
-// of triangles constructed by bisecting the longest side", 1975.)
-constexpr float sliver = 0.0625f;
-
-}  // namespace
-
 std::vector<std::uint32_t> Refiner::chooseEdges() const {
   std::vector<bool> chosen(needs_.size());
   for (std::size_t i = 0; i < needs_.size(); ++i) {
@@ -35,18 +24,37 @@ std::vector<std::uint32_t> Refiner::chooseEdges() const {
                refinement_.maxTriangles - std::min(refinement_.maxTriangles, count));
 }
 
+// A sliver is split through its longest side whenever it is split at all. So triangles at the
+// border of a fine region, or between two edges that are nearly one, do not become ever thinner.
+// (Bisecting the longest side never makes the smallest angle less than half of what it was:
+// Rosenberg and Stenger, "A lower bound on the angles of triangles constructed by bisecting the
+// longest side", 1975.) What one choice entails is followed from edge to edge.
 void Refiner::keepShape(std::vector<bool>& chosen) const {
-  const auto isChosen = [&](std::uint32_t side) { return chosen[surface_.sides()[side].edge]; };
-  for (bool isChanging = true; isChanging;) {
-    isChanging = false;
-    for (const Triangle& triangle : surface_.triangles()) {
-      if (std::none_of(triangle.sides.begin(), triangle.sides.end(), isChosen)) continue;
-      const int longest = longestSide(triangle);
-      const std::uint32_t edge = surface_.edgeNumber(triangle, longest);
-      if (chosen[edge] || !needs_[edge].canSplit) continue;
-      const float base = sideLength(triangle, longest);
-      const float height = 2 * areaOf(triangle) / base;
-      if (height < sliver * base) chosen[edge] = isChanging = true;
+  struct Entailed {
+    std::uint32_t edge, next;
+  };
+  std::vector<Entailed> entailed;
+  std::vector<std::uint32_t> first(chosen.size(), noNumber);  // by edge, the head of a list
+  for (const Triangle& triangle : surface_.triangles()) {
+    const std::uint32_t edge = surface_.edgeNumber(triangle, triangle.longest);
+    if (!triangle.isSliver || !needs_[edge].canSplit) continue;
+    for (const int other : {(triangle.longest + 1) % 3, (triangle.longest + 2) % 3}) {
+      std::uint32_t& head = first[surface_.edgeNumber(triangle, other)];
+      entailed.push_back({edge, head});
+      head = static_cast<std::uint32_t>(entailed.size() - 1);
+    }
+  }
+  std::vector<std::uint32_t> waiting;
+  for (std::uint32_t i = 0; i < chosen.size(); ++i) {
+    if (chosen[i]) waiting.push_back(i);
+  }
+  while (!waiting.empty()) {
+    std::uint32_t i = first[waiting.back()];
+    waiting.pop_back();
+    for (; i != noNumber; i = entailed[i].next) {
+      if (chosen[entailed[i].edge]) continue;
+      chosen[entailed[i].edge] = true;
+      waiting.push_back(entailed[i].edge);
     }
   }
 }

@@ -28,6 +28,8 @@ bool isDrawn(Gltf& gltf, const tinygltf::Primitive& primitive) {
   }
   if (!primitive.targets.empty())
     gltf.warn("The model has morph targets; they are ignored, and it keeps its base shape.");
+  if (primitive.attributes.count("JOINTS_1") != 0)
+    gltf.warn("Vertices that follow more than four bones follow only the first four.");
   return true;
 }
 
@@ -49,9 +51,12 @@ bool hasEqualColors(const Gltf& gltf, const std::vector<Draw>& draws) {
 }
 
 // Without indices every three vertices must be a triangle, also behind another draw's, unmirrored.
-bool needsIndices(const Draw& draw) {
+bool needsIndices(const Draw& draw, const std::vector<Skin>& skins) {
+  const bool isMirrored =
+      draw.isSkinned() ? skins[checkedIndex("skin", draw.placed->skin, skins.size())].isMirrored
+                       : glm::determinant(draw.placed->toWorld) < 0;
   return draw.isIndexed() || draw.kind() != Primitives::Triangles || draw.vertices % 3 != 0 ||
-         glm::determinant(draw.placed->toWorld) < 0;
+         isMirrored;
 }
 
 void checkSize(const std::vector<Draw>& draws, const Layout& layout) {
@@ -100,13 +105,13 @@ std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed) {
   return draws;
 }
 
-Layout layoutOf(Gltf& gltf, const std::vector<Draw>& draws) {
+Layout layoutOf(Gltf& gltf, const std::vector<Draw>& draws, const std::vector<Skin>& skins) {
   Layout layout{};
   layout.hasEqualColors = hasEqualColors(gltf, draws);
   layout.hasUvs = any(draws, "TEXCOORD_0");
   layout.hasColors = any(draws, "COLOR_0") || !layout.hasEqualColors;
   layout.hasTangents = all(draws, "TANGENT") && all(draws, "NORMAL");
-  layout.isIndexed = std::any_of(draws.begin(), draws.end(), needsIndices);
+  for (const Draw& draw : draws) layout.isIndexed |= needsIndices(draw, skins);
   if (any(draws, "TANGENT") && !layout.hasTangents)
     gltf.warn("Only some parts have tangents and normals; the tangents are left out.");
   checkSize(draws, layout);

@@ -6,6 +6,7 @@
 #include "mesh/gltf.hpp"
 #include "mesh/look.hpp"
 #include "mesh/scene.hpp"
+#include "mesh/skin.hpp"
 #include "mesh/triangles.hpp"
 
 namespace warpjet {
@@ -19,6 +20,10 @@ struct Draw {
 
   Primitives kind() const { return Primitives{primitive->mode}; }
   bool isIndexed() const { return primitive->indices != noPlace; }
+  // Whether it stands where bones take it, and not where its node is.
+  bool isSkinned() const {
+    return placed->skin >= 0 && accessor("JOINTS_0") != noPlace && accessor("WEIGHTS_0") != noPlace;
+  }
 
   // The accessor of an attribute, or noPlace.
   int accessor(const char* attribute) const;
@@ -36,7 +41,8 @@ struct Layout {
   bool hasEqualColors;  // whether the base colour is the same everywhere
 };
 
-// Throws a FileProblem if the mesh would be larger than mostMeshBytes.
-Layout layoutOf(Gltf& gltf, const std::vector<Draw>& draws);
+// Throws a FileProblem if a draw has no such skin, or if the mesh would be larger than
+// mostMeshBytes.
+Layout layoutOf(Gltf& gltf, const std::vector<Draw>& draws, const std::vector<Skin>& skins);
 
 }  // namespace warpjet

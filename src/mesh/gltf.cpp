@@ -16,6 +16,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr const char* draco = "KHR_draco_mesh_compression";
+
 // Those that move no vertex.
 bool isHarmless(std::string_view extension) {
   constexpr std::array<std::string_view, 6> names{"KHR_mesh_quantization", "KHR_texture_transform",
@@ -26,10 +28,15 @@ bool isHarmless(std::string_view extension) {
 }
 
 std::string adviceFor(std::string_view extension) {
-  if (extension == "KHR_draco_mesh_compression") return "without Draco compression";
+  if (extension == draco) return "without Draco compression";
   if (extension.ends_with("_meshopt_compression")) return "without meshopt compression";
   if (extension.find("_texture_") != extension.npos) return "with PNG or JPEG textures";
   return "without it";
+}
+
+[[noreturn]] void refuseExtension(const char* verb, const std::string& name) {
+  throw FileProblem("the model " + std::string(verb) + " the extension " + quotedText(name) +
+                    ", which is not read here; export the model " + adviceFor(name) + '.');
 }
 
 // Before anything else is looked at: a compressed model has accessors without bytes, for one.
@@ -38,9 +45,7 @@ void refuseExtensions(const json& tree) {
   if (required == tree.end()) return;
   for (const json& entry : *required) {
     const std::string name = entry;
-    if (!isHarmless(name))
-      throw FileProblem("the model requires the extension " + quotedText(name) +
-                        ", which is not read here; export the model " + adviceFor(name) + '.');
+    if (!isHarmless(name)) refuseExtension("requires", name);
   }
 }
 
@@ -72,26 +77,35 @@ void keepBuffersAndImages(Gltf& gltf, json& tree) {
 }
 
 void warnOfMotion(Gltf& gltf, json& tree) {
-  if (!taken(tree, "skins").empty())
-    gltf.warn("The model has skins (bones); they are ignored, and it stands in its rest pose.");
   if (!taken(tree, "animations").empty())
     gltf.warn("The model has animations; they are ignored, and it stands still.");
 }
 
-// Right glTF, where they are sparse, but tinygltf refuses them in words that help nobody.
-void refuseIndicesWithoutBytes(const json& tree) {
+// In a primitive that is compressed, although the model requires no extension for it, accessors may
+// have no bytes of their own. Indices without any are right glTF where they are sparse, but
+// tinygltf refuses them in words that help nobody.
+void refuseAccessorsWithoutBytes(const json& tree) {
   const json none = json::array();
   const auto listOf = [&](const json& object, const char* name) -> const json& {
     const auto found = object.find(name);
     return found == object.end() ? none : *found;
   };
   const json& accessors = listOf(tree, "accessors");
+  const auto hasBytes = [&](const json& accessor) {
+    const auto place = accessor.get<std::uint64_t>();
+    return place >= accessors.size() ||
+           accessors[static_cast<std::size_t>(place)].contains("bufferView");
+  };
   for (const json& mesh : listOf(tree, "meshes")) {
     for (const json& primitive : listOf(mesh, "primitives")) {
-      const auto indices = primitive.value("indices", std::uint64_t{accessors.size()});
-      if (indices < accessors.size() &&
-          !accessors[static_cast<std::size_t>(indices)].contains("bufferView"))
-        throw FileProblem("accessor " + std::to_string(indices) +
+      const json& attributes = primitive["attributes"];
+      const auto indices = primitive.find("indices");
+      const bool hasIndices = indices == primitive.end() || hasBytes(*indices);
+      if (listOf(primitive, "extensions").contains(draco) &&
+          !(hasIndices && std::all_of(attributes.begin(), attributes.end(), hasBytes)))
+        refuseExtension("uses", draco);
+      if (!hasIndices)
+        throw FileProblem("accessor " + indices->dump() +
                           " has indices without a bufferView, which are not read here; export the "
                           "model without sparse indices.");
     }
@@ -115,7 +129,9 @@ Bytes bytesOfBuffer(Gltf& gltf, std::size_t place, std::optional<Bytes> binary,
   }
   if (isDataUri(uri)) {
     std::optional<DataUri> data = decodedDataUri(uri);
-    if (!data) throw FileProblem(name + " is broken base64; export or download the file again.");
+    if (!data)
+      throw FileProblem(name +
+                        " is a data URI without right base64; export or download the file again.");
     return gltf.decoded.emplace_back(std::move(data->bytes));
   }
   if (const auto* file = fileOf(uri, files)) return *file;
@@ -148,7 +164,7 @@ Gltf describedGltf(std::string_view text) {
   keepBuffersAndImages(gltf, tree);
   std::vector<tinygltf::Image> images = std::move(gltf.model.images);
 
-  refuseIndicesWithoutBytes(tree);
+  refuseAccessorsWithoutBytes(tree);
   const std::string checked = tree.dump();
   tree = nullptr;
   std::string error, warning;

@@ -53,14 +53,19 @@ Look lookOf(const Gltf& gltf, int material) {
   Look look;
   if (material == noPlace) return look;
   const auto& info = materialAt(gltf, material).pbrMetallicRoughness;
-  std::copy_n(info.baseColorFactor.begin(), 4, look.baseColor.begin());
+  for (std::size_t i = 0; i < 4; ++i)
+    look.baseColor[i] = std::clamp(info.baseColorFactor[i], 0.0, 1.0);
   look.picture = pictureOfTexture(gltf, info.baseColorTexture.index);
   return look;
 }
 
-void warnOfTexture(Gltf& gltf, int material) {
+void warnOfLook(Gltf& gltf, int material) {
   if (material == noPlace) return;
-  const auto& info = materialAt(gltf, material).pbrMetallicRoughness.baseColorTexture;
+  const auto& roughness = materialAt(gltf, material).pbrMetallicRoughness;
+  const auto& color = roughness.baseColorFactor;
+  if (!std::equal(color.begin(), color.end(), lookOf(gltf, material).baseColor.begin()))
+    gltf.warn("Base colours that lie outside 0 to 1 are clamped to it.");
+  const auto& info = roughness.baseColorTexture;
   if (info.index == noPlace) return;
   if (pictureOfTexture(gltf, info.index) == noPlace)
     gltf.warn("A base-colour texture has no PNG or JPEG picture; it is left out.");

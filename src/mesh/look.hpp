@@ -10,7 +10,8 @@ namespace warpjet {
 
 constexpr int noPlace = -1;
 
-// `picture` is a place among the model's images, or noPlace.
+// The base colour is from 0 to 1, whatever the file says; `picture` is a place among the model's
+// images, or noPlace.
 struct Look {
   std::array<double, 4> baseColor{1, 1, 1, 1};
   int picture = noPlace;
@@ -21,8 +22,8 @@ struct Look {
 // Of a material's place, or of noPlace: white. Throws a FileProblem.
 Look lookOf(const Gltf& gltf, int material);
 
-// Warns where a material's texture is not one that a Mesh can carry.
-void warnOfTexture(Gltf& gltf, int material);
+// Warns where a material's colour or texture is not one that a Mesh can carry.
+void warnOfLook(Gltf& gltf, int material);
 
 // A picture as the file has it, still encoded. One that is not there is a warning.
 std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files);

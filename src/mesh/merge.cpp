@@ -9,6 +9,7 @@
 #include "mesh/draws.hpp"
 #include "mesh/normals.hpp"
 #include "mesh/place.hpp"
+#include "mesh/range.hpp"
 #include "mesh/sentences.hpp"
 
 namespace warpjet {
@@ -49,22 +50,34 @@ void tint(std::vector<float>& colors, std::size_t firstVertex, const Look& look)
     colors[i] = static_cast<float>(colors[i] * look.baseColor[i % 4]);
 }
 
-void appendDraw(const Gltf& gltf, const Draw& draw, const Layout& layout, Mesh& mesh) {
+// To where its node or its bones are.
+void put(const Gltf& gltf, const Draw& draw, const std::vector<Skin>& skins,
+         std::size_t firstVertex, std::size_t firstIndex, Mesh& mesh) {
+  if (!draw.isSkinned()) return place(mesh, firstVertex, firstIndex, draw.placed->toWorld);
+  const Skin& skin = skins[checkedIndex("skin", draw.placed->skin, skins.size())];
+  std::vector<float> joints, weights;
+  append(gltf, draw, "JOINTS_0", 4, 4, 0, joints);
+  append(gltf, draw, "WEIGHTS_0", 4, 4, 0, weights);
+  pose(mesh, firstVertex, firstIndex, skin, joints, weights);
+}
+
+void appendDraw(Gltf& gltf, const Draw& draw, const Layout& layout, const std::vector<Skin>& skins,
+                Mesh& mesh) {
   const std::size_t firstVertex = mesh.vertexCount();
   const std::size_t firstIndex = mesh.indices.size();
   append(gltf, draw, "POSITION", 3, 3, 0, mesh.positions);
   append(gltf, draw, "NORMAL", 3, 3, 0, mesh.normals);
   if (layout.hasUvs) append(gltf, draw, "TEXCOORD_0", 2, 2, 0, mesh.uvs);
   if (layout.hasColors) append(gltf, draw, "COLOR_0", 3, 4, 1, mesh.colors);
+  clampColors(gltf, mesh.colors, firstVertex * 4);
   if (layout.hasTangents) append(gltf, draw, "TANGENT", 4, 4, 0, mesh.tangents);
   if (layout.isIndexed) appendIndices(gltf, draw, firstVertex, mesh.indices);
   if (!layout.hasEqualColors)
     tint(mesh.colors, firstVertex, lookOf(gltf, draw.primitive->material));
 
-  const bool isExact =
-      (draw.accessor("NORMAL") == noPlace || isFloat(gltf, draw.accessor("NORMAL"))) &&
-      (!layout.hasTangents || isFloat(gltf, draw.accessor("TANGENT")));
-  place(mesh, firstVertex, firstIndex, draw.placed->toWorld, isExact);
+  makeUnit(gltf, mesh.normals, firstVertex * 3, 3, "Normals");
+  makeUnit(gltf, mesh.tangents, firstVertex * 4, 4, "Tangents");
+  put(gltf, draw, skins, firstVertex, firstIndex, mesh);
 }
 
 void reserve(const std::vector<Draw>& draws, const Layout& layout, Mesh& mesh) {
@@ -102,7 +115,7 @@ std::optional<Material> materialOf(Gltf& gltf, const std::vector<Draw>& draws, c
 
   int picture = noPlace;
   for (const Draw& draw : draws) {
-    warnOfTexture(gltf, draw.primitive->material);
+    warnOfLook(gltf, draw.primitive->material);
     if (picture == noPlace) picture = lookOf(gltf, draw.primitive->material).picture;
   }
   for (const Draw& draw : draws) {
@@ -128,10 +141,11 @@ Mesh mergedMesh(Gltf& gltf, const Files& files) {
     throw FileProblem(
         "there is nothing to draw: the scene shows no mesh of triangles; export the model with its "
         "meshes.");
-  const Layout layout = layoutOf(gltf, draws);
+  const std::vector<Skin> skins = skinsOf(gltf);
+  const Layout layout = layoutOf(gltf, draws, skins);
   Mesh mesh;
   reserve(draws, layout, mesh);
-  for (const Draw& draw : draws) appendDraw(gltf, draw, layout, mesh);
+  for (const Draw& draw : draws) appendDraw(gltf, draw, layout, skins, mesh);
   addMissingNormals(draws, mesh);
   mesh.material = materialOf(gltf, draws, layout, files);
   return mesh;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "mesh/sheets.hpp"
 #include "mesh/weld.hpp"
 
 namespace warpjet {
@@ -30,8 +31,9 @@ double angleBetween(const glm::dvec3& u, const glm::dvec3& v) {
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
+// To the sums of what its corners are numbered.
 void addTriangle(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners,
-                 const std::vector<std::uint32_t>& welded, std::vector<glm::dvec3>& sums) {
+                 const std::vector<std::uint32_t>& numbers, std::vector<glm::dvec3>& sums) {
   std::array<glm::dvec3, 3> p;
   for (int i = 0; i < 3; ++i) p[i] = positionAt(mesh, corners[i]);
   // Twice the area long.
@@ -39,20 +41,27 @@ void addTriangle(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners,
   if (normal == glm::dvec3(0)) return;
   for (int i = 0; i < 3; ++i) {
     const double angle = angleBetween(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
-    sums[welded[corners[i]]] += angle * normal;
+    sums[numbers[corners[i]]] += angle * normal;
   }
 }
 
 }  // namespace
 
 std::vector<float> computeNormals(const Mesh& mesh) {
-  const std::vector<std::uint32_t> welded = weldedVertices(mesh.positions);
+  const std::vector<std::uint32_t> places = weldedVertices(mesh.positions);
+  const Sheets sheets = findSheets(mesh, places);
   std::vector<glm::dvec3> sums(mesh.vertexCount(), glm::dvec3(0));
-  for (std::size_t triangle = 0; triangle < mesh.triangleCount(); ++triangle)
-    addTriangle(mesh, mesh.corners(triangle), welded, sums);
+  std::vector<glm::dvec3> sumsOfSheets(sheets.ofVertices.size(), glm::dvec3(0));
+  for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
+    if (sheets.isTwoSided[i])
+      addTriangle(mesh, mesh.corners(i), sheets.ofVertices, sumsOfSheets);
+    else
+      addTriangle(mesh, mesh.corners(i), places, sums);
+  }
   std::vector<float> normals(mesh.positions.size());
-  for (std::size_t vertex = 0; vertex < welded.size(); ++vertex) {
-    const glm::dvec3 sum = sums[welded[vertex]];
+  for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
+    glm::dvec3 sum = sums[places[vertex]];
+    if (!sumsOfSheets.empty()) sum += sumsOfSheets[sheets.ofVertices[vertex]];
     const double length = glm::length(sum);
     for (int i = 0; i < 3 && length > 0; ++i)
       normals[vertex * 3 + i] = static_cast<float>(sum[i] / length);

@@ -9,10 +9,12 @@
 
 namespace warpjet {
 
-// Reads v, vt, vn and f; negative indices count from the end, polygons become fans. A vertex is a
-// combination of position, uv and normal that faces use. Uvs are turned over, v to 1 - v, since
-// OBJ's go up and a Mesh's go down, as glTF's. Colours behind positions (v x y z r g b) are sRGB,
-// as Blender writes them, and become linear. Throws a FileProblem that names the line.
+// Reads v, vt, vn and f; negative indices count from the end, polygons become triangles. A vertex
+// is a combination of position, uv and normal that faces use. Uvs are turned over, v to 1 - v,
+// since OBJ's go up and a Mesh's go down, as glTF's. Colours behind positions (v x y z r g b) are
+// sRGB, as Blender writes them, and become linear; where all are whole numbers and one is above 1,
+// they go to 255. Faces may name uvs and normals that are not there. Throws a FileProblem that
+// names the line.
 Mesh meshOfObj(std::string_view text, std::vector<std::string>& warnings);
 
 }  // namespace warpjet

@@ -15,6 +15,13 @@ bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' ||
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
+// Counted from 1 or, if negative, from the end; nothing beyond the list.
+std::uint32_t placeOf(std::int64_t number, std::size_t count) {
+  const auto length = static_cast<std::int64_t>(count);
+  if (number == 0 || number > length || number < -length) return ObjCorner::nothing;
+  return static_cast<std::uint32_t>(number > 0 ? number - 1 : length + number);
+}
+
 double timesPowerOfTen(std::uint64_t digits, int exponent) {
   // Powers that a double holds exactly, so that one rounding is all; nearly every number of a file.
   constexpr std::array<double, 23> powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -87,20 +94,17 @@ float ObjLine::number(std::string_view text) const {
   return *number;
 }
 
-std::uint32_t ObjLine::place(std::string_view text, std::size_t count, const char* what) const {
+std::int64_t ObjLine::cornerNumber(std::string_view text) const {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size())
     fail("has " + quotedText(text) + " where a face's corner belongs");
-  const auto length = static_cast<std::int64_t>(count);
-  if (number == 0 || number > length || number < -length)
-    fail("speaks of " + std::string(what) + ' ' + std::to_string(number) + ", but " +
-         (count == 0 ? std::string("none") : "only " + grouped(count)) + " came before it");
-  return static_cast<std::uint32_t>(number > 0 ? number - 1 : length + number);
+  return number;
 }
 
-void ObjLine::corners(const ObjCounts& counts, std::vector<ObjCorner>& corners) {
+bool ObjLine::corners(const ObjCounts& counts, std::vector<ObjCorner>& corners) {
   corners.clear();
+  bool hasAll = true;
   for (std::string_view text = word(); !text.empty(); text = word()) {
     std::array<std::string_view, 3> parts;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -108,20 +112,31 @@ void ObjLine::corners(const ObjCounts& counts, std::vector<ObjCorner>& corners) 
       parts[i] = text.substr(0, length);
       text.remove_prefix(std::min(length + 1, text.size()));
     }
-    ObjCorner corner{place(parts[0], counts.positions, "position"), ObjCorner::nothing,
-                     ObjCorner::nothing};
-    if (!parts[1].empty()) corner.uv = place(parts[1], counts.uvs, "uv");
-    if (!parts[2].empty()) corner.normal = place(parts[2], counts.normals, "normal");
+    const std::int64_t number = cornerNumber(parts[0]);
+    ObjCorner corner{placeOf(number, counts.positions), ObjCorner::nothing, ObjCorner::nothing};
+    if (corner.position == ObjCorner::nothing)
+      fail("speaks of position " + std::to_string(number) + ", but " +
+           (counts.positions == 0 ? "none" : "only " + grouped(counts.positions)) +
+           " came before it");
+    const auto find = [&](std::string_view part, std::size_t count) {
+      if (part.empty()) return ObjCorner::nothing;
+      const std::uint32_t place = placeOf(cornerNumber(part), count);
+      hasAll &= place != ObjCorner::nothing;
+      return place;
+    };
+    corner.uv = find(parts[1], counts.uvs);
+    corner.normal = find(parts[2], counts.normals);
     corners.push_back(corner);
   }
+  return hasAll;
 }
 
 std::optional<ObjLine> ObjLines::next() {
   if (rest_.empty()) return std::nullopt;
   const std::size_t number = number_ += joined_ + 1;
   joined_ = 0;
-  std::size_t end = rest_.find('\n');
-  for (; end != rest_.npos; end = rest_.find('\n', end + 1)) {
+  std::size_t end = rest_.find(end_);
+  for (; end != rest_.npos; end = rest_.find(end_, end + 1)) {
     const std::string_view line = rest_.substr(0, end);
     const bool isJoined = line.ends_with('\\') || line.ends_with("\\\r");
     if (!isJoined) break;

@@ -48,27 +48,32 @@ class ObjLine {
   }
 
   // The corners of a face: v, v/vt, v//vn or v/vt/vn, counted from 1 or, if negative, from the end.
-  void corners(const ObjCounts& counts, std::vector<ObjCorner>& corners);
+  // Answers whether all the uvs and normals that they name are there; a corner goes without those
+  // that are not.
+  bool corners(const ObjCounts& counts, std::vector<ObjCorner>& corners);
 
   // Throws a FileProblem: the line and what is wrong with it.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
   float number(std::string_view text) const;
-  std::uint32_t place(std::string_view text, std::size_t count, const char* what) const;
+  std::int64_t cornerNumber(std::string_view text) const;
 
   std::string_view rest_;
   std::size_t number_;
 };
 
-// A backslash at the end of a line joins the next one to it.
+// A backslash at the end of a line joins the next one to it. Lines end in LF or CR LF, or in CR
+// where the whole text has no LF.
 class ObjLines {
  public:
-  explicit ObjLines(std::string_view text) : rest_(text) {}
+  explicit ObjLines(std::string_view text)
+      : rest_(text), end_(text.find('\n') == text.npos ? '\r' : '\n') {}
   std::optional<ObjLine> next();
 
  private:
   std::string_view rest_;
+  char end_;
   std::size_t number_ = 0;
   std::size_t joined_ = 0;
 };

@@ -24,33 +24,46 @@ glm::dvec3 unit(const glm::dvec3& v) {
 
 // The inverse transpose up to a positive factor, which needs no division and exists for flat
 // transforms too: cofactors have the columns m2 x m3, m3 x m1, m1 x m2, and the determinant's sign.
-glm::dmat3 normalMatrix(const glm::dmat3& m, bool isMirrored) {
+glm::dmat3 normalMatrix(const glm::dmat3& m) {
   const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
                              glm::cross(m[0], m[1]));
-  return isMirrored ? -cofactors : cofactors;
+  return glm::determinant(m) < 0 ? -cofactors : cofactors;
+}
+
+void move(Mesh& mesh, std::size_t vertex, const glm::dmat4& toWorld, const glm::dmat3& forNormals) {
+  const std::size_t i = vertex * 3, k = vertex * 4;
+  set(mesh.positions, i, glm::dvec3(toWorld * glm::dvec4(at(mesh.positions, i), 1)));
+  set(mesh.normals, i, unit(forNormals * at(mesh.normals, i)));
+  if (!mesh.tangents.empty())
+    set(mesh.tangents, k, unit(glm::dmat3(toWorld) * at(mesh.tangents, k)));
+}
+
+void setHands(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, bool isMirrored) {
+  for (std::size_t i = firstVertex * 4 + 3; i < mesh.tangents.size(); i += 4)
+    mesh.tangents[i] = (mesh.tangents[i] < 0) == isMirrored ? 1.0f : -1.0f;
+  if (isMirrored) reverseWinding(mesh.indices, firstIndex);
 }
 
 }  // namespace
 
-void place(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, const glm::dmat4& toWorld,
-           bool isExact) {
+void place(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, const glm::dmat4& toWorld) {
   const glm::dmat3 m(toWorld);
-  const bool isMirrored = glm::determinant(m) < 0;
-  const bool isMoved = toWorld != glm::dmat4(1);
+  setHands(mesh, firstVertex, firstIndex, glm::determinant(m) < 0);
+  if (toWorld == glm::dmat4(1)) return;
+  const glm::dmat3 forNormals = normalMatrix(m);
+  for (std::size_t i = firstVertex; i < mesh.vertexCount(); ++i) move(mesh, i, toWorld, forNormals);
+}
 
-  for (std::size_t i = firstVertex * 4 + 3; i < mesh.tangents.size(); i += 4)
-    mesh.tangents[i] = (mesh.tangents[i] < 0) == isMirrored ? 1.0f : -1.0f;
-  if (isMirrored) reverseWinding(mesh.indices, firstIndex);
-  if (!isMoved && isExact) return;
-
-  if (isMoved)
-    for (std::size_t i = firstVertex * 3; i < mesh.positions.size(); i += 3)
-      set(mesh.positions, i, glm::dvec3(toWorld * glm::dvec4(at(mesh.positions, i), 1)));
-  const glm::dmat3 forNormals = normalMatrix(m, isMirrored);
-  for (std::size_t i = firstVertex * 3; i < mesh.normals.size(); i += 3)
-    set(mesh.normals, i, unit(forNormals * at(mesh.normals, i)));
-  for (std::size_t i = firstVertex * 4; i < mesh.tangents.size(); i += 4)
-    set(mesh.tangents, i, unit(m * at(mesh.tangents, i)));
+void pose(Mesh& mesh, std::size_t firstVertex, std::size_t firstIndex, const Skin& skin,
+          const std::vector<float>& joints, const std::vector<float>& weights) {
+  setHands(mesh, firstVertex, firstIndex, skin.isMirrored);
+  const std::size_t vertices = mesh.vertexCount() - firstVertex;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const std::size_t width = joints.size() / vertices;
+    const glm::dmat4 toWorld = blendOf(skin, std::span(joints).subspan(i * width, width),
+                                       std::span(weights).subspan(i * width, width));
+    move(mesh, firstVertex + i, toWorld, normalMatrix(glm::dmat3(toWorld)));
+  }
 }
 
 }  // namespace warpjet

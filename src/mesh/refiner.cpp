@@ -91,7 +91,8 @@ void Refiner::findScale() {
     addIfFinite(totalLength_, distance(mesh.positions, side.ends[0], side.ends[1]));
     addIfFinite(warpedLength, distance(warped_.positions, side.ends[0], side.ends[1]));
   }
-  for (const Triangle& triangle : surface_.triangles()) addIfFinite(totalArea_, areaOf(triangle));
+  for (const Triangle& triangle : surface_.triangles())
+    addIfFinite(totalArea_, surface_.areaOf(triangle.corners));
   tear_ = mostStretch * std::max(1.0, warpedLength / totalLength_);
 }
 
@@ -127,7 +128,7 @@ void Refiner::measureInsides() {
   for (std::size_t i = 0; i < surface_.triangles().size(); ++i) {
     const Triangle& triangle = surface_.triangles()[i];
     if (triangle.distance >= 0 || hasWantedSide(triangle)) continue;
-    const double share = areaOf(triangle) / totalArea_;
+    const double share = surface_.areaOf(triangle.corners) / totalArea_;
     triangles.push_back(i);
     pieces.push_back(
         {triangle.corners, sampleCount(share, triangleSamples, fewestOfTriangle, mostOfTriangle)});
@@ -135,31 +136,12 @@ void Refiner::measureInsides() {
   const auto deviations = measure(surface_.mesh(), warped_, pieces, warp_);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& triangle = surface_.triangles()[triangles[i]];
-    const std::uint32_t side = triangle.sides[longestSide(triangle)];
+    const std::uint32_t side = triangle.sides[triangle.longest];
     const auto& [a, b] = surface_.sides()[side].ends;
     Need& need = needs_[surface_.sides()[side].edge];
     need.score = std::max(need.score, score(deviations[i], distance(warped_.positions, a, b)));
     surface_.setDistance(triangles[i], deviations[i].distance);
   }
-}
-
-float Refiner::sideLength(const Triangle& triangle, int side) const {
-  return distance(surface_.mesh().positions, triangle.corners[side],
-                  triangle.corners[(side + 1) % 3]);
-}
-
-float Refiner::areaOf(const Triangle& triangle) const {
-  const auto& positions = surface_.mesh().positions;
-  const auto& [a, b, c] = triangle.corners;
-  return glm::length(areaVector(at(positions, a), at(positions, b), at(positions, c))) / 2;
-}
-
-int Refiner::longestSide(const Triangle& triangle) const {
-  int longest = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (sideLength(triangle, i) > sideLength(triangle, longest)) longest = i;
-  }
-  return longest;
 }
 
 bool Refiner::hasWantedSide(const Triangle& triangle) const {

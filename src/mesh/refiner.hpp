@@ -37,9 +37,6 @@ class Refiner {
   void keepShape(std::vector<bool>& chosen) const;
   std::vector<std::uint32_t> worst(std::vector<std::uint32_t> edges, std::size_t room) const;
 
-  float sideLength(const Triangle& triangle, int side) const;
-  float areaOf(const Triangle& triangle) const;
-  int longestSide(const Triangle& triangle) const;
   bool hasWantedSide(const Triangle& triangle) const;
   float score(const Deviation& deviation, float warpedLength) const;
   bool hasRoom(const Edge& edge) const;

@@ -26,52 +26,67 @@ glm::dmat4 transformOf(const tinygltf::Node& node) {
   return transform;
 }
 
-std::vector<int> rootsOf(const tinygltf::Model& model) {
-  if (!model.scenes.empty()) {
-    const int scene = model.defaultScene < 0 ? 0 : model.defaultScene;
-    return model.scenes[checkedIndex("scene", scene, model.scenes.size())].nodes;
-  }
+std::vector<int> orphansOf(const tinygltf::Model& model) {
   std::vector<bool> isChild(model.nodes.size());
   for (const tinygltf::Node& node : model.nodes)
     for (const int child : node.children)
       isChild[checkedIndex("node", child, model.nodes.size())] = true;
-  std::vector<int> roots;
+  std::vector<int> orphans;
   for (std::size_t i = 0; i < model.nodes.size(); ++i)
-    if (!isChild[i]) roots.push_back(static_cast<int>(i));
-  return roots;
+    if (!isChild[i]) orphans.push_back(static_cast<int>(i));
+  return orphans;
+}
+
+std::vector<int> rootsOf(const tinygltf::Model& model) {
+  if (model.scenes.empty()) return orphansOf(model);
+  const int scene = model.defaultScene < 0 ? 0 : model.defaultScene;
+  return model.scenes[checkedIndex("scene", scene, model.scenes.size())].nodes;
+}
+
+// Calls with the number and the place of each node below these, in the order of the file, parents
+// before children.
+template <typename Function>
+void forNodesBelow(const tinygltf::Model& model, const std::vector<int>& roots, Function function) {
+  struct Visit {
+    int node;
+    glm::dmat4 parent;
+  };
+  std::vector<Visit> open;
+  const auto visitAll = [&](const std::vector<int>& nodes, const glm::dmat4& parent) {
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) open.push_back({*node, parent});
+  };
+  visitAll(roots, glm::dmat4(1));
+  std::vector<bool> isVisited(model.nodes.size());
+  while (!open.empty()) {
+    const auto [number, parent] = open.back();
+    open.pop_back();
+    const std::size_t node = checkedIndex("node", number, model.nodes.size());
+    if (isVisited[node])
+      throw FileProblem("node " + std::to_string(number) +
+                        " is its own ancestor or has two parents; export the model again.");
+    isVisited[node] = true;
+    const glm::dmat4 toWorld = parent * transformOf(model.nodes[node]);
+    function(node, toWorld);
+    visitAll(model.nodes[node].children, toWorld);
+  }
 }
 
 }  // namespace
 
 std::vector<Placed> placedMeshes(const Gltf& gltf) {
-  const tinygltf::Model& model = gltf.model;
-  struct Visit {
-    int node;
-    glm::dmat4 parent;
-  };
-  // In reverse, so that nodes come in the order of the file, parents before children.
-  std::vector<Visit> open;
-  const auto visitAll = [&](const std::vector<int>& nodes, const glm::dmat4& parent) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) open.push_back({*node, parent});
-  };
-  visitAll(rootsOf(model), glm::dmat4(1));
-
   std::vector<Placed> placed;
-  std::vector<bool> isVisited(model.nodes.size());
-  while (!open.empty()) {
-    const auto [place, parent] = open.back();
-    open.pop_back();
-    const std::size_t index = checkedIndex("node", place, model.nodes.size());
-    if (isVisited[index])
-      throw FileProblem("node " + std::to_string(place) +
-                        " is its own ancestor or has two parents; export the model again.");
-    isVisited[index] = true;
-    const tinygltf::Node& node = model.nodes[index];
-    const glm::dmat4 toWorld = parent * transformOf(node);
-    if (node.mesh >= 0) placed.push_back({node.mesh, toWorld});
-    visitAll(node.children, toWorld);
-  }
+  forNodesBelow(gltf.model, rootsOf(gltf.model), [&](std::size_t place, const glm::dmat4& toWorld) {
+    const tinygltf::Node& node = gltf.model.nodes[place];
+    if (node.mesh >= 0) placed.push_back({node.mesh, node.skin, toWorld});
+  });
   return placed;
+}
+
+std::vector<glm::dmat4> placesOfNodes(const Gltf& gltf) {
+  std::vector<glm::dmat4> places(gltf.model.nodes.size(), glm::dmat4(1));
+  forNodesBelow(gltf.model, orphansOf(gltf.model),
+                [&](std::size_t node, const glm::dmat4& toWorld) { places[node] = toWorld; });
+  return places;
 }
 
 }  // namespace warpjet

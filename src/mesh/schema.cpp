@@ -42,21 +42,22 @@ constexpr bool required = true;
 constexpr Member asset[] = {{"version", Kind::Text, required}};
 constexpr Member scene[] = {{"nodes", Kind::Indices}};
 constexpr Member node[] = {{"mesh", Kind::Index},
+                           {"skin", Kind::Index},
                            {"children", Kind::Indices},
                            {"matrix", Kind::Numbers, false, 16},
                            {"translation", Kind::Numbers, false, 3},
                            {"rotation", Kind::Numbers, false, 4},
                            {"scale", Kind::Numbers, false, 3}};
-constexpr Member attributes[] = {{"POSITION", Kind::Index},
-                                 {"NORMAL", Kind::Index},
-                                 {"TANGENT", Kind::Index},
-                                 {"TEXCOORD_0", Kind::Index},
-                                 {"COLOR_0", Kind::Index}};
+constexpr Member attributes[] = {{"POSITION", Kind::Index}, {"NORMAL", Kind::Index},
+                                 {"TANGENT", Kind::Index},  {"TEXCOORD_0", Kind::Index},
+                                 {"COLOR_0", Kind::Index},  {"JOINTS_0", Kind::Index},
+                                 {"JOINTS_1", Kind::Index}, {"WEIGHTS_0", Kind::Index}};
 constexpr Member primitive[] = {{"attributes", Kind::Object, required, 0, attributes},
                                 {"indices", Kind::Index},
                                 {"material", Kind::Index},
                                 {"mode", Kind::Size},
-                                {"targets", Kind::Some}};
+                                {"targets", Kind::Some},
+                                {"extensions", Kind::Keys}};
 constexpr Member mesh[] = {{"primitives", Kind::Objects, required, 0, primitive}};
 constexpr Member sparseIndices[] = {{"bufferView", Kind::Index, required},
                                     {"byteOffset", Kind::Index},
@@ -86,6 +87,8 @@ constexpr Member textureInfo[] = {
 constexpr Member metallicRoughness[] = {{"baseColorFactor", Kind::Numbers, false, 4},
                                         {"baseColorTexture", Kind::Object, false, 0, textureInfo}};
 constexpr Member material[] = {{"pbrMetallicRoughness", Kind::Object, false, 0, metallicRoughness}};
+constexpr Member skin[] = {{"joints", Kind::Indices, required},
+                           {"inverseBindMatrices", Kind::Index}};
 constexpr Member root[] = {{"asset", Kind::Object, required, 0, asset},
                            {"extensionsUsed", Kind::Names},
                            {"extensionsRequired", Kind::Names},
@@ -99,7 +102,7 @@ constexpr Member root[] = {{"asset", Kind::Object, required, 0, asset},
                            {"images", Kind::Objects, false, 0, image},
                            {"textures", Kind::Objects, false, 0, texture},
                            {"materials", Kind::Objects, false, 0, material},
-                           {"skins", Kind::Some},
+                           {"skins", Kind::Objects, false, 0, skin},
                            {"animations", Kind::Some}};
 
 [[noreturn]] void fail(const std::string& place, const std::string& expected, const json& came) {

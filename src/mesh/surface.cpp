@@ -10,6 +10,9 @@ namespace warpjet {
 
 namespace {
 
+// Triangles whose height is less than this share of their longest side.
+constexpr float sliver = 0.0625f;
+
 Position positionOf(const Mesh& mesh, std::size_t vertex) {
   const glm::vec3 p = at(mesh.positions, vertex);
   return {p.x, p.y, p.z};
@@ -31,21 +34,30 @@ Surface::Surface(Mesh mesh) : mesh_(std::move(mesh)) {
 
 std::uint32_t Surface::findSide(std::uint32_t a, std::uint32_t b) {
   if (std::pair(welded_[a], a) > std::pair(welded_[b], b)) std::swap(a, b);
+  // In a table of their own: where shapes repeat in place, an edge has any number of sides.
+  const auto nextSide = static_cast<std::uint32_t>(sides_.size());
+  const std::uint32_t side = sidesByEnds_.findOrAdd(a, b, nextSide);
+  if (side != nextSide) return side;
   const auto nextEdge = static_cast<std::uint32_t>(edges_.size());
   const std::uint32_t edge = edgesByEnds_.findOrAdd(welded_[a], welded_[b], nextEdge);
   if (edge == nextEdge) edges_.push_back({{welded_[a], welded_[b]}});
-  // Few: one, or two where there is a seam.
-  std::uint32_t& lastSide = edges_[edge].lastSide;
-  for (std::uint32_t i = lastSide; i != noNumber; i = sides_[i].previous) {
-    if (sides_[i].ends == std::array{a, b}) return i;
-  }
-  sides_.push_back({{a, b}, edge, lastSide});
-  lastSide = static_cast<std::uint32_t>(sides_.size() - 1);
-  return lastSide;
+  sides_.push_back({{a, b}, edge});
+  return side;
+}
+
+float Surface::areaOf(const Three& corners) const {
+  const auto& [a, b, c] = corners;
+  const auto& positions = mesh_.positions;
+  return glm::length(areaVector(at(positions, a), at(positions, b), at(positions, c))) / 2;
 }
 
 void Surface::add(const Three& corners, const Three& sides) {
-  triangles_.push_back({corners, sides});
+  std::array<float, 3> lengths;
+  for (int i = 0; i < 3; ++i)
+    lengths[i] = distance(mesh_.positions, corners[i], corners[(i + 1) % 3]);
+  const auto longest = std::max_element(lengths.begin(), lengths.end());
+  const bool isSliver = 2 * areaOf(corners) < sliver * *longest * *longest;
+  triangles_.push_back({corners, sides, static_cast<int>(longest - lengths.begin()), isSliver});
   for (const std::uint32_t side : sides) ++edges_[sides_[side].edge].uses;
 }
 

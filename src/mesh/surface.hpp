@@ -18,7 +18,6 @@ struct Edge {
   std::array<std::uint32_t, 2> ends;
   std::uint32_t middle = noNumber;  // once it is split
   std::uint32_t uses = 0;           // by triangles, now
-  std::uint32_t lastSide = noNumber;
 };
 
 // Two vertices, in the order of their edge's ends. Triangles on both sides of a seam (split
@@ -26,7 +25,6 @@ struct Edge {
 struct Side {
   std::array<std::uint32_t, 2> ends;
   std::uint32_t edge;
-  std::uint32_t previous;                                   // on the same edge
   std::uint32_t middle = noNumber;                          // once it is split
   std::array<std::uint32_t, 2> halves{noNumber, noNumber};  // then, at each end
 };
@@ -34,6 +32,8 @@ struct Side {
 struct Triangle {
   std::array<std::uint32_t, 3> corners;
   std::array<std::uint32_t, 3> sides;  // the first between the first two corners, and so on
+  int longest;                         // of the sides
+  bool isSliver;
   float distance = -1;  // of the warped surface from its inside, once that is measured
 };
 
@@ -50,6 +50,7 @@ class Surface {
   std::uint32_t edgeNumber(const Triangle& triangle, int side) const {
     return sides_[triangle.sides[side]].edge;
   }
+  float areaOf(const std::array<std::uint32_t, 3>& corners) const;
   const Position& endOf(const Edge& edge, int end) const {
     return welder_.position(edge.ends[end]);
   }
@@ -83,7 +84,7 @@ class Surface {
   Mesh mesh_;
   Welder welder_;
   std::vector<std::uint32_t> welded_;  // by vertex, the number of its position
-  Pairs edgesByEnds_;
+  Pairs edgesByEnds_, sidesByEnds_;
   std::vector<Side> sides_;
   std::vector<Edge> edges_;
   std::vector<Triangle> triangles_;

@@ -1,6 +1,8 @@
 #include "mesh/uri.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace warpjet {
 
@@ -48,6 +50,14 @@ int hexDigit(char c) {
   return -1;
 }
 
+// Whether a text starts with another one, which is in small letters, in any letters.
+bool startsLike(std::string_view text, std::string_view start) {
+  return std::equal(start.begin(), start.end(), text.begin(),
+                    text.begin() + std::min(text.size(), start.size()), [](char small, char c) {
+                      return c == small || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == small);
+                    });
+}
+
 std::string withoutPercents(std::string_view uri) {
   std::string plain;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -62,17 +72,22 @@ std::string withoutPercents(std::string_view uri) {
 
 }  // namespace
 
-bool isDataUri(std::string_view uri) { return uri.starts_with("data:"); }
+bool isDataUri(std::string_view uri) { return startsLike(uri, "data:"); }
 
 std::optional<DataUri> decodedDataUri(std::string_view uri) {
   uri.remove_prefix(std::string_view("data:").size());
   const std::size_t comma = uri.find(',');
   if (comma == uri.npos) return std::nullopt;
-  const std::string_view type = uri.substr(0, comma);
-  if (!type.ends_with(";base64")) return std::nullopt;
-  auto bytes = decodedBase64(uri.substr(comma + 1));
+  const std::string_view type = uri.substr(0, comma), text = uri.substr(comma + 1);
+  const std::string mimeType(type.substr(0, type.find(';')));
+  const std::size_t last = type.rfind(';');
+  if (last == type.npos || !startsLike(type.substr(last), ";base64")) {
+    const std::string plain = withoutPercents(text);
+    return DataUri{mimeType, {plain.begin(), plain.end()}};
+  }
+  auto bytes = decodedBase64(text);
   if (!bytes) return std::nullopt;
-  return DataUri{std::string(type.substr(0, type.find(';'))), std::move(*bytes)};
+  return DataUri{mimeType, std::move(*bytes)};
 }
 
 const std::vector<std::uint8_t>* fileOf(const std::string& uri, const Files& files) {

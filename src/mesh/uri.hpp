@@ -16,7 +16,8 @@ struct DataUri {
 
 bool isDataUri(std::string_view uri);
 
-// `data:<type>;base64,<text>` (RFC 2397; a glTF has no other). Nothing if the text is no base64.
+// `data:<type>;base64,<text>`, or without ";base64" and with percent signs (RFC 2397). Nothing if
+// the text is no base64 though it should be, or is missing.
 std::optional<DataUri> decodedDataUri(std::string_view uri);
 
 // The file of that name as written, or as it reads without percent signs ("my file.bin"), or null.

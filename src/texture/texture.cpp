@@ -85,11 +85,10 @@ Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments)
 }  // namespace
 
 Definition definitionOf(const Sampling& sampling) {
-  constexpr const char* filterNames[] = {"Bilinear", "Bicubic", "Bspline"};
-  constexpr const char* wrapNames[] = {"Clamp", "Repeat", "Mirror"};
   const auto filter = static_cast<std::uint32_t>(sampling.filter);
   const auto wrap = static_cast<std::uint32_t>(sampling.wrap);
-  const std::string name = std::string("warpjet") + filterNames[filter] + wrapNames[wrap];
+  const std::string name =
+      "warpjet" + capitalized(filterNames[filter]) + capitalized(wrapNames[wrap]);
   return {.function = {name, 5, channels, 2},
           .body = body,
           .settings = filter | wrap << 2,

@@ -4,7 +4,9 @@
 // the interpolant itself, whatever filter the host has set.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "functions/library.hpp"
 
@@ -22,6 +24,10 @@ enum class Filter : std::uint8_t { Bilinear, Bicubic, Bspline };
 
 // What is beyond the edges: the texels there, the image again, or its mirror image.
 enum class Wrap : std::uint8_t { Clamp, Repeat, Mirror };
+
+// What sketches call them, by number.
+inline constexpr std::array<std::string_view, 3> filterNames{"bilinear", "bicubic", "bspline"};
+inline constexpr std::array<std::string_view, 3> wrapNames{"clamp", "repeat", "mirror"};
 
 struct Sampling {
   Filter filter;

@@ -1,7 +1,7 @@
 // The benchmark by hand as a visitor sees it, and both of its pages as they are built.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { build, createServer, preview } from 'vite'
+import { createServer } from 'vite'
 import { methods } from '../../web/bench/methods.js'
 import {
   cells,
@@ -10,13 +10,13 @@ import {
   desktop,
   difference,
   measured,
-  path,
   patience,
   phone,
   pixels,
   readOuts,
 } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
+import { serveSite } from './support/site.js'
 
 const names = methods.map(({ name }) => name)
 /** Time stands still at first, so that all methods show the same moment. */
@@ -208,10 +208,8 @@ describe('the benchmark by hand', () => {
 })
 
 test('both built pages work from any folder, and the gallery links them', async () => {
-  const outDir = path('.build/bench-pages')
-  await build({ ...config, build: { outDir, emptyOutDir: true } })
   const base = '/any/folder/'
-  const built = await preview({ ...config, base, preview: { port: 5310 }, build: { outDir } })
+  const built = await serveSite(5310, base)
   try {
     const { page, messages } = await openPage(
       await browser.newContext(still),

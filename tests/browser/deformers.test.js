@@ -4,7 +4,7 @@ import { after, before, describe, test } from 'node:test'
 import { launchBrowser } from './support/browser.js'
 import { colorAt } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions, runSketch } from './support/sketch.js'
+import { drawScenes, p5InThisRun, runSketch } from './support/sketch.js'
 
 const scripts = ['/dist/p5.warpjet.min.js', '/dist/warpjet.deformers.min.js']
 
@@ -18,7 +18,7 @@ after(async () => {
   await server.close()
 })
 
-for (const [version, p5] of Object.entries(p5Versions))
+for (const [version, p5] of p5InThisRun)
   describe(`script tags and p5 ${version}:`, () => {
     test('the names stand on the global warpjet, and a warp made of them is drawn', async () => {
       const { right, local } = await drawScenes(browser, server, [p5, ...scripts], {

@@ -2,12 +2,13 @@
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
-import { build, createServer, preview } from 'vite'
+import { createServer } from 'vite'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
 import { config, desktop, difference, path, patience, pixels } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import { sphereMesh } from './support/mesh.js'
 import { png } from './support/png.js'
+import { serveSite } from './support/site.js'
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }
 /** Time stands still at first, so that nothing moves but by the test. */
@@ -337,9 +338,7 @@ test('fits a phone, where a finger turns the model', async () => {
 })
 
 test('works as it is built, and the gallery leads to it', async () => {
-  const outDir = path('.build/gallery-drop')
-  await build({ ...config, build: { outDir, emptyOutDir: true } })
-  const built = await preview({ ...config, preview: { port: 5320 }, build: { outDir } })
+  const built = await serveSite(5320)
   try {
     const context = await browser.newContext(still)
     const { page, messages } = await openPage(context, built.resolvedUrls.local[0])

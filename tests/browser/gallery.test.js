@@ -1,16 +1,23 @@
-// The gallery as a visitor sees it: each example draws, its shader text shows, and the console stays empty.
+// The gallery: each example draws, alone and as a visitor of the page sees it, its shader text shows, and the console stays
+// empty.
 import assert from 'node:assert/strict'
 import { mkdirSync, readdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { build, createServer, preview } from 'vite'
+import { createServer } from 'vite'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { sections } from '../../web/catalogue.js'
 import { launchBrowser, openPage } from './support/browser.js'
+import { serveSite } from './support/site.js'
 
 const path = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url))
 const config = { configFile: path('web/vite.config.js'), logLevel: 'warn', clearScreen: false }
 const screenshots = path('.build/screenshots')
 const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
+
+/** A model, its light, and a text from a file, one of them at the end of the page. */
+const shownAsTheyAre = ['airplane-twist', 'sine-sphere', 'text-bulge']
+const shown = isRun('every example through the page') ? names : shownAsTheyAre
 
 // Without a GPU, and beside other work, a frame may take seconds.
 const patience = { timeout: 180_000 }
@@ -29,6 +36,24 @@ test('the gallery shows every folder of examples', () => {
   assert.deepEqual([...names].sort(), readdirSync(path('examples')).sort())
 })
 
+/** Sketches other than these are drawn with a sixteenth of their pixels; without a GPU pixels are what takes long. */
+const lower = (context, exceptions, before = '') =>
+  context.route('**/examples/*/sketch.js', async (route) => {
+    const [, name] = /([\w-]+)\/sketch\.js/.exec(route.request().url())
+    const response = await route.fetch()
+    if (exceptions.includes(name)) return route.fulfill({ response })
+    const body = `${await response.text()}
+{
+  const begin = setup
+  window.setup = async () => {
+    pixelDensity(0.25)
+    ${before}
+    await begin()
+  }
+}`
+    await route.fulfill({ response, body })
+  })
+
 describe('the gallery of npm start', () => {
   let server, url
   before(async () => {
@@ -39,14 +64,35 @@ describe('the gallery of npm start', () => {
   })
   after(() => server.close())
 
+  describe('draws a frame of', () => {
+    let context
+    before(async () => {
+      context = await browser.newContext(desktop)
+      await lower(context, [], 'noLoop()')
+    })
+    after(() => context.close())
+
+    const isDrawn = (name) => name !== 'domain-warping-3d' || isRun('deep domain warping')
+    for (const name of names.filter(isDrawn))
+      test(name, async () => {
+        const { page, messages } = await openPage(context, `${url}examples/${name}/gallery.html`)
+        await page.waitForFunction(() => window.frameCount >= 1, null, patience)
+        assertPicture(await statistics(page))
+        await page.close()
+        assert.deepEqual(messages, [])
+      })
+  })
+
   describe('on a desktop', () => {
     let page, messages
     before(async () => {
-      ;({ page, messages } = await openPage(await browser.newContext(desktop), url))
+      const context = await browser.newContext(desktop)
+      await lower(context, shownAsTheyAre)
+      ;({ page, messages } = await openPage(context, url))
     })
     after(() => page.context().close())
 
-    for (const name of names)
+    for (const name of shown)
       test(`shows ${name}`, async () => {
         const card = page.locator(`#${name}`)
         const frame = await playing(page, name)
@@ -92,9 +138,7 @@ describe('the gallery of npm start', () => {
 })
 
 test('the built gallery works from a folder of files', async () => {
-  const outDir = path('.build/gallery')
-  await build({ ...config, build: { outDir, emptyOutDir: true } })
-  const server = await preview({ ...config, preview: { port: 5300 }, build: { outDir } })
+  const server = await serveSite(5300)
   try {
     const url = server.resolvedUrls.local[0]
     const { page, messages } = await openPage(await browser.newContext(desktop), url)

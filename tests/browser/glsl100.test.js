@@ -1,7 +1,7 @@
 // The text for WebGL 1 compiles there, and computes what the text for WebGL 2 does.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { warps } from '../warps/index.js'
+import { warpsInThisRun as warps } from '../warps/index.js'
 import { launchBrowser } from './support/browser.js'
 import { denseMesh } from './support/dense-mesh.js'
 import { openPipeline, vertexShader } from './support/transform-feedback.js'

@@ -1,7 +1,7 @@
 // Every warp in every language, each on its own pipeline: the same positions and normals.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { warps } from '../warps/index.js'
+import { warpsInThisRun as warps } from '../warps/index.js'
 import { denseMesh, layout, stride } from './support/dense-mesh.js'
 import { openPipelines, targets } from './support/pipelines.js'
 

@@ -6,7 +6,7 @@ import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
 import { components } from '../operations/program.js'
 import { isFractal, kindsOfNoise, noisePoints, settingsOf } from '../operations/noise.js'
-import { openPipelines, targets } from './support/pipelines.js'
+import { openPipelines, targetsInThisRun as targets } from './support/pipelines.js'
 
 const makers = ['param', 'vec2Param', 'vec3Param', 'vec4Param']
 const sizes = { worley: 2, curl: 3 }

@@ -9,7 +9,7 @@ import { conventions } from '../operations/conventions.js'
 import { programOf } from '../operations/program.js'
 import { cases } from '../operations/reference.js'
 import { expected, points, swizzleProgram } from '../operations/swizzles.js'
-import { openPipelines, targets } from './support/pipelines.js'
+import { openPipelines, targetsInThisRun as targets } from './support/pipelines.js'
 
 const groups = [...new Set(cases.map(({ group }) => group))]
 

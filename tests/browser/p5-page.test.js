@@ -4,7 +4,7 @@ import { after, before, describe, test } from 'node:test'
 import { launchBrowser } from './support/browser.js'
 import { colorAt, readPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions, runSketch } from './support/sketch.js'
+import { drawScenes, p5InThisRun, runSketch } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 const size = 200
@@ -25,7 +25,7 @@ const toTheRight = `({ glsl }) => glsl.vec3(40, 0, 0), { space: 'world' }`
 const assertRedAt = (image, x, y) =>
   assert.deepEqual(colorAt(image, size / 2 + x, size / 2 + y), [255, 0, 0])
 
-for (const [version, p5] of Object.entries(p5Versions)) {
+for (const [version, p5] of p5InThisRun) {
   describe(`a page with createWarp and p5 ${version}`, () => {
     test('works in instance mode and in a p5.Graphics', async () => {
       const { page, messages } = await runSketch(
@@ -190,5 +190,14 @@ describe('the modules', () => {
     assert.equal(Sketch.prototype.createWarp, method)
     assert.equal(typeof Sketch.Graphics.prototype.createWarp, 'function')
     assert.throws(() => createWarp({}, () => 0), { name: 'WarpError', message: /3D canvas/ })
+    for (const [wrong, what] of [
+      [undefined, 'undefined'],
+      [{ default: Sketch }, 'an object'],
+      [() => {}, 'a function'],
+    ])
+      assert.throws(() => warpjet(wrong), {
+        name: 'WarpError',
+        message: `warpjet: p5 itself was expected, as in: import p5 from 'p5', then warpjet(p5); but ${what} came.`,
+      })
   })
 })

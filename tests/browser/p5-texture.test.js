@@ -8,7 +8,7 @@ import { launchBrowser } from './support/browser.js'
 import { normalize } from './support/matrix.js'
 import { colorAt, differingPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions, runSketch } from './support/sketch.js'
+import { drawScenes, p5InThisRun, runSketch } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 
@@ -73,7 +73,7 @@ function assertColor(picture, [u, v], wanted, tolerance, what) {
   assert.ok(error <= tolerance, `${what} at ${[u, v]}: ${color} for ${wanted}`)
 }
 
-for (const [version, p5] of Object.entries(p5Versions)) {
+for (const [version, p5] of p5InThisRun) {
   const draw = (options) => drawScenes(browser, server, [p5, addon], { size, ...options })
 
   describe(`glsl.texture on p5 ${version}`, () => {

@@ -4,7 +4,7 @@ import { after, before, describe, test } from 'node:test'
 import { launchBrowser } from './support/browser.js'
 import { litPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions, runSketch } from './support/sketch.js'
+import { drawScenes, p5InThisRun, runSketch } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 
@@ -29,7 +29,7 @@ function place(image) {
 const moves = (offset, uniforms, more = '') =>
   `(({ glsl, uniforms }) => ${offset}), { space: 'world', uniforms: { ${uniforms} }, ${more} }`
 
-for (const [version, p5] of Object.entries(p5Versions))
+for (const [version, p5] of p5InThisRun)
   for (const webgl of [2, 1])
     describe(`uniforms on p5 ${version} and WebGL ${webgl}`, () => {
       const shape = `fill('red'); plane(20)`
@@ -159,7 +159,7 @@ for (const [version, p5] of Object.entries(p5Versions))
       })
     })
 
-for (const [version, p5] of Object.entries(p5Versions))
+for (const [version, p5] of p5InThisRun)
   test(`p5 ${version}: a WarpError says what is wrong with uniforms, and drawing goes on`, async () => {
     const offset = '({ glsl, uniforms }) => glsl.vec3(uniforms.amount, uniforms.at)'
     const cases = {

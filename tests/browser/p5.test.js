@@ -6,7 +6,7 @@ import * as m from './support/matrix.js'
 import { directions, geometryCode, sphereMesh } from './support/mesh.js'
 import { colorAt, differingPixels, litPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions } from './support/sketch.js'
+import { drawScenes, p5InThisRun } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 const size = 200
@@ -47,7 +47,7 @@ const waves = (u) => ({
 const mapValues = (object, change) =>
   Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]))
 
-for (const [version, p5] of Object.entries(p5Versions)) {
+for (const [version, p5] of p5InThisRun) {
   const draw = (options) => drawScenes(browser, server, [p5, addon], { size, ...options })
 
   describe(`createWarp on p5 ${version}`, () => {
@@ -155,6 +155,40 @@ for (const [version, p5] of Object.entries(p5Versions)) {
         }
         for (const other of Object.keys(materials))
           if (other !== name) assert.notDeepEqual(image, images[other], `${name} and ${other}`)
+      }
+    })
+
+    test('follows normalMaterial() before and after the warp, from frame to frame, until another material', async () => {
+      const setup = `
+        distort = createWarp(${waves(1).code})
+        again = createWarp(${waves(1).code})`
+      const normals = 'normalMaterial(); distort(); sphere(60)'
+      const scenes = {
+        first: normals,
+        second: normals,
+        'the other order': 'distort(); normalMaterial(); sphere(60)',
+        third: `lights(); ${normals}`,
+        'another warp': 'normalMaterial(); distort(); again(); sphere(60)',
+        'after push and pop': 'normalMaterial(); push(); distort(); pop(); again(); sphere(60)',
+        'in vain': `normalMaterial(); distort(); fill('red'); again(); sphere(60)`,
+      }
+      // Frames without push() and pop() around them, as sketches have them.
+      const { first, 'in vain': red, ...others } = await draw({ setup, scenes, isPushed: false })
+      for (const [name, image] of Object.entries(others)) assert.deepEqual(image, first, name)
+      assert.deepEqual(colorAt(red, size / 2, size / 2), [255, 0, 0])
+    })
+
+    test('lets p5 pick one of several expressions, friendly errors or not', async () => {
+      // As p5.warp's own stress test does; either one moves by 40 to the right.
+      const setup = `
+        distort = createWarp(({ glsl, position }) => {
+          const { x, y } = { x: position.x().mult(0).add(40), y: position.y().mult(0).add(40) }
+          return glsl.vec3(random([x, y]), 0, 0)
+        }, { space: 'world' })`
+      for (const file of [p5, p5.replace('.js', '.min.js')]) {
+        const scenes = { image: `noStroke(); distort(); fill('red'); plane(20)` }
+        const { image } = await drawScenes(browser, server, [file, addon], { size, setup, scenes })
+        assert.deepEqual(colorAt(image, size / 2 + 40, size / 2), [255, 0, 0])
       }
     })
 

@@ -5,7 +5,7 @@ import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
 import { filters, randomImage, sample, wraps } from '../operations/textures.js'
 import { randomOf } from '../random/generate.js'
-import { openPipelines, targets } from './support/pipelines.js'
+import { openPipelines, targetsInThisRun as targets } from './support/pipelines.js'
 
 let pipelines
 before(async () => (pipelines = await openPipelines()))

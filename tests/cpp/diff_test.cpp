@@ -29,6 +29,34 @@ TEST_F(DiffTest, OfLeaves) {
   EXPECT_EQ(at(derivative({&graph, graph.constant(7)}, x), 3), 0);
 }
 
+// A sum on which sines are heaped that read none of its parameters: each of its nodes depends on
+// all of them.
+TEST_F(DiffTest, ByHundredsOfParametersOfALargeGraphRemembersLittle) {
+  std::vector<Expression> parameters;
+  Expression sum = x;
+  for (int i = 0; i < 300; ++i) {
+    parameters.push_back(scalar(graph, "p" + std::to_string(i)));
+    sum = sum + parameters.back() * static_cast<double>(i);
+  }
+  constexpr int operations = 30000;
+  for (int i = 0; i < operations / 2; ++i) sum = sum + sin(x + static_cast<double>(i));
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Expression slope = derivative(sum, parameters[i]);
+    EXPECT_TRUE(graph.isConstant(slope.id, static_cast<double>(i))) << i;
+  }
+  EXPECT_LT(differentiator.bytes(), std::size_t{130} << 20);
+}
+
+TEST_F(DiffTest, ByThousandsOfParametersRemembersWhatDependsOnEach) {
+  constexpr int count = 3000;
+  for (int i = 0; i < count; ++i) {
+    const Expression p = scalar(graph, "p" + std::to_string(i));
+    const Expression slope = derivative(p * sin(p), p);
+    EXPECT_EQ(slope.id, (sin(p) + p * cos(p)).id) << i;
+  }
+  EXPECT_LT(differentiator.bytes(), std::size_t{count} * 4 * 512 * 12);
+}
+
 TEST_F(DiffTest, ProductQuotientAndChainRule) {
   const Expression f = sin(x * y) / (x + 2.0);
   const double a = 0.7, b = -1.3;

@@ -185,8 +185,7 @@ TEST_F(EmitTest, AnInputIsWrittenWholeOnlyInItsOwnShape) {
 
 TEST_F(EmitTest, ASumOfAnInputAndAnEarlierResultIsWrittenAsThat) {
   const Value p = vector3(graph, "position"), offset = p * 2.0;
-  std::vector<Output> outputs{result("offset", offset), result("moved", p + offset)};
-  outputs[1].sum = {graph.input("position", vectorOf(3)), 0};
+  const std::vector<Output> outputs{result("offset", offset), result("moved", p + offset)};
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
             "vec3 offset, moved;\n{\n"
             "  offset = vec3(position.x * 2.0, position.y * 2.0, position.z * 2.0);\n"
@@ -286,7 +285,6 @@ TEST_F(EmitTest, ALongChainIsManyShortStatements) {
 // Whatever the graph makes of the sum.
 TEST_F(EmitTest, AnInputPlusAnEarlierResultIsWrittenSo) {
   const Value p = vector3(graph, "p"), q = vector3(graph, "q");
-  const Expression x = scalar(graph, "x");
   const auto vec3 = [&](Expression a, Expression b, Expression c) {
     const Expression all[] = {a, b, c};
     return fill(graph, vectorOf(3), [&](int i) { return all[i]; });

@@ -175,7 +175,7 @@ TEST(HostileMesh, EachLieHasItsSentence) {
        [](json& t) {
          t["buffers"] = {{{"byteLength", 1}, {"uri", "data:;base64,@@@@"}}};
        },
-       "broken base64"},
+       "without right base64"},
       {"base64 cut off",
        [](json& t) {
          t["buffers"] = {{{"byteLength", 9}, {"uri", "data:;base64,AAAA"}}};
@@ -185,7 +185,7 @@ TEST(HostileMesh, EachLieHasItsSentence) {
        [](json& t) {
          t["buffers"] = {{{"byteLength", 1}, {"uri", "data:"}}};
        },
-       "broken base64"},
+       "data URI without right base64"},
       {"no accessor",
        [](json& t) { t["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 99; },
        "accessor 99"},

@@ -50,9 +50,24 @@ TEST(LoadMesh, ReadsEmbeddedAndExternalBuffersToo) {
             "the model as .glb.");
 }
 
+TEST(LoadMesh, ReadsDataUrisOfEveryKind) {
+  const GltfBuilder file = triangleFile();
+  const std::string text = base64(file.binary);
+  EXPECT_EQ(loaded(file.external("DATA:Application/octet-stream;BASE64," + text)).positions,
+            triangle);
+  EXPECT_EQ(loaded(file.external("data:;base64," + text)).positions, triangle);
+  EXPECT_TRUE(externalFiles(file.external("DATA:;base64," + text)).empty());
+  std::string percents;
+  for (const std::uint8_t byte : file.binary) {
+    constexpr char digits[] = "0123456789abcdef";
+    percents += {'%', digits[byte >> 4], digits[byte & 15]};
+  }
+  EXPECT_EQ(loaded(file.external("data:," + percents)).positions, triangle);
+}
+
 TEST(LoadMesh, ReadsAllAttributesBitForBit) {
   GltfBuilder file;
-  const Floats normals{0, 0, 1, 0.6f, 0, 0.8f, 0, 0.1f, 0.5f};
+  const Floats normals{0, 0, 1, 0.6f, 0, 0.8f, 0, 0.28f, 0.96f};
   const Floats tangents{1, 0, 0, 1, 0, 1, 0, -1, 1, 0, 0, 1};
   const Floats uvs{0, 0.25f, 1, 0, 0, 1};
   const Floats colors{1, 0, 0, 1, 0, 1, 0, 0.5f, 0, 0, 1, 0};
@@ -409,16 +424,144 @@ TEST(LoadMesh, SaysWhatItIgnores) {
   look["baseColorTexture"]["texCoord"] = 1;
   look["baseColorTexture"]["extensions"]["KHR_texture_transform"]["scale"] = {2, 2};
   GltfBuilder file = painted(look, look);
-  file.tree["skins"] = {{{"joints", {0}}}};
   file.tree["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
   file.tree["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
   EXPECT_EQ(warningsOf(file.glb()),
             (std::vector<std::string>{
-                "The model has skins (bones); they are ignored, and it stands in its rest pose.",
                 "The model has animations; they are ignored, and it stands still.",
                 "The model has morph targets; they are ignored, and it keeps its base shape.",
                 "A texture is moved or scaled by KHR_texture_transform, which is ignored.",
                 "A texture uses other uvs than TEXCOORD_0, the only ones that are read."}));
+}
+
+TEST(LoadMesh, ScalesNormalsAndTangentsToALengthOfOne) {
+  GltfBuilder file;
+  file.mesh({{"POSITION", file.floats(triangle, "VEC3")},
+             {"NORMAL", file.floats({3, 0, 4, 0, 1e-22f, 0, 0, 0, 0}, "VEC3")},
+             {"TANGENT", file.floats({0, 2, 0, 1, 1, 0, 0, 1, 0, -1e-40f, 0, 1}, "VEC4")}});
+  file.node({{"mesh", 0}});
+  const Mesh mesh = loaded(file.glb());
+  expectNear(mesh.normals, {0.6f, 0, 0.8f, 0, 1, 0, 0, 0, 0});
+  expectNear(mesh.tangents, {0, 1, 0, 1, 1, 0, 0, 1, 0, -1, 0, 1});
+  EXPECT_EQ(warningsOf(file.glb()),
+            (std::vector<std::string>{"Normals that are not of length 1 are scaled to it.",
+                                      "Tangents that are not of length 1 are scaled to it."}));
+}
+
+TEST(LoadMesh, ClampsColors) {
+  const json odd = {{"baseColorFactor", {5, -1, 1e308, 2}}};
+  const std::string ofMaterials = "Base colours that lie outside 0 to 1 are clamped to it.";
+  EXPECT_EQ(loaded(painted(odd, odd).glb()).material->baseColor,
+            (std::array<float, 4>{1, 0, 1, 1}));
+  EXPECT_EQ(warningsOf(painted(odd, odd).glb()), std::vector<std::string>{ofMaterials});
+
+  GltfBuilder file = painted(odd, json::object());
+  file.tree["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
+      file.floats({0.5f, 0.5f, 0.5f, 2, -1, 3, 0, 0.5f, -0.0f, 1, 1, 1}, "VEC4");
+  const Mesh mesh = loaded(file.glb());
+  EXPECT_EQ((Floats{mesh.colors.begin(), mesh.colors.begin() + 12}),
+            (Floats{0.5f, 0, 0.5f, 1, 0, 0, 0, 0.5f, 0, 0, 1, 1}));
+  EXPECT_EQ(warningsOf(file.glb()),
+            (std::vector<std::string>{
+                "Colours of vertices that lie outside 0 to 1 are clamped to it.", ofMaterials}));
+}
+
+// Node 0 shows the mesh somewhere else, which says nothing. Joint 1 stands at x = 1, as it was
+// bound; joint 2, bound 2 above it, is turned by 90 degrees around z: x to y, y to -x.
+GltfBuilder skinned() {
+  const auto moved = [](float x, float y) {
+    return Floats{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, 0, 1};
+  };
+  Floats inverses = moved(-1, 0);
+  const Floats second = moved(-1, -2);
+  inverses.insert(inverses.end(), second.begin(), second.end());
+  const double half = std::sqrt(0.5);
+  GltfBuilder file;
+  file.mesh(
+      {{"POSITION", file.floats({0, 0, 0, 2, 2, 0, 2, 2, 3}, "VEC3")},
+       {"NORMAL", file.floats({0, 0, 1, 1, 0, 0, 1, 0, 0}, "VEC3")},
+       {"TANGENT", file.floats({1, 0, 0, 1, 0, 0, 1, -1, 0, 1, 0, 1}, "VEC4")},
+       {"JOINTS_0", file.accessor<std::uint8_t>({0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 9, 0}, "VEC4")},
+       {"WEIGHTS_0", file.floats({1, 0, 0, 0, 0, 1, 0, 0, 0.5f, 0.5f, 0, 0}, "VEC4")}});
+  file.node({{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}, {"scale", {-1, 1, 1}}});
+  file.node({{"translation", {1, 0, 0}}, {"children", {2}}});
+  file.node({{"translation", {0, 2, 0}}, {"rotation", {0, 0, half, half}}});
+  const int matrices = file.accessor<float>(inverses, "VEC4", {{"type", "MAT4"}, {"count", 2}});
+  file.tree["skins"] = {{{"joints", {1, 2}}, {"inverseBindMatrices", matrices}}};
+  return file;
+}
+
+TEST(LoadMesh, PosesSkinsAsTheirJointsStand) {
+  const Mesh mesh = loaded(skinned().glb());
+  // The last follows both: half of (2, 2, 3), where it was, and half of (1, 3, 3).
+  expectNear(mesh.positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, 3});
+  const float half = std::sqrt(0.5f);
+  expectNear(mesh.normals, {0, 0, 1, 0, 1, 0, half, half, 0});
+  expectNear(mesh.tangents, {1, 0, 0, 1, 0, 0, 1, -1, -half, half, 0, 1});
+  EXPECT_TRUE(mesh.indices.empty());
+  EXPECT_TRUE(warningsOf(skinned().glb()).empty());
+}
+
+TEST(LoadMesh, PosesSkinsOfOddFiles) {
+  GltfBuilder unbound = skinned();
+  unbound.tree["skins"][0].erase("inverseBindMatrices");
+  // As if bound at the origin: (2, 2) turned and moved by (1, 2), and with it half of (3, 2, 3).
+  expectNear(loaded(unbound.glb()).positions, {1, 0, 0, -1, 4, 0, 1, 3, 3});
+
+  GltfBuilder mirrored = skinned();
+  mirrored.tree["nodes"][1]["scale"] = {1, 1, -1};
+  EXPECT_EQ(loaded(mirrored.glb()).indices, (Indices{0, 2, 1}));
+  expectNear(loaded(mirrored.glb()).positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, -3});
+  expectNear(loaded(mirrored.glb()).normals,
+             {0, 0, -1, 0, 1, 0, std::sqrt(0.5f), std::sqrt(0.5f), 0});
+
+  GltfBuilder scenes = skinned();  // whose joints another scene shows
+  scenes.tree["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
+  EXPECT_EQ(loaded(scenes.glb()).positions, loaded(skinned().glb()).positions);
+
+  GltfBuilder boneless = skinned();
+  boneless.tree["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
+  expectNear(loaded(boneless.glb()).positions, {100, 0, 0, 98, 2, 0, 98, 2, 3});
+
+  GltfBuilder heavy = skinned();
+  heavy.tree["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] =
+      heavy.floats({0, 0, 0, 0, 0, 7, 0, 0, 3, 3, 0, 0}, "VEC4");
+  expectNear(loaded(heavy.glb()).positions, {0, 0, 0, 1, 3, 0, 1.5f, 2.5f, 3});
+
+  GltfBuilder many = skinned();
+  many.tree["meshes"][0]["primitives"][0]["attributes"]["JOINTS_1"] = 3;
+  EXPECT_EQ(warningsOf(many.glb()),
+            std::vector<std::string>{
+                "Vertices that follow more than four bones follow only the first four."});
+}
+
+TEST(LoadMesh, RefusesSkinsThatDoNotFit) {
+  const auto problemWith = [](auto change) {
+    GltfBuilder file = skinned();
+    change(file.tree);
+    return loadMesh(file.glb()).problem;
+  };
+  const auto contains = [](const std::string& problem, const char* part) {
+    EXPECT_NE(problem.find(part), std::string::npos) << problem;
+  };
+  contains(problemWith([](json& t) { t["skins"][0]["joints"] = {1}; }),
+           "a vertex follows a joint that its skin, of 1, does not have");
+  contains(problemWith([](json& t) { t["skins"][0]["joints"] = {1, 7}; }), "node 7");
+  contains(problemWith([](json& t) {
+             t["skins"][0]["joints"] = {1, 2, 2};
+           }),
+           "3 joints, but 2 inverse bind matrices");
+  contains(problemWith([](json& t) { t["skins"][0]["inverseBindMatrices"] = 0; }),
+           "4 by 4 matrices");
+  contains(problemWith([](json& t) { t["accessors"][5]["count"] = 9; }), "reads up to byte 576");
+  contains(problemWith([](json& t) { t["nodes"][0]["skin"] = 3; }), "skin 3");
+  contains(problemWith([](json& t) { t["skins"][0].erase("joints"); }), "joints is missing");
+  contains(problemWith([](json& t) { t["nodes"][2]["children"] = {1}; }), "");
+  contains(problemWith([](json& t) {
+             const std::vector<int> all(1000000, 1);
+             t["skins"] = {{{"joints", all}}, {{"joints", all}}};
+           }),
+           "more than 1,048,576 joints");
 }
 
 TEST(LoadMesh, NamesEachFileOnceAndWarnsOnce) {
@@ -451,6 +594,23 @@ TEST(LoadMesh, RefusesRequiredExtensionsByName) {
       problemWith("KHR_draco_mesh_compression"),
       "loadMesh: the model requires the extension \"KHR_draco_mesh_compression\", which is not "
       "read here; export the model without Draco compression.");
+  GltfBuilder optional = triangleFile();  // which it uses, though it does not say so
+  auto& primitive = optional.tree["meshes"][0]["primitives"][0];
+  primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
+  optional.tree["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+  EXPECT_EQ(loaded(optional.glb()).positions, triangle);
+  for (const char* part : {"indices", "attributes"}) {
+    GltfBuilder bare = optional;
+    const int accessor =
+        bare.add("accessors", {{"componentType", 5125}, {"count", 3}, {"type", "SCALAR"}});
+    if (part == std::string("indices"))
+      bare.tree["meshes"][0]["primitives"][0]["indices"] = accessor;
+    else
+      bare.tree["accessors"][0].erase("bufferView");
+    EXPECT_EQ(loadMesh(bare.glb()).problem,
+              "loadMesh: the model uses the extension \"KHR_draco_mesh_compression\", which is not "
+              "read here; export the model without Draco compression.");
+  }
   EXPECT_NE(problemWith("EXT_meshopt_compression").find("without meshopt compression"),
             std::string::npos);
   EXPECT_NE(problemWith("KHR_texture_basisu").find("with PNG or JPEG textures"), std::string::npos);

@@ -5,6 +5,7 @@
 
 #include "mesh/check.hpp"
 #include "mesh/normals.hpp"
+#include "shapes.hpp"
 
 namespace warpjet {
 namespace {
@@ -66,6 +67,69 @@ TEST(ComputeNormals, AreZeroWhereNoTriangleSaysMore) {
   EXPECT_EQ(computeNormals(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 2, 1, 0})),
             Floats(9, 0.0f));
   EXPECT_TRUE(computeNormals({}).empty());
+}
+
+// Every triangle with vertices of its own.
+Mesh soupOf(const Mesh& mesh) {
+  Mesh soup;
+  for (const std::uint32_t i : mesh.indices)
+    soup.positions.insert(soup.positions.end(), &mesh.positions[3 * i], &mesh.positions[3 * i] + 3);
+  return soup;
+}
+
+// And once more, facing the other way, with vertices of its own.
+Mesh twoSided(Mesh mesh) {
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertexCount());
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
+    const auto [a, b, c] = mesh.corners(i);
+    indices.insert(indices.end(), {a, b, c, vertices + b, vertices + a, vertices + c});
+  }
+  mesh.indices = indices;
+  mesh.positions.insert(mesh.positions.end(), mesh.positions.begin(), mesh.positions.end());
+  return mesh;
+}
+
+Floats bothWays(Floats normals) {
+  const std::size_t size = normals.size();
+  for (std::size_t i = 0; i < size; ++i) normals.push_back(-normals[i]);
+  return normals;
+}
+
+Mesh saddle() {
+  Mesh mesh = gridPlane(5, 2);
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 3)
+    mesh.positions[i + 2] = mesh.positions[i] * mesh.positions[i + 1];
+  return mesh;
+}
+
+TEST(ComputeNormals, OfTwoSidedSurfacesAreThoseOfEachSide) {
+  for (const Mesh& mesh : {saddle(), soupOf(saddle()), cube(2), soupOf(icosphere(2, 1))})
+    expectNear(computeNormals(twoSided(mesh)), bothWays(computeNormals(mesh)));
+}
+
+TEST(ComputeNormals, OfThreeTwoSidedSheetsThatMeetAreThoseOfEach) {
+  const Mesh sheets =
+      meshOf({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1, -1, 1, 0, 0, 0, 0, 0, 0, 1, -1, -1, 0},
+             {0, 1, 2, 3, 4, 5, 6, 7, 8});
+  const float half = std::sqrt(0.5f);
+  Floats normals;
+  for (const auto& normal : {Floats{0, 1, 0}, {-half, -half, 0}, {half, -half, 0}}) {
+    for (int i = 0; i < 3; ++i) normals.insert(normals.end(), normal.begin(), normal.end());
+  }
+  expectNear(computeNormals(twoSided(sheets)), bothWays(normals));
+}
+
+// As where the nodes of a file show one shape in place, again and again.
+TEST(ComputeNormals, OfSurfacesThatAreThereManyTimesAreThoseOfOne) {
+  Mesh many;
+  for (int i = 0; i < 40000; ++i) append(many.positions, {0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const Floats normals = computeNormals(twoSided(many));
+  for (std::size_t i = 0; i < normals.size(); i += 3) {
+    ASSERT_EQ(normals[i], 0);
+    ASSERT_EQ(normals[i + 1], 0);
+    ASSERT_EQ(normals[i + 2], i < normals.size() / 2 ? 1 : -1);
+  }
 }
 
 TEST(ComputeNormals, HoldForTheLargestAndTheSmallestFloats) {

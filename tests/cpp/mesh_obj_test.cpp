@@ -42,6 +42,58 @@ TEST(Obj, MakesTrianglesOfPolygonsAsFans) {
             (Indices{0, 1, 2, 0, 2, 3, 0, 3, 4}));
 }
 
+TEST(Obj, CutsConcavePolygonsInside) {
+  // The dart covers 6 of its 5 by 3 hull; a fan around its first corner covers 10.
+  const Mesh mesh = meshOf("v 0 0 0\nv 4 1 0\nv 0 4 0\nv 1 1 0\nf 1 2 3 4\n");
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
+    const auto [a, b, c] = mesh.corners(i);
+    const auto at = [&](std::uint32_t vertex, int k) { return mesh.positions[vertex * 3 + k]; };
+    const float twice = (at(b, 0) - at(a, 0)) * (at(c, 1) - at(a, 1)) -
+                        (at(b, 1) - at(a, 1)) * (at(c, 0) - at(a, 0));
+    EXPECT_GT(twice, 0);
+    area += twice / 2;
+  }
+  // By the shoelace formula: (0 + 16 - 4 + 0) / 2.
+  EXPECT_EQ(area, 6);
+  EXPECT_EQ(mesh.normals, (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}));
+
+  std::string circle, face = "f";
+  for (int i = 1; i <= 5000; ++i) {
+    const double angle = i / 5000.0 * 6.283185307179586;
+    circle +=
+        "v " + std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) + " 0\n";
+    face += ' ' + std::to_string(i);
+  }
+  EXPECT_EQ(
+      load(circle + face).warnings,
+      std::vector<std::string>{"Faces of more than 4,096 corners are taken for convex ones."});
+}
+
+TEST(Obj, GoesWithoutUvsAndNormalsThatAreNotThere) {
+  const std::vector<std::string> warning{
+      "Faces name uvs or normals that are not there; they go without."};
+  for (const char* face : {"f 1/1/1 2/1/1 3/1/1", "f 1//1 2//2 3//3", "f 1/-1 2/0 3/7"}) {
+    const Loaded loaded = load(square + face);
+    ASSERT_TRUE(loaded.mesh) << loaded.problem;
+    EXPECT_EQ(loaded.mesh->positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}));
+    EXPECT_EQ(loaded.mesh->normals, (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1}));
+    EXPECT_TRUE(loaded.mesh->uvs.empty());
+    EXPECT_EQ(loaded.warnings, warning);
+  }
+  const Loaded partly = load(square + "vn 1 0 0\nf 1//1 2//2 3//1");
+  EXPECT_EQ(partly.mesh->normals, (Floats{1, 0, 0, 0, 0, 1, 1, 0, 0}));
+  EXPECT_EQ(partly.warnings, warning);
+}
+
+TEST(Obj, ReadsLinesThatEndInCarriageReturnsOnly) {
+  const Mesh mesh = meshOf("# old\rv 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 \\\r2 3\r");
+  EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  EXPECT_EQ(
+      problemIn("v 0 0 0\rv 1 0 x\r"),
+      "loadMesh: line 2 of the .obj has \"x\" where a number belongs; export the model again.");
+}
+
 TEST(Obj, CountsNegativeIndicesFromTheEnd) {
   const Mesh mesh = meshOf("v 9 9 9\n" + square + "f -4 -3 -1\n");
   EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 0, 1, 0}));
@@ -77,6 +129,30 @@ TEST(Obj, ReadsColorsBehindPositions) {
   EXPECT_NEAR(mesh.colors[9], 0.00154799f, 1e-8f);  // 0.02 / 12.92
 }
 
+TEST(Obj, ReadsColorsOfBytes) {
+  const Loaded bytes = load("v 0 0 0 255 0 51\nv 1 0 0\nv 0 1 0 1 255 128\nf 1 2 3");
+  const Floats& colors = bytes.mesh->colors;
+  ASSERT_EQ(colors.size(), 12u);
+  EXPECT_EQ((Floats{colors.begin(), colors.begin() + 2}), (Floats{1, 0}));
+  EXPECT_NEAR(colors[2], 0.0331048f, 1e-6f);  // ((0.2 + 0.055) / 1.055) ^ 2.4
+  EXPECT_EQ((Floats{colors.begin() + 3, colors.begin() + 8}), (Floats{1, 1, 1, 1, 1}));
+  EXPECT_NEAR(colors[8], 0.000303527f, 1e-9f);  // 1 / 255 / 12.92
+  EXPECT_EQ(
+      bytes.warnings,
+      std::vector<std::string>{"The colours of the .obj are read as whole numbers from 0 to 255."});
+}
+
+TEST(Obj, ClampsColors) {
+  for (const char* text : {"1.5 -1 0", "256 -0.5 0", "3e38 -3e38 -0"}) {
+    const Loaded clamped = load("v 0 0 0 " + std::string(text) + "\nv 1 0 0\nv 0 1 0\nf 1 2 3");
+    EXPECT_EQ((Floats{clamped.mesh->colors.begin(), clamped.mesh->colors.begin() + 4}),
+              (Floats{1, 0, 0, 1}));
+    EXPECT_EQ(
+        clamped.warnings,
+        std::vector<std::string>{"Colours of the .obj that lie outside 0 to 1 are clamped to it."});
+  }
+}
+
 TEST(Obj, PassesOverWhatItDoesNotKnow) {
   const Loaded loaded =
       load("# a comment\r\nmtllib a.mtl\r\no thing\r\ng part\r\ns off\r\n" + square +
@@ -94,8 +170,10 @@ TEST(Obj, NamesTheLineOfAFault) {
             "loadMesh: line 5 of the .obj speaks of position 5, but only 4 came before it" + again);
   EXPECT_EQ(problemIn(square + "f 1 2 0"),
             "loadMesh: line 5 of the .obj speaks of position 0, but only 4 came before it" + again);
-  EXPECT_EQ(problemIn(square + "f 1/1 2/1 3/1"),
-            "loadMesh: line 5 of the .obj speaks of uv 1, but none came before it" + again);
+  EXPECT_EQ(problemIn("f 1 2 3"),
+            "loadMesh: line 1 of the .obj speaks of position 1, but none came before it" + again);
+  EXPECT_EQ(problemIn(square + "f 1/a 2/1 3/1"),
+            "loadMesh: line 5 of the .obj has \"a\" where a face's corner belongs" + again);
   EXPECT_EQ(problemIn(square + "f 1 2 x"),
             "loadMesh: line 5 of the .obj has \"x\" where a face's corner belongs" + again);
   EXPECT_EQ(problemIn("v 0 \\\n0 0\nv 1 0,5 0"),

@@ -221,6 +221,32 @@ TEST_F(Refusals, OfNamesAndCountsOfOwnFunctions) {
   refusesName("for", "\"for\" is a word of GLSL itself.");
 }
 
+TEST_F(Refusals, OfOwnFunctionsWithNamesThatAreTaken) {
+  const auto refusesName = [&](const std::string& name, const std::string& why) {
+    refusesToWrite(
+        [&](Bench& bench) {
+          EXPECT_GE(bench.hostFunction(name, "float " + name + "(float x) { return x; }", 1), 0);
+        },
+        "fn: \"" + name + "\" cannot name a function: " + why);
+  };
+  refusesName("main", "it is the function that a shader begins with.");
+  refusesName("radians", "\"radians\" is a function of GLSL.");
+  refuses(hostFunction("warpjetHash", "float warpjetHash(float x) { return x; }", 1),
+          "fn: \"warpjetHash\" cannot name a function: such names are warpjet's own; rename it.");
+}
+
+TEST_F(Refusals, OfAVariableWithMembersNamedLikeAFunction) {
+  const int inputs = hostFunction("inputs", "float inputs(float x) {}", 1);
+  builder.output("gen", "y", own(inputs, {input("inputs.height")}));
+  refusesText(*this, "\"inputs\" is both a variable and a function; rename one.");
+}
+
+TEST_F(Refusals, OfNoExpressionThatCallsTheFunctionItself) {
+  const int wave = hostFunction("wave", "float wave(float x) {}", 1);
+  builder.output("gen", "y", own(wave, {input("wave(uTime)")}));
+  EXPECT_TRUE(written().text) << problemOfText();
+}
+
 TEST_F(Refusals, OfASecondFunctionOfTheSameName) {
   const std::string source = "float noise(float x) { return x; }";
   const int noise = hostFunction("noise", source, 1);

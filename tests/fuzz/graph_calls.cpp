@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "fuzz/require.hpp"
-#include "noise/noise.hpp"
+#include "noise/table.hpp"
 #include "warp/warp.hpp"
 
 namespace warpjet {
@@ -195,7 +195,7 @@ void GraphCalls::step() {
 
 // As JavaScript makes it: of whatever it is called on, of a whole seed, and of numbers.
 void GraphCalls::noise() {
-  const auto kind = NoiseKind(reader_.below(noiseNames.size())), base = NoiseKind(reader_.below(3));
+  const auto kind = NoiseKind(reader_.below(noises.size())), base = NoiseKind(reader_.below(3));
   const Noise noise{kind, base, 1 + reader_.below(3)};
   std::vector<int> operands{value(), builder_.constant(reader_.byte())};
   if (isFractal(kind)) {

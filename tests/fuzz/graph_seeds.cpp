@@ -1,7 +1,7 @@
 // Calls on a builder, as graph_calls.cpp reads them.
 #include "fuzz/graph_calls.hpp"
 #include "fuzz/seeds.hpp"
-#include "noise/noise.hpp"
+#include "noise/table.hpp"
 
 namespace warpjet {
 
@@ -118,9 +118,9 @@ Calls ownFunctions(std::size_t dialect) {
 }
 
 // Each kind of noise of the position, and derivatives of it.
-Calls noises(std::size_t dialect) {
+Calls everyNoise(std::size_t dialect) {
   Calls calls(dialect, 2);
-  for (std::size_t kind = 0; kind < noiseNames.size(); ++kind) {
+  for (std::size_t kind = 0; kind < noises.size(); ++kind) {
     calls.position().add(Step::Noise, {kind, kind % 3, 1, 0, kind, 0}).output();
     calls.derivative(1, {0, 16}).output();
   }
@@ -150,7 +150,7 @@ void writeGraphSeeds() {
     write("matrices", matrices(dialect));
     write("warp", warp(dialect));
     write("functions", ownFunctions(dialect));
-    write("noises", noises(dialect));
+    write("noises", everyNoise(dialect));
     write("oddities", oddities(dialect));
   }
 }

@@ -135,11 +135,21 @@ GltfBuilder twoMaterials() {
   return file;
 }
 
+GltfBuilder skinned() {
+  GltfBuilder file = squareFile();
+  auto& attributes = file.tree["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = file.accessor(std::vector<std::uint8_t>(16), "VEC4");
+  attributes["WEIGHTS_0"] = file.floats(std::vector<float>(16, 0.25f), "VEC4");
+  const std::vector<float> identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  const int matrices = file.accessor(identity, "VEC4", {{"type", "MAT4"}, {"count", 1}});
+  file.tree["skins"] = {{{"joints", {0}}, {"inverseBindMatrices", matrices}}};
+  file.tree["nodes"][0]["skin"] = 0;
+  return file;
+}
+
 GltfBuilder ignored() {
   GltfBuilder file = squareFile();
   file.tree["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
-  file.tree["skins"] = {{{"joints", {0}}}};
-  file.tree["nodes"][0]["skin"] = 0;
   file.tree["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
   file.tree["extensionsUsed"] = {"KHR_materials_unlit"};
   return file;
@@ -176,6 +186,7 @@ void writeMeshSeeds() {
   write("interleaved.glb", interleaved().glb());
   write("scene.glb", scene().glb());
   write("materials.glb", twoMaterials().glb());
+  write("skinned.glb", skinned().glb());
   write("ignored.glb", ignored().glb());
   write("embedded.gltf", allAttributes().embedded());
   GltfBuilder pictured = textured();

@@ -1,7 +1,17 @@
 // `npx warpjet`, as a shell starts it.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import {
+  existsSync,
+  linkSync,
+  mkdirSync,
+  mkdtempSync,
+  openSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, describe, test } from 'node:test'
@@ -138,6 +148,22 @@ describe('how it ends', () => {
     write('timer.js', 'setInterval(() => {}, 1000)\nexport { bend } from "./named.js"')
     const { code } = await ended([program, 'emit', 'timer.js'], ({ stdout }) => stdout.resume())
     assert.equal(code, 0)
+  })
+
+  const full = '/dev/full'
+  test('output that has no room is one sentence', { skip: !existsSync(full) }, async () => {
+    const stdio = ['ignore', openSync(full, 'w'), 'pipe']
+    const child = spawn(process.execPath, [program, 'emit', 'named.js'], { cwd: folder, stdio })
+    let stderr = ''
+    child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text))
+    const code = await new Promise((resolve) => child.on('close', resolve))
+    assert.equal(stderr, 'warpjet: the output cannot be written: there is no room left.\n')
+    assert.equal(code, 1)
+  })
+
+  test('a warp.js that awaits for ever is one sentence', async () => {
+    write('waits.js', 'await new Promise(() => {})\nexport { bend } from "./named.js"')
+    await refuses(['emit', 'waits.js'], /waits\.js never ends: outside of its functions it awaits/)
   })
 
   test('an error takes the unfinished line away', async () => {
@@ -299,6 +325,17 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     assert.deepEqual((await load('plain.glb')).material, { baseColor: material.baseColor })
   })
 
+  test('never writes over what it reads, by whatever link', async () => {
+    const before = readFileSync(join(folder, 'model.glb'))
+    symlinkSync('model.glb', join(folder, 'symbolic.glb'))
+    linkSync(join(folder, 'model.glb'), join(folder, 'hard.glb'))
+    for (const link of ['symbolic.glb', 'hard.glb'])
+      await usage(['bake', 'model.glb', 'named.js', '-o', link], /does not write over the model/)
+    assert.deepEqual(readFileSync(join(folder, 'model.glb')), before)
+    symlinkSync('named.js', join(folder, 'linked.js'))
+    await usage(['emit', 'named.js', '-o', 'linked.js'], /does not write over the warp/)
+  })
+
   test('what is wrong with files and warps', async () => {
     write('text.glb', 'no model')
     write(
@@ -335,6 +372,20 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
 })
 
 describe('info', () => {
+  test('shows nothing of a model that could steer a terminal', async () => {
+    const { json, chunks } = readGlb(exportGLB(model))
+    json.images[0].mimeType = 'image/\x1b[2J\u009b1m\u202egpj\r\nnote'
+    write('steering.glb', writeGlb(json, chunks[1].bytes))
+    const { stdout } = await works('info', 'steering.glb')
+    assert.match(stdout, /^texture +image\/\?\[2J\?1m\?gpj\?\?note, /m)
+    const { byteOffset } = json.bufferViews[json.images[0].bufferView]
+    chunks[1].bytes.set(new TextEncoder().encode('RIFF1234WEBP'), byteOffset)
+    write('steering.glb', writeGlb(json, chunks[1].bytes))
+    const { stderr } = await works('bake', 'steering.glb', 'named.js', '-o', 'plain.glb')
+    assert.match(stderr, /^Note: The picture of the base colour \(image\/\?\[2J\?1m/)
+    assert.doesNotMatch(stdout + stderr, /[^\n\P{Cc}]|\p{Cf}/u)
+  })
+
   test('says what is in a model', async () => {
     const { stdout } = await works('info', 'model.glb')
     assert.match(stdout, /^triangles +168$/m)
@@ -367,6 +418,6 @@ test('a warp along the normal is baked with how the normal varies, and its text 
   const { stdout } = await works('emit', 'bumps.js', '--surface-variation')
   assert.match(
     stdout,
-    /attributes: position, normal, normalXGradient, normalYGradient, normalZGradient/,
+    /attributes: vec3 position, vec3 normal, vec3 normalXGradient, vec3 normalYGradient, vec3 normalZGradient/,
   )
 })

@@ -1,6 +1,7 @@
 // Bad input gets one clear sentence, and the next warp works as if nothing had happened.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
+import { chain, inSpace, twist } from '../../dist/deformers.js'
 import { compile, compileWarp, gen, WarpError } from '../../dist/warpjet.js'
 
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
@@ -57,6 +58,36 @@ test('operators of JavaScript', () => {
   refuses(
     offset(({ position }) => (position.x() > 0 ? position : position.neg())),
     /do not work on expressions/,
+  )
+})
+
+test('expressions in texts', () => {
+  // For messages of others, but no shader reads it.
+  compile((glsl) => {
+    const x = glsl.param('x')
+    assert.equal(`${x}`, 'an expression of warpjet')
+    refuses(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
+    refuses(
+      () => glsl.fn({ name: 'f', arity: 1, source: `float f(float a) { return a * ${x}; }` }),
+      /^fn: the option "source" of f has an expression in its text; make it an argument/,
+    )
+    refuses(() => x + '', /do not work on expressions/)
+    return { result: x }
+  })
+})
+
+test('expressions of another copy of warpjet', async () => {
+  const other = await import('../../dist/warpjet.min.js')
+  let foreign
+  other.compileWarp(({ position }) => (foreign = position))
+  const sentence = /was made by another copy of warpjet; this page loads two, so take all/
+  refuses(
+    offset(() => foreign),
+    sentence,
+  )
+  refuses(
+    offset(({ position }) => position.add(foreign)),
+    sentence,
   )
 })
 
@@ -186,6 +217,72 @@ test('options', () => {
   refuses(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
   refuses(() => compileWarp(still, { names: { position: 5 } }), /names\.position: .* the number 5/)
   refuses(() => gen(() => {}, { maxDepthPerVariable: 0 }), /maxDepthPerVariable .* at least 1/)
+})
+
+test('results asked for by .output(…) outside of gen', () => {
+  const asks = (warp) =>
+    offset(({ glsl, millis, position }) => {
+      const slope = glsl.fn({
+        name: 'slope',
+        arity: 1,
+        source: 'float slope(float x) { return x; }',
+        derivatives: [(x) => void x.output('hack')],
+      })
+      return warp({ glsl, millis, position, slope })
+    })
+  const only = /^output(Deriv)?: only gen takes results this way; return the expression/
+  refuses(
+    asks(({ millis, position }) => {
+      millis.sin().output('hack')
+      return position
+    }),
+    only,
+  )
+  refuses(
+    asks(({ millis, position }) => {
+      millis.sin().outputDeriv('hack', millis)
+      return position
+    }),
+    only,
+  )
+  refuses(
+    asks(({ glsl, position, slope }) => glsl.vec3(slope(position.x()), 0, 0)),
+    only,
+  )
+  refuses(
+    () =>
+      compile((glsl) => {
+        const x = glsl.param('x')
+        x.sin().output('hack')
+        return { r: x.cos(), s: glsl.val(0) }
+      }),
+    only,
+  )
+})
+
+test('a class in the place of a function', () => {
+  class Offset {}
+  const isClass = /a function was expected, but a class came\./
+  for (const run of [compileWarp, compile, gen]) refuses(() => run(Offset), isClass)
+  refuses(() => compileWarp(Map), isClass)
+  refuses(
+    () => compileWarp(still, { uniforms: { reach: Offset } }),
+    /^compileWarp: the uniform "reach" must be a number, .*, but is a class\./,
+  )
+  const slope = (glsl) =>
+    glsl.fn({
+      name: 'slope',
+      arity: 1,
+      source: 'float slope(float x) { return x; }',
+      derivatives: [Offset],
+    })
+  refuses(
+    offset(({ glsl, position }) => glsl.vec3(slope(glsl)(position.x()), 0, 0)),
+    /^slope: derivative 1 must be a number or an expression, but is a class/,
+  )
+  refuses(() => chain(twist({ angle: 1 }), Offset), /argument 2 must be an offset .* is a class/)
+  refuses(() => twist({ angle: Offset }), /"angle" must be .* but is a class/)
+  refuses(() => inSpace(Offset, still), /but is a class/)
 })
 
 test('names of results', () => {

@@ -17,6 +17,12 @@ describe('shader texts', () => {
       assert.equal(text, kept[file], 'If the new text is right, keep it with `npm run golden`.'))
 })
 
+test('no two shader texts are the same', () => {
+  const files = Object.keys(texts)
+  const same = files.filter((file, i) => files.slice(0, i).some((f) => texts[f] === texts[file]))
+  assert.deepEqual(same, [], 'What is kept twice proves nothing more, and may be a mistake.')
+})
+
 describe('shader texts read well:', () => {
   for (const [file, text] of Object.entries(texts))
     test(file, () => {

@@ -2,7 +2,7 @@
 // what of a mesh is tested in C++.
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, afterEach, before, describe, test } from 'node:test'
@@ -235,6 +235,18 @@ describe('where the bytes come from', () => {
       writeFileSync(path, withBuffer(mesh, uri).text)
       await rejects(() => loadMesh(path), /^loadMesh: /)
     }
+    const inside = mkdtempSync(join(folder, 'sub'))
+    writeFileSync(join(inside, 'model.gltf'), withBuffer(mesh, 'linked/scene.bin').text)
+    mkdirSync(join(inside, 'real'))
+    writeFileSync(join(inside, 'real', 'scene.bin'), buffer)
+    symlinkSync('real', join(inside, 'linked'))
+    assert.deepEqual((await loadMesh(join(inside, 'model.gltf'))).positions, mesh.positions)
+    rmSync(join(inside, 'real', 'scene.bin'))
+    symlinkSync(join(folder, 'secret.bin'), join(inside, 'real', 'scene.bin'))
+    await rejects(
+      () => loadMesh(join(inside, 'model.gltf')),
+      /^loadMesh: the model needs the file "linked\/scene\.bin"/,
+    )
   })
 
   test('what is not there, and what is no source', async () => {
@@ -244,6 +256,11 @@ describe('where the bytes come from', () => {
     )
     await rejects(() => loadMesh(folder), /^loadMesh: the file .* cannot be read/)
     await rejects(() => loadMesh(`${origin}/no.glb`), /^loadMesh: .*no\.glb cannot be loaded.* 404/)
+    const long = `${origin}/${'folder/'.repeat(9)}nope.glb`
+    await rejects(
+      () => loadMesh(`${long}?token=1`),
+      new RegExp(`^loadMesh: ${long} cannot be loaded; the server answered 404\\.$`),
+    )
     await rejects(() => loadMesh('http://127.0.0.1:1/no.glb'), /^loadMesh: .* cannot be loaded/)
     await rejects(() => loadMesh('http://[/'), /^loadMesh: "http:\/\/\[\/" is no URL/)
     for (const source of [undefined, null, 7, {}, [1, 2]])

@@ -1,6 +1,7 @@
 // What `npm i warpjet` brings.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
+import { createRequire } from 'node:module'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
@@ -17,10 +18,11 @@ test('the package holds what a user needs and nothing else', () => {
   const [{ files }] = Array.isArray(report) ? report : Object.values(report)
   const others = files
     .map(({ path }) => path)
-    .filter((path) => !/^dist\/[\w.-]+\.js$|^dist\/types\/.*\.d\.ts$/.test(path))
+    .filter((path) => !/^dist\/(shared\/)?[\w.-]+\.js(\.map)?$|^dist\/types\/.*\.d\.ts$/.test(path))
   assert.deepEqual(others.sort(), ['CHANGELOG.md', 'LICENSE', 'README.md', 'package.json'])
-  const modules = ['warpjet', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
-  for (const file of [...modules, 'p5.warpjet.min', 'warpjet.deformers.min'])
+  const modules = ['warpjet', 'text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
+  const single = ['warpjet.min', 'mesh.min', 'p5.warpjet.min', 'warpjet.deformers.min']
+  for (const file of [...modules, ...single])
     assert.ok(
       files.some(({ path }) => path === `dist/${file}.js`),
       file,
@@ -34,9 +36,10 @@ test('the shipped types stand on their own', () => {
   writeFileSync(
     `${project}/use.ts`,
     "import { compileWarp, version } from 'warpjet'\nimport { gen } from 'warpjet/autodiff'\n" +
+      "import { compileWarp as compileText } from 'warpjet/text'\n" +
       "import { createWarp } from 'warpjet/p5'\nimport { loadMesh, type Mesh } from 'warpjet/mesh'\n" +
       "import { chain, twist, type TwistOptions } from 'warpjet/deformers'\n" +
-      'export const all: unknown[] = [compileWarp, gen, createWarp, chain(twist())]\n' +
+      'export const all: unknown[] = [compileWarp, compileText, gen, createWarp, chain(twist())]\n' +
       'export const options: TwistOptions = { axis: "x", angle: ({ millis }) => millis.div(1000) }\n' +
       'export const mesh: Promise<Mesh> = loadMesh(new Uint8Array(8))\n' +
       'export const text: string = version\n',
@@ -69,7 +72,9 @@ test('every entry loads in Node, without a DOM and without p5', async () => {
   const autodiff = await import('warpjet/autodiff')
   const addon = await import('warpjet/p5')
   const mesh = await import('warpjet/mesh')
+  const text = await import('warpjet/text')
   assert.equal(autodiff.gen, core.gen)
+  assert.equal(text.gen, core.gen)
   assert.equal(typeof addon.default, 'function')
   assert.equal(mesh.WarpError, core.WarpError)
   const { twist } = await import('warpjet/deformers')
@@ -78,26 +83,16 @@ test('every entry loads in Node, without a DOM and without p5', async () => {
   assert.equal(typeof globalThis.window, 'undefined')
 })
 
+test('require loads every entry, in the versions of Node that package.json names', () => {
+  const require = createRequire(import.meta.url)
+  for (const entry of ['', '/text', '/p5', '/autodiff', '/mesh', '/deformers'])
+    assert.ok(Object.keys(require(`warpjet${entry}`)).length, entry)
+  // The first of each line that has require for modules.
+  const { engines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  assert.equal(engines.node, '^20.19.0 || >=22.12.0')
+})
+
 test('glsl-autodiff’s global script name works: AutoDiff.gen', async () => {
   await import('../../dist/p5.warpjet.min.js')
   assert.equal(typeof globalThis.AutoDiff.gen, 'function')
-})
-
-test('the deformers bring no compiler: they use the one that is there', () => {
-  for (const name of ['core', 'evaluation', 'mesh']) {
-    const wasm = readFileSync(`${root}js-bindings/generated/${name}-wasm.js`, 'utf8')
-    const [, base64] = /'([^']+)'/.exec(wasm)
-    const script = readFileSync(`${root}dist/warpjet.deformers.min.js`, 'utf8')
-    assert.ok(!script.includes(base64.slice(0, 200)), name)
-  }
-})
-
-test('a page with a warp of p5 carries neither the evaluation nor the meshes', () => {
-  for (const name of ['evaluation', 'mesh']) {
-    const wasm = readFileSync(`${root}js-bindings/generated/${name}-wasm.js`, 'utf8')
-    const [, base64] = /'([^']+)'/.exec(wasm)
-    const script = readFileSync(`${root}dist/p5.warpjet.min.js`, 'utf8')
-    assert.ok(base64.length > 1000)
-    assert.ok(!script.includes(base64.slice(0, 200)), name)
-  }
 })

@@ -1,7 +1,7 @@
 // The option `uniforms` of compileWarp: types from values, and what they are worth on the CPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { WarpError, compileWarp } from 'warpjet'
+import { WarpError, compile, compileWarp } from 'warpjet'
 import { bakeWarp, subdivide } from 'warpjet/mesh'
 
 const origin = [0, 0, 0]
@@ -70,6 +70,41 @@ describe('types come from the values:', () => {
     const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.a.sub(glsl.param('a')), 1, 0)
     const warp = compileWarp(offset, { uniforms: { a: 3 } })
     assert.deepEqual(warp.uniforms, [])
+  })
+})
+
+describe('names that Object has too:', () => {
+  const names = ['constructor', 'toString', 'hasOwnProperty', 'valueOf']
+
+  test('are read where they are declared or given', () => {
+    for (const name of names) {
+      const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms[name], 0, 0)
+      assert.deepEqual(movedTo(offset, { [name]: 2 }), [2, 0, 0], name)
+      assert.deepEqual(movedTo(offset, { [name]: () => 2 }), [2, 0, 0], name)
+      assert.deepEqual(movedTo(offset, { [name]: 2 }, { [name]: 3 }), [3, 0, 0], name)
+    }
+  })
+
+  test('in objects without a prototype', () => {
+    const bare = (entries) => Object.assign(Object.create(null), entries)
+    const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.toString, uniforms.reach, 0)
+    const declared = bare({ toString: 2, reach: 5 })
+    assert.deepEqual(movedTo(offset, declared), [2, 5, 0])
+    assert.deepEqual(movedTo(offset, declared, bare({ toString: 3 })), [3, 5, 0])
+  })
+
+  test('__proto__ is a key like others, and no name of a shader', () => {
+    const uniforms = JSON.parse('{ "__proto__": 1 }')
+    refuses(
+      () => compileWarp(({ glsl, uniforms }) => glsl.vec3(uniforms['__proto__']), { uniforms }),
+      /"__proto__" cannot be read in a shader: .* two underscores/,
+    )
+    const still = compileWarp(({ position }) => position, { uniforms })
+    assert.deepEqual(still.evaluateAt([1, 2, 3], { uniforms }).position, [2, 4, 6])
+    refuses(
+      () => compileWarp(({ position }) => position).evaluateAt(origin, { uniforms }),
+      /the warp has no uniform "__proto__"/,
+    )
   })
 })
 
@@ -217,6 +252,30 @@ describe('one sentence says what is wrong:', () => {
     refuses(call({ center: [1, NaN, 2] }), /"center" must have finite numbers, but has NaN/)
     refuses(call({ unread: 1 }), /"unread" is a vec2 and takes an array of 2 numbers/)
     refuses(call({ centre: [1, 2, 3] }), /no uniform "centre"; there are .*center, amount, unread/)
+  })
+
+  test('that only Object has', () => {
+    const offset = ({ glsl }) => glsl.vec3(glsl.param('toString'), glsl.param('constructor'), 0)
+    const warp = compileWarp(offset)
+    const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
+    refuses(call(), /the warp reads "toString"; give it a value/)
+    refuses(call({ toString: 1 }), /the warp reads "constructor"; give it a value/)
+    assert.deepEqual(call({ toString: 1, constructor: 2 })().position, [1, 2, 0])
+    const { evaluate } = compile((glsl) => ({ y: glsl.param('toString').mult(2) }))
+    refuses(() => evaluate({}), /^evaluate: "toString" must be a number, but is undefined/)
+    assert.deepEqual(evaluate({ toString: 2 }), { y: 4 })
+  })
+
+  test('that have the name of an input which the shader calls otherwise', () => {
+    const offset = ({ glsl, millis }) => glsl.vec3(glsl.param('millis').mult(millis), 0, 0)
+    refuses(
+      () => compileWarp(offset, { names: { millis: 'uTime' } }),
+      /^compileWarp: the shader's "millis" has the name of the input millis, .* "uTime"; rename it/,
+    )
+    const alone = ({ glsl }) => glsl.vec3(glsl.param('millis'), 0, 0)
+    assert.deepEqual(compileWarp(alone, { names: { millis: 'uTime' } }).uniforms, [
+      { name: 'millis', type: 'float' },
+    ])
   })
 
   test('a function that changes its type', () => {

@@ -36,6 +36,7 @@ const add = (p, shift) => p.map((x, i) => x + shift[i])
  * level rounding the shifted points to float32, 1e-6 fine from 8 to 16, alone turns the normal by up to 0.02°.
  */
 const relief = (level) => ({
+  deep: level > 0,
   size: 1,
   step: 1e-5,
   degrees: level < 2 ? 0.02 : 0.05,

@@ -1,7 +1,9 @@
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { compileWarp } from '../../dist/warpjet.js'
 import { degrees } from '../browser/support/compare.js'
 import { gallery } from './gallery.js'
 import { inputs } from './inputs.js'
+import { normalAt } from './normal-field.js'
 import { operations } from './operations.js'
 import { pieces } from './pieces.js'
 import { sketchWarps } from './sketches.js'
@@ -19,14 +21,22 @@ vec3 warpedNormal = sign(normal.z) * normalize(vec3(-slopeX, -slopeY, 1.0));`,
 /** The pipelines of the tests show warps no images; p5-texture.test.js does. */
 const readsImage = ({ warp }) => warp && /sampler2D/.test(compileWarp(warp).declarations)
 
+/** A sketch's warp as createWarp compiles it on p5 2, where normals vary over the surface unless the options say no. */
+function asInSketch({ name, warp, options, text }) {
+  const oracle = gallery[name]
+  if (text) return { text, compile: () => asWarp(text), ...oracle }
+  const { surfaceVariation = true } = options
+  const varying = (p, inputs) => oracle.offset(p, { ...inputs, normal: normalAt(p, inputs) })
+  return {
+    compile: (target) => compileWarp(warp, { target, surfaceVariation }),
+    ...oracle,
+    ...(surfaceVariation && oracle && { offset: varying }),
+  }
+}
+
 const sketches = (await sketchWarps())
   .filter((sketch) => !readsImage(sketch))
-  .map((sketch) => ({
-    kept: true,
-    ...sketch,
-    ...gallery[sketch.name],
-    ...(sketch.text && { compile: () => asWarp(sketch.text) }),
-  }))
+  .map((sketch) => ({ name: sketch.name, kept: true, ...asInSketch(sketch) }))
 
 /**
  * All warps, [{ name, compile, offset, size, step, degrees, every, reach, params, collapses, kept }].
@@ -39,7 +49,8 @@ const sketches = (await sketchWarps())
  * - `reach` is how large the numbers in the formulas get, for rounding errors are in proportion to it;
  * - `params` are values of the warp's own parameters;
  * - `collapses`: where the moved surface has no normal, its derivatives are exactly zero in float32 too;
- * - `kept`: its text is one of tests/golden.
+ * - `kept`: its text is one of tests/golden;
+ * - `deep`: its text is long to compile.
  */
 export const warps = [...stress, ...sketches, ...operations, ...pieces, ...inputs].map((warp) => ({
   compile: (target) => compileWarp(warp.warp, { target }),
@@ -50,6 +61,9 @@ export const warps = [...stress, ...sketches, ...operations, ...pieces, ...input
   params: {},
   ...warp,
 }))
+
+/** Those that this run computes with. */
+export const warpsInThisRun = warps.filter(({ deep }) => !deep || isRun('deep domain warping'))
 
 /** Oracles whose sketch is gone. */
 export const orphans = Object.keys(gallery).filter(

@@ -3,7 +3,7 @@ import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 
 const turned = ({ glsl, position, normal, millis }) => {
   const spin = glsl.rotate(glsl.vec3(0.2, 1, 0), position.y().add(millis.div(1000)))
-  const ridge = position.x().mod(0.5).sub(0.25).abs().tanh()
+  const ridge = position.x().mod(0.5).sub(0.25).abs().tanh().add(position.z().round())
   return spin
     .mult(position)
     .sub(position)

@@ -16,8 +16,8 @@ const pretended = new Proxy(() => {}, {
 const numbers = { PI: Math.PI, TWO_PI: 2 * Math.PI, HALF_PI: Math.PI / 2 }
 
 /**
- * All warps and shader texts of the sketches, in order → [{ name, warp }] and [{ name, text }]. The name is the sketch's
- * folder, followed by the variable if there are several.
+ * All warps and shader texts of the sketches, in order → [{ name, warp, options }] and [{ name, text }]. The name is the
+ * sketch's folder, followed by the variable if there are several; `options` are those of createWarp.
  */
 export async function sketchWarps() {
   const folders = readdirSync(examples).sort()
@@ -35,8 +35,8 @@ async function warpsOf(folder) {
     variables.length > 1 ? `${folder}-${variables[found.length].toLowerCase()}` : folder
   const known = {
     ...numbers,
-    createWarp(warp) {
-      found.push({ name: name(), warp })
+    createWarp(warp, options = {}) {
+      found.push({ name: name(), warp, options })
       return pretended
     },
     warpjet: {

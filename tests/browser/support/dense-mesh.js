@@ -1,9 +1,18 @@
-// Vertices to warp, as the float32 numbers that a vertex shader is given: position, normal, uv, color.
-
+// Vertices to warp, as the float32 numbers that a vertex shader is given: position, normal, uv, color, and how the normal
+// varies over the surface.
+import { normalGradients } from '../../warps/normal-field.js'
 import { directions } from './mesh.js'
 
-export const layout = { position: 3, normal: 3, uv: 2, color: 4 }
-export const stride = 12
+export const layout = {
+  position: 3,
+  normal: 3,
+  uv: 2,
+  color: 4,
+  normalXGradient: 3,
+  normalYGradient: 3,
+  normalZGradient: 3,
+}
+export const stride = Object.values(layout).reduce((sum, size) => sum + size)
 
 const sphere = (count) =>
   directions(count).map((point) => ({
@@ -59,6 +68,7 @@ export function denseMesh(size, every = 1) {
       ...normal,
       ...uv,
       ...color(position),
+      ...Object.values(normalGradients(normal, size)).flat(),
     ]),
   )
 }
@@ -72,13 +82,21 @@ export function vertices(mesh) {
   })
 }
 
-/** Those objects as `evaluate` takes them. */
-export const arraysOf = (points) => ({
-  positions: Float32Array.from(points.flatMap(({ position }) => position)),
-  normals: Float32Array.from(points.flatMap(({ normal }) => normal)),
-  uvs: Float32Array.from(points.flatMap(({ uv }) => uv)),
-  colors: Float32Array.from(points.flatMap(({ color }) => color)),
-})
+/** Those objects as `evaluate` takes them for a warp whose text reads `attributes`: how normals vary is known on the CPU
+ * where it is in the shader. */
+export function arraysOf(points, attributes) {
+  const all = (name) => Float32Array.from(points.flatMap((point) => point[name]))
+  const gradients = attributes
+    .filter(({ name }) => name.endsWith('Gradient'))
+    .map(({ name }) => [`${name}s`, all(name)])
+  return {
+    positions: all('position'),
+    normals: all('normal'),
+    uvs: all('uv'),
+    colors: all('color'),
+    ...Object.fromEntries(gradients),
+  }
+}
 
 /** Positions and normals, six numbers a vertex, as the shaders give them. */
 export function interleaved({ positions, normals }) {

@@ -1,6 +1,7 @@
 // Runs compiled text on the real GPU pipelines of a browser, and gives back the float32 numbers
 // that it computed: the text of `glsl100` in WebGL 1, that of `glsl300` in WebGL 2, that of `wgsl`
 // in WebGPU.
+import { isRun } from '../../../.scripts/lib/tiers.mjs'
 import { launchBrowser, openPage } from './browser.js'
 import { servePages } from './server.js'
 
@@ -37,6 +38,11 @@ const webgpuFlags = [
 
 /** The dialects that there are pipelines for. */
 export const targets = Object.keys(modules)
+
+/** Those whose numbers this run compares with the references. */
+export const targetsInThisRun = targets.filter(
+  (target) => target === 'glsl300' || isRun('all dialects'),
+)
 
 /**
  * Starts a browser → { run, close }.

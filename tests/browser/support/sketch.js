@@ -1,5 +1,6 @@
 // p5 sketches as pages, drawn frame by frame.
 import assert from 'node:assert/strict'
+import { isRun } from '../../../.scripts/lib/tiers.mjs'
 import { openPage } from './browser.js'
 import { readPixels } from './pixels.js'
 
@@ -8,6 +9,11 @@ export const p5Versions = {
   '2.x': '/node_modules/p5/lib/p5.js',
   1.11: '/node_modules/p5-v1/lib/p5.js',
 }
+
+/** Those that this run draws with, [[version, file]]. */
+export const p5InThisRun = Object.entries(p5Versions).filter(
+  ([version]) => version !== '1.11' || isRun('p5 1.11'),
+)
 
 /** Opens a page with `scripts` (addresses) and then `code`, and waits until that sets `window.done` → { page, messages }. */
 export async function runSketch(browser, server, scripts, code, type = '') {
@@ -27,9 +33,15 @@ ${code}
 
 /**
  * Runs a global mode sketch and draws each of `scenes`, p5 code by name, as a frame of its own → images by name.
- * `setup` runs after createCanvas, and may keep things in the object `warps`; the mouse is at 30, 10. Fails if the page prints anything.
+ * `setup` runs after createCanvas, and may keep things in the object `warps`; push() and pop() stand around each scene unless
+ * `isPushed` is false; the mouse is at 30, 10. Fails if the page prints anything.
  */
-export async function drawScenes(browser, server, scripts, { size = 200, setup = '', scenes }) {
+export async function drawScenes(
+  browser,
+  server,
+  scripts,
+  { size = 200, setup = '', scenes, isPushed = true },
+) {
   const functions = Object.entries(scenes).map(
     ([name, code]) => `${JSON.stringify(name)}: () => { ${code} }`,
   )
@@ -48,9 +60,9 @@ function setup() {
 }
 function draw() {
   background(0)
-  push()
+  ${isPushed ? 'push()' : ''}
   scene()
-  pop()
+  ${isPushed ? 'pop()' : ''}
 }`,
   )
   await page.mouse.move(30, 10)

@@ -1,0 +1,44 @@
+// The two tiers of the tests, named here and nowhere else. `npm test` is the everyday run: at most 6 minutes on two quiet
+// cores with everything built before, 10 from a fresh clone. `npm test -- --all` is everything, in at most 15 minutes.
+// What is not left out below is run every day. What is started by hand, such as one file by `node --test`, is run whole.
+
+/** What an everyday run leaves out, each with the reason: whole steps by title, whole files, and parts that files ask `isRun` for. */
+export const leftOut = {
+  steps: {
+    'The same under ASan and UBSan':
+      'compiling it takes twice as long as for the native tests; these have the checks of the standard library',
+    Fuzzing:
+      'searching takes a minute of each core; its corpus is run every day with the C++ tests',
+  },
+  files: {
+    'tests/browser/bench.test.js': 'the benchmark is run seldom, by hand, and ships to nobody',
+    'tests/browser/bench-pages.test.js': 'likewise its page',
+    'tests/browser/bench-results.test.js': 'likewise the page of its results',
+  },
+  parts: {
+    'p5 1.11':
+      'what it does differently is little and changes seldom; p5-1.test.js has a smoke test',
+    'all dialects':
+      'WebGL 1 and WebGPU run the same nodes as WebGL 2, in words that tests/golden keeps for each dialect',
+    'every example through the page':
+      'the page frames every example alike; every day each is drawn by itself, and three through it',
+    'every model': 'models differ in their vertices alone; every day each warp meets one of them',
+    'deep domain warping': 'its texts take a compiler without a GPU half a minute',
+  },
+}
+
+/** In minutes. */
+export const limits = { everyday: 6, all: 15 }
+
+const variable = 'WARPJET_TIER'
+
+/** Sets the tier of this process and of those that it starts. */
+export const chooseTier = (tier) => (process.env[variable] = tier)
+
+export const isEveryday = () => process.env[variable] === 'everyday'
+
+/** Whether a part of a test file belongs to this run. */
+export function isRun(part) {
+  if (!(part in leftOut.parts)) throw new Error(`tiers.mjs gives no reason to leave out ${part}.`)
+  return !isEveryday()
+}

@@ -1,0 +1,45 @@
+// Values by node of which most are never set: pages of them, each made when one of its values is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+template <class Value>
+class Paged {
+ public:
+  static constexpr std::size_t pageSize = 512;
+
+  // Makes room for the node.
+  Value& set(NodeId id) {
+    const std::size_t page = index(id) / pageSize;
+    if (page >= pages_.size()) pages_.resize(page + 1);
+    if (!pages_[page]) {
+      pages_[page] = std::make_unique<Page>();
+      ++count_;
+    }
+    return (*pages_[page])[index(id) % pageSize];
+  }
+
+  // A value never set is the one that its type begins with.
+  Value operator[](NodeId id) const {
+    const std::size_t page = index(id) / pageSize;
+    if (page >= pages_.size() || !pages_[page]) return {};
+    return (*pages_[page])[index(id) % pageSize];
+  }
+
+  std::size_t bytes() const { return count_ * sizeof(Page) + pages_.size() * sizeof(pages_[0]); }
+
+ private:
+  using Page = std::array<Value, pageSize>;
+
+  std::vector<std::unique_ptr<Page>> pages_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace warpjet

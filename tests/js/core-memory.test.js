@@ -1,0 +1,73 @@
+// The compiler in a memory of 8 MB, so that it runs out soon: one sentence, and the next warp works.
+import assert from 'node:assert/strict'
+import { afterEach, test } from 'node:test'
+
+// The most that a memory may grow to stands in the module: 32,768 pages, in the bytes of LEB128.
+const most = Buffer.from([0x80, 0x80, 0x02])
+const { Module } = WebAssembly
+WebAssembly.Module = function (bytes) {
+  const copy = Buffer.from(bytes)
+  const memory = copy.indexOf(Buffer.concat([Buffer.from([1, 1]), Buffer.from([0x20]), most]))
+  if (memory >= 0) copy.set([0x80, 0x81, 0x00], memory + 3)
+  return new Module(copy)
+}
+const { compile, compileWarp, memoryInUse, WarpError } = await import('../../dist/warpjet.js')
+
+const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+compileWarp(still)
+const before = memoryInUse()
+
+afterEach(() => {
+  assert.match(compileWarp(still).code, /warpedPosition/)
+  assert.equal(memoryInUse(), before)
+})
+
+const refuses = (work, message) =>
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof WarpError, error.stack)
+    assert.match(error.message, message)
+    return true
+  })
+
+const outOfMemory =
+  /^There is not enough memory for so large a warp: the compiler already holds [2-8] MB\.$/
+
+/** Sines of sums. */
+function many(start, count) {
+  let sum = start
+  for (let i = 0; i < count; i++) sum = sum.add(i).sin()
+  return sum
+}
+
+test('a warp that is too large', () => {
+  const large = ({ glsl, millis }) => glsl.vec3(many(millis, 1e6), 0, 0)
+  refuses(() => compileWarp(large), outOfMemory)
+})
+
+test('a hundred warps within each other', () => {
+  let deepest = 0
+  const nested = (depth) => () =>
+    compileWarp(({ glsl, millis }) => {
+      deepest = depth
+      many(millis, 5000)
+      if (depth < 100) nested(depth + 1)()
+      return glsl.vec3(0, 0, 0)
+    })
+  refuses(nested(1), outOfMemory)
+  assert.ok(deepest > 1 && deepest < 100, `${deepest}`)
+})
+
+test('a name longer than the memory', () => {
+  refuses(() => compile((glsl) => ({ y: glsl.param('x'.repeat(2 ** 23)) })), outOfMemory)
+})
+
+test('the warp around one that ran out of memory is lost too', () => {
+  refuses(
+    () =>
+      compileWarp(({ glsl, millis }) => {
+        refuses(() => compile((glsl) => ({ y: many(glsl.param('x'), 1e6) })), outOfMemory)
+        return glsl.vec3(millis, 0, 0)
+      }),
+    /^vec3: the compiler ran out of memory, and this warp was lost with it; make it again\.$/,
+  )
+})

@@ -1,0 +1,72 @@
+// What a sketch may have thousands of takes time in proportion to how many there are.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compile, compileWarp } from '../../dist/warpjet.js'
+
+/** Of two runs, which a busy machine disturbs less, the shorter time. */
+function timeOf(work, count) {
+  const times = [0, 1].map(() => {
+    const start = performance.now()
+    work(count)
+    return performance.now() - start
+  })
+  return Math.min(...times)
+}
+
+/** Four times as many take four times as long; where each is looked for among all, sixteen times. */
+function isLinear(work) {
+  const ratio = timeOf(work, 16000) / timeOf(work, 4000)
+  assert.ok(ratio < 9, `four times as many take ${ratio.toFixed(1)} times as long`)
+}
+
+const sumOf = (glsl, count, operand) => {
+  let sum = glsl.param('first')
+  for (let i = 0; i < count; i++) sum = sum.add(operand(i)).sin()
+  return sum
+}
+const compileSum = (operand) => (count) =>
+  compile((glsl) => ({ y: sumOf(glsl, count, (i) => operand(glsl, i)) }))
+
+test('parameters', () => isLinear(compileSum((glsl, i) => glsl.param(`p${i}`))))
+
+test('parameters named like temporaries', () =>
+  isLinear(compileSum((glsl, i) => glsl.param(`t${i}`))))
+
+test('results', () =>
+  isLinear((count) =>
+    compile((glsl) => {
+      const x = glsl.param('x')
+      return Object.fromEntries(Array.from({ length: count }, (_, i) => [`r${i}`, x.add(i).sin()]))
+    }),
+  ))
+
+test('functions', () => {
+  const source = (i) => `float f${i}(float x) { return x; }`
+  isLinear(compileSum((glsl, i) => glsl.fn({ name: `f${i}`, arity: 1, source: source(i) })(i)))
+})
+
+test('derivatives by parameters', () => {
+  isLinear(
+    compileSum((glsl, i) => {
+      const p = glsl.param(`p${i}`)
+      return glsl.derivative(p.sin().mult(p), p)
+    }),
+  )
+})
+
+test('the option uniforms, also on the CPU', () => {
+  const offset = (count) => (inputs) =>
+    inputs.glsl.vec3(
+      0,
+      0,
+      sumOf(inputs.glsl, count, (i) => inputs.uniforms[`u${i}`]),
+    )
+  const uniforms = (count) =>
+    Object.fromEntries(Array.from({ length: count }, (_, i) => [`u${i}`, i / count]))
+  const make = (count) => compileWarp(offset(count), { uniforms: uniforms(count) })
+  isLinear(make)
+  const warps = new Map([4000, 16000].map((count) => [count, make(count)]))
+  isLinear((count) =>
+    warps.get(count).evaluateAt([0, 0, 0], { uniforms: { ...uniforms(count), first: 0 } }),
+  )
+})

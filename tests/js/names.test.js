@@ -1,0 +1,53 @@
+// Names of functions of the host: those of each language, of shaders and of warpjet itself are refused.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { WarpError, compile, targets } from '../../dist/warpjet.js'
+import { functions } from '../operations/names.js'
+
+const refuses = (work, message) =>
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof WarpError, error.stack)
+    assert.match(error.message, message)
+    return true
+  })
+
+const declare = (name, target) =>
+  compile(
+    (glsl) => {
+      const source = { glsl: `float ${name}(float x) {}`, wgsl: `fn ${name}(x: f32) -> f32 {}` }
+      return { height: glsl.fn({ name, arity: 1, source })(glsl.param('steepness')) }
+    },
+    { target },
+  )
+
+for (const target of targets) {
+  test(`functions of ${target}`, () => {
+    assert.ok(functions[target].length > 40)
+    for (const name of functions[target])
+      refuses(
+        () => declare(name, target),
+        new RegExp(`^fn: "${name}" cannot name a function: .* (WGSL|GLSL)`),
+      )
+  })
+
+  test(`main, and what looks like warpjet's own, in ${target}`, () => {
+    refuses(() => declare('main', target), /"main" cannot .* that a shader begins with/)
+    refuses(() => declare('warpjetHash', target), /such names are warpjet's own; rename it/)
+    assert.match(declare('bump', target).code, /height = bump\(steepness\)/)
+  })
+
+  test(`a function of ours as the name of a result or a variable in ${target}`, () => {
+    const named = (result, variable) => () =>
+      compile(
+        (glsl) => ({ [result]: glsl.noise(glsl.vec2Param('place')).add(glsl.param(variable)) }),
+        { target },
+      )
+    const { declarations } = named('height', 'shift')()
+    const ours = [...new Set(declarations.match(/\bwarpjet\w+(?=\()/g))]
+    assert.ok(ours.includes('warpjetHash'), ours.join())
+    for (const name of ours) {
+      refuses(named(name, 'shift'), /cannot name a result|has the name of a variable or function/)
+      refuses(named('height', name), /cannot be read in a shader|is both a variable and a function/)
+    }
+  })
+}

@@ -1,0 +1,33 @@
+// How the normals of the tests' vertices vary over the surface: as on a sphere of the mesh's size, in every direction. So
+// each vertex stands for a surface of its own, near which the normal is a linear function.
+import { add, dot, normalize, subtract } from '../browser/support/matrix.js'
+
+const axes = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+]
+
+/** The gradients of x, y and z of the normal, by the names of the shader's attributes. */
+export function normalGradients(normal, size) {
+  const unit = normal.some(Boolean) ? normalize(normal) : [0, 0, 0]
+  const scale = Math.hypot(...normal) / size
+  const [normalXGradient, normalYGradient, normalZGradient] = axes.map((axis, i) =>
+    subtract(
+      axis,
+      unit.map((x) => unit[i] * x),
+    ).map((x) => scale * x),
+  )
+  return { normalXGradient, normalYGradient, normalZGradient }
+}
+
+/** The normal at `p` near a vertex; that of the vertex itself where nothing is known of its surroundings. */
+export function normalAt(p, vertex) {
+  const { position, normal, normalXGradient, normalYGradient, normalZGradient } = vertex
+  if (!normalXGradient) return normal
+  const step = subtract(p, position)
+  return add(
+    normal,
+    [normalXGradient, normalYGradient, normalZGradient].map((gradient) => dot(gradient, step)),
+  )
+}
