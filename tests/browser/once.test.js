@@ -21,12 +21,13 @@ after(async () => {
 for (const [version, p5] of Object.entries(p5Versions)) {
   describe(`a warp by chance on p5 ${version}`, () => {
     test('is the same on a new renderer, with another material, after a lost context', async () => {
-      const shape = `distort(); fill('red'); lights(); sphere(50)`
+      const shape = `background(0); distort(); fill('red'); lights(); sphere(50)`
       const images = await drawScenes(browser, server, [p5, addon], {
         setup: `
+          setAttributes({ antialias: false })
           calls = 0
           distort = createWarp(({ glsl, position }) => {
-            calls++
+            if (calls++) throw new Error('called twice')
             const bumps = position.mult(5).add(Math.random() * 6).sin().mult(0.1 + 0.1 * Math.random())
             return glsl.vec3(bumps.y(), bumps.z(), bumps.x())
           })`,
@@ -34,18 +35,20 @@ for (const [version, p5] of Object.entries(p5Versions)) {
           first: shape,
           normals: `normalMaterial(); ${shape}`,
           afterNormals: shape,
-          attributes: `setAttributes({ alpha: false }); ${shape}`,
-          webgl1: `setAttributes({ version: 1 }); ${shape}`,
+          attributes: `setAttributes({ antialias: false, alpha: false }); ${shape}`,
+          webgl1: `setAttributes({ antialias: false, version: 1 }); ${shape}`,
           lost: `
             drawingContext.getExtension('WEBGL_lose_context').loseContext()
-            setAttributes({ version: 2 })
+            setAttributes({ antialias: false, version: 2 })
             ${shape}`,
-          count: `for (let i = 0; i < calls; i++) { translate(12, 0); push(); fill(255); noStroke(); plane(8); pop() }`,
         },
       })
       assert.ok(litPixels(images.first).length > 2000)
       for (const name of ['afterNormals', 'attributes', 'webgl1', 'lost'])
-        assert.ok(differingPixels(images.first, images[name], 12) < 40, name)
+        assert.ok(
+          differingPixels(images.first, images[name], 12) < 40,
+          `${name}: ${differingPixels(images.first, images[name], 12)}`,
+        )
       const outline = ({ width, height, data }) => ({
         width,
         height,
@@ -54,7 +57,6 @@ for (const [version, p5] of Object.entries(p5Versions)) {
         ),
       })
       assert.ok(differingPixels(outline(images.first), outline(images.normals), 0) < 40)
-      assert.equal(litPixels(images.count).length, 64, 'one call')
     })
   })
 }
