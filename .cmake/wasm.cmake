@@ -10,10 +10,10 @@
 set_source_files_properties(js-bindings/bindings.cpp js-bindings/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 set_source_files_properties(
   src/algebra/derivatives.cpp src/algebra/matrices.cpp src/algebra/vectors.cpp src/builder/builder.cpp src/builder/call.cpp src/builder/construct.cpp
-  src/builder/host.cpp src/builder/results.cpp src/builder/sentences.cpp src/diff/partials.cpp src/emit/dialect.cpp src/emit/emit.cpp src/emit/literal.cpp src/emit/lower.cpp src/emit/bundle.cpp src/emit/names.cpp src/emit/statements.cpp src/functions/library.cpp src/functions/inline_calls.cpp
-  src/builder/declarations.cpp src/builder/noise.cpp src/builder/texture.cpp src/texture/texture.cpp src/noise/curl.cpp src/noise/fractal.cpp src/noise/lattice.cpp src/noise/noise.cpp
+  src/builder/host.cpp src/builder/results.cpp src/module/sentences.cpp src/module/label.cpp src/module/save.cpp src/diff/partials.cpp src/emit/dialect.cpp src/emit/glsl300.cpp src/emit/glsl100.cpp src/emit/wgsl.cpp src/emit/text.cpp src/emit/sums.cpp src/emit/emit.cpp src/emit/literal.cpp src/emit/lower.cpp src/emit/bundle.cpp src/emit/names.cpp src/emit/statements.cpp src/functions/library.cpp src/functions/inline_calls.cpp
+  src/emit/functions.cpp src/builder/noise.cpp src/builder/texture.cpp src/texture/texture.cpp src/noise/curl.cpp src/noise/fractal.cpp src/noise/lattice.cpp src/noise/noise.cpp
   src/noise/random.cpp src/noise/simplex.cpp src/noise/worley.cpp src/graph/functions.cpp src/graph/multi_index.cpp src/graph/schedule.cpp
-  src/emit/syntax.cpp src/emit/writer.cpp src/eval/program.cpp src/ops/ops.cpp src/warp/warp.cpp
+  src/module/syntax.cpp src/emit/writer.cpp src/eval/program.cpp src/ops/ops.cpp src/warp/warp.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
 
 # The same for meshes: what runs once per file or name in it.

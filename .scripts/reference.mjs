@@ -5,6 +5,7 @@ import { dirname } from 'node:path'
 import { path } from './lib/files.mjs'
 import { good, isMain, main } from './lib/terminal.mjs'
 import { deformersText } from './reference/deformers.mjs'
+import { numberedText } from './reference/numbered.mjs'
 import { pageText } from './reference/page.mjs'
 import { readTable } from './reference/table.mjs'
 import { typesText } from './reference/types.mjs'
@@ -16,6 +17,7 @@ export async function staleFiles() {
   const table = await readTable()
   const texts = {
     'js-bindings/methods.ts': typesText(table),
+    'js-bindings/tables.ts': numberedText(table),
     'web/docs/operations.md': pageText(table),
     'web/docs/deformers.md': deformersText(),
   }

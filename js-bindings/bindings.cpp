@@ -11,20 +11,32 @@
 #include <utility>
 
 #include "builder/builder.hpp"
+#include "emit/text.hpp"
+#include "eval/program.hpp"
 #include "noise/noise.hpp"
 #include "texture/texture.hpp"
+#include "warp/warp.hpp"
 
 using namespace warpjet;
 
 namespace {
 
-// One compilation: a builder, and what it gave.
+// One run of a sketch's function: a builder, and the words of its module in the end. The sources of
+// a function of the host come one by one.
 struct Session {
   Builder builder;
-  Built built;
-  Program program;
+  std::vector<HostText> sources;
+  std::vector<std::uint32_t> kept;
+};
 
-  explicit Session(const Dialect& dialect) : builder(dialect) {}
+// A module that was kept, how its host names things, and what was made of it.
+struct Reading {
+  Module module;
+  TextOptions options;
+  std::vector<std::uint32_t> results;
+  Text text;
+  Program program;
+  std::string problem;
 };
 
 NodeId toNode(int id) { return NodeId{static_cast<std::uint32_t>(id)}; }
@@ -47,14 +59,10 @@ EMSCRIPTEN_KEEPALIVE int callFunction(Session* session, int function) {
   return session->builder.callFunction(function);
 }
 
-// Kinds by their number in noiseNames.
+// Kinds by the number of their row.
 EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int octaves,
                                    int isMethod) {
   return session->builder.callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);
-}
-
-EMSCRIPTEN_KEEPALIVE int callTexture(Session* session, int filter, int wrap) {
-  return session->builder.callTexture({Filter(filter), Wrap(wrap)});
 }
 
 EMSCRIPTEN_KEEPALIVE int swizzle(Session* session, int handle, int count, int indices) {
@@ -82,8 +90,24 @@ EMSCRIPTEN_KEEPALIVE int setPartials(Session* session, int call) {
   return session->builder.setPartials(toNode(call));
 }
 
-EMSCRIPTEN_KEEPALIVE int dependsOn(Session* session, int handle, int input) {
-  return session->builder.dependsOn(handle, input);
+// The number of an input, by its value.
+EMSCRIPTEN_KEEPALIVE int inputOf(Session* session, int handle) {
+  return static_cast<int>(session->builder.inputOf(handle));
+}
+
+// Whether there is a module to keep.
+EMSCRIPTEN_KEEPALIVE int finish(Session* session) {
+  const bool isFine = session->builder.finish();
+  if (isFine) session->kept = save(session->builder.module());
+  return isFine;
+}
+
+EMSCRIPTEN_KEEPALIVE const std::uint32_t* keptWords(Session* session) {
+  return session->kept.data();
+}
+
+EMSCRIPTEN_KEEPALIVE int keptSize(Session* session) {
+  return static_cast<int>(session->kept.size());
 }
 
 // Columns and rows, four bits each.
@@ -92,35 +116,50 @@ EMSCRIPTEN_KEEPALIVE int shapeOf(Session* session, int handle) {
   return shape.columns << 4 | shape.rows;
 }
 
-EMSCRIPTEN_KEEPALIVE int nodeCount(Session* session) {
-  return static_cast<int>(session->built.emitted.nodes);
+EMSCRIPTEN_KEEPALIVE void closeSession(Session* session) { delete session; }
+
+// Reads words that were kept, which the caller laid into memory.
+EMSCRIPTEN_KEEPALIVE Reading* openReading(const std::uint32_t* words, int size) {
+  return new Reading{.module = load({words, static_cast<std::size_t>(size)})};
 }
 
-EMSCRIPTEN_KEEPALIVE int operationCount(Session* session) {
-  return static_cast<int>(session->built.emitted.operations);
+EMSCRIPTEN_KEEPALIVE void closeReading(Reading* reading) { delete reading; }
+
+EMSCRIPTEN_KEEPALIVE int nodeCount(Reading* reading) {
+  return static_cast<int>(reading->text.emitted.nodes);
 }
 
-EMSCRIPTEN_KEEPALIVE int temporaryCount(Session* session) {
-  return static_cast<int>(session->built.emitted.temporaries);
+EMSCRIPTEN_KEEPALIVE int operationCount(Reading* reading) {
+  return static_cast<int>(reading->text.emitted.operations);
 }
 
-// Makes the program that gives the values pushed. Whether there can be one.
-EMSCRIPTEN_KEEPALIVE int makeProgram(Session* session) {
-  auto program = session->builder.program();
-  if (program) session->program = std::move(*program);
-  return program.has_value();
+EMSCRIPTEN_KEEPALIVE int temporaryCount(Reading* reading) {
+  return static_cast<int>(reading->text.emitted.temporaries);
 }
 
-EMSCRIPTEN_KEEPALIVE const std::uint32_t* programWords(Session* session) {
-  return session->program.words.data();
+// Asks for one more result in the program, by number.
+EMSCRIPTEN_KEEPALIVE void wantResult(Reading* reading, int number) {
+  reading->results.push_back(static_cast<std::uint32_t>(number));
 }
 
-EMSCRIPTEN_KEEPALIVE int programSize(Session* session) {
-  return static_cast<int>(session->program.words.size());
+// Whether there is a program of these.
+EMSCRIPTEN_KEEPALIVE int makeProgram(Reading* reading) {
+  auto made = program(reading->module, reading->results);
+  reading->problem = made.problem;
+  if (made.program) reading->program = std::move(*made.program);
+  return made.program.has_value();
 }
 
-EMSCRIPTEN_KEEPALIVE int instructionCount(Session* session) {
-  return static_cast<int>(session->program.instructions);
+EMSCRIPTEN_KEEPALIVE const std::uint32_t* programWords(Reading* reading) {
+  return reading->program.words.data();
+}
+
+EMSCRIPTEN_KEEPALIVE int programSize(Reading* reading) {
+  return static_cast<int>(reading->program.words.size());
+}
+
+EMSCRIPTEN_KEEPALIVE int instructionCount(Reading* reading) {
+  return static_cast<int>(reading->program.instructions);
 }
 
 // Runs a program that the caller laid into memory.
@@ -138,8 +177,6 @@ EMSCRIPTEN_KEEPALIVE void* allocate(int bytes) {
 
 EMSCRIPTEN_KEEPALIVE void release(void* memory) { std::free(memory); }
 
-EMSCRIPTEN_KEEPALIVE void closeSession(Session* session) { delete session; }
-
 // Bytes that are allocated now.
 EMSCRIPTEN_KEEPALIVE int memoryInUse() {
   return static_cast<int>(emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory());
@@ -152,6 +189,7 @@ namespace {
 using Address = std::uintptr_t;
 
 Session& at(Address session) { return *reinterpret_cast<Session*>(session); }
+Reading& read(Address reading) { return *reinterpret_cast<Reading*>(reading); }
 
 // The names of all operations in the order of their numbers; of constructors with a `+` before it.
 std::string operationNames() {
@@ -164,11 +202,20 @@ std::string operationNames() {
   return names;
 }
 
-// A session, or 0 if there is no such dialect.
-Address open(const std::string& target) {
-  const Dialect* dialect = findDialect(target);
-  return dialect ? reinterpret_cast<Address>(new Session(*dialect)) : 0;
+// The names of all languages, the one first that counts unless another is asked for, each with what
+// glsl.fn calls its sources.
+std::string languageNames() {
+  std::string names;
+  for (const Dialect* dialect : dialects()) {
+    names += dialect->name;
+    names += ' ';
+    names += dialect->sourceKey;
+    names += '\n';
+  }
+  return names;
 }
+
+Address open() { return reinterpret_cast<Address>(new Session); }
 
 std::string problem(Address session) { return at(session).builder.problem(); }
 
@@ -177,60 +224,80 @@ int input(Address session, const std::string& method, const std::string& label, 
   return at(session).builder.input(method, label, matrixOf(columns, rows));
 }
 
-int addFunction(Address session, const std::string& name, const std::string& source, int arity) {
-  return at(session).builder.addFunction(name, source, arity);
+int callTexture(Address session, const std::string& image, int filter, int wrap) {
+  return at(session).builder.callTexture({Filter(filter), Wrap(wrap)}, image);
+}
+
+void addSource(Address session, const std::string& family, const std::string& text) {
+  at(session).sources.push_back({family, text});
+}
+
+int addFunction(Address session, const std::string& name, int arity) {
+  return at(session).builder.addFunction(name, std::exchange(at(session).sources, {}), arity);
 }
 
 void comment(Address session, const std::string& text) { at(session).builder.comment(text); }
 
-bool output(Address session, const std::string& method, const std::string& name, int handle) {
-  return at(session).builder.output(method, name, handle);
+void output(Address session, const std::string& method, const std::string& name, int handle) {
+  at(session).builder.output(method, name, handle);
 }
 
-bool outputSum(Address session, const std::string& method, const std::string& name, int handle,
-               int input, int term) {
-  return at(session).builder.outputSum(method, name, handle, input, term);
+// Of the values pushed; see Builder::warp.
+int warp(Address session, const std::string& method, bool turns, bool isFlat) {
+  return at(session).builder.warp(method, {turns, isFlat});
+}
+
+void nameInput(Address reading, int number, const std::string& text) {
+  read(reading).options.inputs.push_back({static_cast<std::uint32_t>(number), text});
+}
+
+void nameResult(Address reading, int number, const std::string& text) {
+  read(reading).options.results.push_back({static_cast<std::uint32_t>(number), text});
 }
 
 // Whether there is a text. A depth of 0 leaves it to us.
-bool buildText(Address session, int maxDepth) {
-  auto built = at(session).builder.build(maxDepth > 0 ? std::optional(maxDepth) : std::nullopt);
-  if (built) at(session).built = std::move(*built);
-  return built.has_value();
+bool writeText(Address reading, const std::string& target, int maxDepth) {
+  Reading& to = read(reading);
+  if (maxDepth > 0) to.options.emit = {maxDepth, EmitOptions::mostReads};
+  Written written = write(to.module, *findDialect(target), to.options);
+  to.problem = written.problem;
+  if (written.text) to.text = std::move(*written.text);
+  return written.text.has_value();
 }
 
-std::string code(Address session) { return at(session).built.emitted.code; }
-std::string declarations(Address session) { return at(session).built.declarations; }
+std::string readingProblem(Address reading) { return read(reading).problem; }
+std::string code(Address reading) { return read(reading).text.emitted.code; }
+std::string declarations(Address reading) { return read(reading).text.declarations; }
 
-// Columns, rows and name.
-std::string line(Shape shape, const std::string& name) {
-  return std::to_string(shape.columns) + std::to_string(shape.rows) + name + '\n';
-}
-
-std::string line(const Session& session, std::uint32_t input) {
-  const auto& [label, shape] = session.builder.graph().input(input);
-  return line(shape, label);
+// Columns, rows, number and name.
+std::string line(Shape shape, std::uint32_t number, const std::string& name) {
+  return std::to_string(shape.columns) + ' ' + std::to_string(shape.rows) + ' ' +
+         std::to_string(number) + ' ' + name + '\n';
 }
 
 // The host's expressions that the text reads, a line each.
-std::string inputLines(Address session) {
+std::string inputLines(Address reading) {
   std::string lines;
-  for (const std::uint32_t i : at(session).built.emitted.inputs) lines += line(at(session), i);
+  for (const auto& [number, text] : read(reading).text.inputs)
+    lines += line(read(reading).module.graph.input(number).shape, number, text);
   return lines;
 }
 
 // All that there are, in the order in which a program wants their numbers.
-std::string allInputLines(Address session) {
+std::string allInputLines(Address reading) {
+  const Graph& graph = read(reading).module.graph;
   std::string lines;
-  for (std::uint32_t i = 0; i < at(session).builder.graph().inputCount(); ++i)
-    lines += line(at(session), i);
+  for (std::uint32_t i = 0; i < graph.inputCount(); ++i)
+    lines += line(graph.input(i).shape, i, graph.input(i).label);
   return lines;
 }
 
-std::string outputLines(Address session) {
+std::string outputLines(Address reading) {
   std::string lines;
-  for (const Output& output : at(session).builder.outputs())
-    lines += line(output.shape, output.name);
+  for (std::uint32_t i = 0; i < read(reading).module.outputs.size(); ++i) {
+    const Output& output = read(reading).module.outputs[i];
+    lines += line(output.shape, i, output.name);
+  }
   return lines;
 }
 
@@ -242,14 +309,20 @@ EMSCRIPTEN_BINDINGS(warpjet) {
   emscripten::internal::_embind_register_std_string(
       emscripten::internal::TypeID<std::string>::get(), "std::string");
   emscripten::function("operationNames", &operationNames);
+  emscripten::function("languageNames", &languageNames);
   emscripten::function("open", &open);
   emscripten::function("problem", &problem);
   emscripten::function("input", &input);
+  emscripten::function("callTexture", &callTexture);
+  emscripten::function("addSource", &addSource);
   emscripten::function("addFunction", &addFunction);
   emscripten::function("comment", &comment);
   emscripten::function("output", &output);
-  emscripten::function("outputSum", &outputSum);
-  emscripten::function("build", &buildText);
+  emscripten::function("warp", &warp);
+  emscripten::function("nameInput", &nameInput);
+  emscripten::function("nameResult", &nameResult);
+  emscripten::function("write", &writeText);
+  emscripten::function("readingProblem", &readingProblem);
   emscripten::function("code", &code);
   emscripten::function("declarations", &declarations);
   emscripten::function("inputLines", &inputLines);

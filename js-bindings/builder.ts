@@ -78,13 +78,16 @@ export function createBuilder(compilation: Compilation): Builder {
   return builder
 }
 
+/** Only a compilation makes expressions. */
+const compilationOf = (expression: Expression) => expression.compilation as Compilation
+
 /** Methods that ask for results, as glsl-autodiff has them. */
 const results = {
   output(this: Expression, name: unknown) {
-    this.compilation.ask(name, this, 'output')
+    compilationOf(this).ask(name, this, 'output')
   },
   outputDeriv(this: Expression, name: unknown, input: unknown) {
-    const { compilation } = this
+    const compilation = compilationOf(this)
     const by = toExpression(compilation, 'outputDeriv', input, 2)
     compilation.ask(
       name,
@@ -115,18 +118,18 @@ function installMethods() {
   for (const [name, indices] of swizzles())
     define(name, function (...others) {
       expectNoMore(name, others)
-      return this.compilation.swizzle(name, this, indices)
+      return compilationOf(this).swizzle(name, this, indices)
     })
   for (const { name, number, isConstructor } of getOperations())
     if (!isConstructor)
       define(name, function (...given) {
-        const { compilation } = this
+        const compilation = compilationOf(this)
         const operands = given.map((operand, i) => toExpression(compilation, name, operand, i + 1))
         return compilation.call(number, name, [this, ...operands], true)
       })
   for (const kind of noiseKinds)
     define(kind, function (...operands) {
-      return callNoise(this.compilation, kind, [this, ...operands], true)
+      return callNoise(compilationOf(this), kind, [this, ...operands], true)
     })
   for (const [name, method] of Object.entries(results)) define(name, method)
 }

@@ -1,33 +1,19 @@
-// One compilation: the session in the wasm, which holds all that a sketch built so far. It is closed when the callback
-// is over, whatever happened.
+// One run of a sketch's function: the session in the wasm, which holds all that the sketch built so far. It is closed when
+// the callback is over, whatever happened.
 import { type Core, type Session, failed, getCore, needsPartials } from './core.js'
 import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
-import type { Program } from './evaluate.js'
-import type { HostFunction } from './functions.js'
+import type { KeptModule, Target } from './kept-module.js'
 import { isCallable } from './options.js'
-import { type Shape, type Variable, imageShape } from './shapes.js'
+import type { Shape } from './shapes.js'
 import { callerOutside } from './source-lines.js'
 
-export const targets = ['glsl300', 'glsl100', 'wgsl'] as const
-
-/** A shading language: GLSL ES 3.00 (WebGL 2), GLSL ES 1.00 (WebGL 1), or WGSL (WebGPU). */
-export type Target = (typeof targets)[number]
-
-/** The expression for an image's width and height in texels. */
-const sizeOfImage: Record<Target, (image: string) => string> = {
-  glsl300: (image) => `vec2(textureSize(${image}, 0))`,
-  glsl100: (image) => `${image}Size`,
-  wgsl: (image) => `vec2f(textureDimensions(${image}))`,
-}
-
-export interface Emitted {
-  code: string
-  declarations: string
-  /** The host's expressions that the text reads. */
-  inputs: Variable[]
-  outputs: Variable[]
-  stats: { nodes: number; operations: number; temporaries: number }
+/** A function of the host from numbers to a number, as the sketch declared it. */
+export interface HostFunction {
+  name: string
+  arity: number
+  /** One for each argument: a number, an expression, or a function from the arguments to one of them. */
+  derivatives: readonly unknown[] | undefined
 }
 
 /** What `gen` alone has: results that expressions ask for by `.output(name)`, and the lines of the sketch. */
@@ -36,25 +22,19 @@ export interface Gen {
 }
 
 export class Compilation {
-  readonly target: Target
   /** The functions of the host, by their number. */
   readonly functions: HostFunction[] = []
-  /** Expressions of our own that are read as if they were the host's. */
-  private readonly asked = new Set<string>()
   private readonly core: Core = getCore()
   private session: Session | 0
-  private readonly gen: Gen | undefined
   /** How many functions' derivatives are being asked for at this moment. */
   private nesting = 0
 
-  constructor(target: unknown, gen?: Gen) {
-    if (!targets.includes(target as Target))
-      throw new WarpError(
-        `The option "target" must be one of ${targets.join(', ')}, but is ${describe(target)}.`,
-      )
-    this.target = target as Target
-    this.session = this.core.open(this.target)
-    this.gen = gen
+  constructor(
+    /** The language of texts of the sketch that do not say theirs. */
+    readonly target: Target,
+    private readonly gen?: Gen,
+  ) {
+    this.session = this.core.open()
   }
 
   close() {
@@ -89,9 +69,9 @@ export class Compilation {
     return [shape >> 4, shape & 15]
   }
 
-  /** Whether a value is computed from an input. */
-  dependsOn(value: Expression, input: Expression): boolean {
-    return !!this.core._dependsOn(this.open('dependsOn'), value.handle, input.handle)
+  /** The number of an input in the module. */
+  numberOf(input: Expression): number {
+    return this.core._inputOf(this.open('number'), input.handle)
   }
 
   /** A number that float32 can hold; see `toExpression`. */
@@ -128,9 +108,12 @@ export class Compilation {
     return this.expression(result)
   }
 
-  addFunction(hostFunction: HostFunction, source: string): number {
+  /** With its text in each language that there is one in. */
+  addFunction(hostFunction: HostFunction, sources: ReadonlyMap<string, string>): number {
     const { name, arity } = hostFunction
-    const number = this.core.addFunction(this.open('fn'), name, source, arity)
+    const session = this.open('fn')
+    for (const [language, text] of sources) this.core.addSource(session, language, text)
+    const number = this.core.addFunction(session, name, arity)
     if (number === failed) this.refuse()
     this.functions[number] = hostFunction
     return number
@@ -159,16 +142,8 @@ export class Compilation {
   /** The host's image of that name at a vec2, with filter and wrap by number. */
   callTexture(image: string, uv: Expression, filter: number, wrap: number): Expression {
     const session = this.open('texture')
-    const size = sizeOfImage[this.target](image)
-    // WebGL 1 cannot ask an image for its size, so there it is a variable of the host like others.
-    if (this.target !== 'glsl100') this.asked.add(size)
-    const operands = [
-      uv,
-      this.input(image, imageShape, 'texture'),
-      this.input(size, [1, 2], 'texture'),
-    ]
-    for (const { handle } of operands) this.core._push(session, handle)
-    return this.expression(this.core._callTexture(session, filter, wrap))
+    this.core._push(session, uv.handle)
+    return this.expression(this.core.callTexture(session, image, filter, wrap))
   }
 
   /** A derivative meets calls of the host's functions: the sketch says what their partial derivatives are there. */
@@ -222,58 +197,32 @@ export class Compilation {
 
   /** Adds a result under a name. */
   output(name: unknown, value: Expression, method: string) {
+    this.core.output(this.open(method), method, resultName(name, method), value.handle)
+  }
+
+  /** Asks for all results of a warp, from its offset and what src/warp calls its inputs. */
+  warp(method: string, operands: readonly Expression[], turns: boolean, isFlat: boolean) {
     const session = this.open(method)
-    if (!this.core.output(session, method, resultName(name, method), value.handle)) this.refuse()
-  }
-
-  /** A result that is also the sum of an input and the earlier output number `term`, for shorter text. */
-  outputSum(name: unknown, value: Expression, input: Expression, term: number, method: string) {
-    const session = this.open(method)
-    const text = resultName(name, method)
-    if (!this.core.outputSum(session, method, text, value.handle, input.handle, term)) this.refuse()
-  }
-
-  /** For the CPU; nothing if it would call a function of the host. */
-  program(results: readonly Expression[]): Program | undefined {
-    const session = this.open('program')
-    for (const { handle } of results) this.core._push(session, handle)
-    if (!this.core._makeProgram(session)) {
-      if (this.core.problem(session)) this.refuse()
-      return undefined
-    }
-    const at = this.core._programWords(session) / 4
-    return {
-      words: this.core.HEAPU32.slice(at, at + this.core._programSize(session)),
-      instructions: this.core._instructionCount(session),
-      inputs: readLines(this.core.allInputLines(session)),
+    for (;;) {
+      for (const { handle } of operands) this.core._push(session, handle)
+      const result = this.core.warp(session, method, turns, isFlat)
+      if (result === failed) this.refuse()
+      if (result !== needsPartials) return { varies: !!result }
+      this.givePartials(session)
     }
   }
 
-  /** A `maxDepth` makes temporaries by depth, and not by how much an expression reads. */
-  build(maxDepth = 0): Emitted {
-    const session = this.open('build')
-    if (!this.core.build(session, Math.min(maxDepth, 2 ** 30))) this.refuse()
-    return {
-      code: this.core.code(session),
-      declarations: this.core.declarations(session),
-      inputs: readLines(this.core.inputLines(session)).filter(({ name }) => !this.asked.has(name)),
-      outputs: readLines(this.core.outputLines(session)),
-      stats: {
-        nodes: this.core._nodeCount(session),
-        operations: this.core._operationCount(session),
-        temporaries: this.core._temporaryCount(session),
-      },
-    }
+  /** All that was built, as plain words. */
+  finish(): KeptModule {
+    const session = this.open('finish')
+    if (!this.core._finish(session)) this.refuse()
+    const at = this.core._keptWords(session) / 4
+    return this.core.HEAPU32.slice(at, at + this.core._keptSize(session)) as KeptModule
   }
 }
 
-const readLines = (lines: string): Variable[] =>
-  lines
-    .split('\n')
-    .slice(0, -1)
-    .map((line) => ({ name: line.slice(2), shape: [Number(line[0]), Number(line[1])] }))
-
-function resultName(name: unknown, method: string): string {
+/** The name of a result must be a text; whether it will do, a language says. */
+export function resultName(name: unknown, method: string): string {
   if (typeof name === 'string') return name
   throw new WarpError(`${method}: the name of a result must be a text, but is ${describe(name)}.`)
 }

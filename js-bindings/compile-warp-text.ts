@@ -1,8 +1,9 @@
 // `compileWarp` for those who want its text alone.
+import { type Emits, compileOffset } from './compile-offset.js'
 import { WarpError } from './errors.js'
 import { version } from './generated/version.js'
 import type { OffsetFunction, UniformValues } from './types.js'
-import { type WarpOptions, type WarpText, compileWarpText, noteIfApproximate } from './warp-text.js'
+import type { WarpOptions, WarpText } from './warp-text.js'
 
 /**
  * Compiles an offset function into statements that move a vertex and turn its normal: what `compileWarp` of 'warpjet' does,
@@ -11,10 +12,9 @@ import { type WarpOptions, type WarpText, compileWarpText, noteIfApproximate } f
 export function compileWarp<const Uniforms extends UniformValues = {}>(
   offset: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
-): WarpText {
-  const warp = compileWarpText('compileWarp', offset as OffsetFunction, options)
-  noteIfApproximate(warp)
-  return { ...warp.text, ...elsewhere }
+): WarpText & Emits {
+  const { text, emit } = compileOffset(offset as OffsetFunction, options)
+  return { ...text, emit, ...elsewhere }
 }
 
 const elsewhere = Object.fromEntries(

@@ -1,23 +1,19 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
-import type { Compilation } from './compilation.js'
-import { withCompilation } from './compiled.js'
+import { type Emits, compileOffset } from './compile-offset.js'
 import { type CpuWarp, createCpuWarp } from './cpu-warp.js'
+import { makeProgram } from './kept-module.js'
+import { lazily } from './lazily.js'
 import type { OffsetFunction, UniformValues } from './types.js'
-import type { WarpProgram } from './warp-program.js'
 import {
-  type BuiltWarp,
+  type KeptWarp,
   type WarpOptions,
   type WarpText,
-  buildWarp,
-  declareUniforms,
-  noteIfApproximate,
-  operations,
-  readOptions,
-  turnTangent,
+  onSurface,
+  warpResults,
 } from './warp-text.js'
 
 /** An offset function as shader text and on the CPU. */
-export interface CompiledWarp extends WarpText, CpuWarp {}
+export interface CompiledWarp extends WarpText, Emits, CpuWarp {}
 
 /**
  * Compiles an offset function into statements that move a vertex and turn its normal. They declare
@@ -33,27 +29,23 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   given: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): CompiledWarp {
-  const settings = readOptions('compileWarp', given as OffsetFunction, options)
-  const { offset, declared } = declareUniforms('compileWarp', given as OffsetFunction, options)
-  return withCompilation(settings.target, (compilation) => {
-    const warp = buildWarp(compilation, 'compileWarp', offset, settings)
-    noteIfApproximate(warp)
-    return { ...warp.text, ...createCpuWarp({ declared, ...programOf(compilation, warp) }) }
+  const { warp, declared, text, emit } = compileOffset(given as OffsetFunction, options)
+  const { normals, isAccepted } = warp.settings
+  const cpu = createCpuWarp({
+    declared,
+    program: lazily(() => programOf(warp)),
+    hasNormals: normals,
+    varies: warp.varies,
+    isAccepted,
+    // The tangent is first, for a shader may carry it in the place of another attribute.
+    inputs: { tangent: warp.inputs.tangent!, ...warp.inputs },
   })
+  return { ...text, emit, ...cpu }
 }
 
-function programOf(compilation: Compilation, warp: BuiltWarp): Omit<WarpProgram, 'declared'> {
-  const { inputs, moved, deformation, varies, isAccepted } = warp
-  // The tangent is first, for a shader may carry it in the place of another attribute.
-  const names = { tangent: warp.names.tangent!, ...warp.names }
-  // In the order of numbersOf in cpu-warp.ts.
-  const results = [moved]
-  if (deformation) {
-    const operate = operations(compilation)
-    const turned = operate('turnNormal', deformation, inputs.normal)
-    results.push(turned, turnTangent(compilation, deformation, inputs.tangent!, turned))
-    results.push(operate('determinant', deformation))
-  }
-  const hasNormals = deformation !== undefined
-  return { program: compilation.program(results), hasNormals, varies, isAccepted, names }
+/** In the order of numbersOf in cpu-warp.ts. */
+function programOf({ module, settings }: KeptWarp) {
+  const { position, normal, tangent, determinant } = warpResults
+  const results = settings.normals ? [position, normal, tangent, determinant] : [position]
+  return makeProgram(module, results.map(onSurface))
 }

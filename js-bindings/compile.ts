@@ -2,9 +2,11 @@
 import { createBuilder } from './builder.js'
 import type { Compilation } from './compilation.js'
 import { WarpError, describe } from './errors.js'
-import { type Compiled, type CompileOptions, withCompilation } from './compiled.js'
+import { type Compiled, type CompileOptions, declared, withCompilation } from './compiled.js'
 import { type Numbers, evaluate } from './evaluate.js'
 import { Expression, toExpression } from './expression.js'
+import { type KeptModule, checkTarget, makeProgram, resultsOf, writeText } from './kept-module.js'
+import { lazily } from './lazily.js'
 import { checkCallback, checkOptions } from './options.js'
 import type { Expression as AnyExpression, Glsl } from './types.js'
 
@@ -27,27 +29,31 @@ export function compile(
 ): CompiledExpressions {
   checkCallback('compile', callback)
   checkOptions('compile', options, ['target'])
-  return withCompilation(options.target, (compilation) => {
+  const target = checkTarget(options.target)
+  const module = withCompilation(target, (compilation) => {
     const results: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (typeof results !== 'object' || results === null || isNoRecord(results))
       throw new WarpError(
         `compile: the function must return an object of named expressions, such as { height: x.sin() }, but returned ${describeResult(results)}.`,
       )
-    const values = Object.entries(results).map(([name, value]) => {
+    for (const [name, value] of Object.entries(results)) {
       const expression = toExpression(compilation, 'compile', value, `the result "${name}"`)
       compilation.output(name, expression, 'compile')
-      return expression
-    })
-    const { code, declarations, stats, inputs, outputs } = compilation.build()
-    const program = compilation.program(values)
-    return {
-      code,
-      declarations,
-      stats,
-      uniforms: inputs.map(({ name }) => name),
-      evaluate: (given = {}) => evaluate(program, inputs, outputs, given),
     }
+    return compilation.finish()
   })
+  const { code, declarations, stats, inputs } = writeText(module, target)
+  const cpu = lazily(() => {
+    const outputs = resultsOf(module)
+    return { outputs, program: makeProgram(module, [...outputs.keys()]) }
+  })
+  return {
+    code,
+    declarations,
+    stats,
+    uniforms: inputs.map(declared),
+    evaluate: (given = {}) => evaluate(cpu().program, inputs, cpu().outputs, given),
+  }
 }
 
 export interface GenSettings extends CompileOptions {
@@ -66,7 +72,7 @@ export interface GenSettings extends CompileOptions {
 export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): string {
   checkCallback('gen', callback)
   checkOptions('gen', settings, ['target', 'maxDepthPerVariable', 'debug'])
-  const { maxDepthPerVariable, debug = false, target } = settings
+  const { maxDepthPerVariable, debug = false } = settings
   if (
     maxDepthPerVariable !== undefined &&
     !(typeof maxDepthPerVariable === 'number' && maxDepthPerVariable >= 1)
@@ -74,22 +80,24 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
     throw new WarpError(
       `gen: maxDepthPerVariable must be a number of at least 1, but is ${describe(maxDepthPerVariable)}.`,
     )
-  const write = (compilation: Compilation) => {
+  const target = checkTarget(settings.target)
+  const run = (compilation: Compilation): [KeptModule, unknown] => {
     const returned: unknown = callback(createBuilder(compilation) as unknown as Glsl)
     if (isUnfinished(returned))
       throw new WarpError('gen: the function must be a plain one, not async and no generator.')
-    const { code, declarations } = compilation.build(maxDepthPerVariable)
-    if (declarations.includes('warpjet'))
-      throw new WarpError(
-        'gen: noise and images need functions above main, which only compile gives.',
-      )
-    if (returned !== undefined && code === '')
-      throw new WarpError(
-        'gen: no result was asked for; call .output(name) on an expression instead of returning it.',
-      )
-    return code
+    return [compilation.finish(), returned]
   }
-  return withCompilation(target, write, { debug })
+  const [module, returned] = withCompilation(target, run, { debug })
+  const { code, declarations } = writeText(module, target, {}, maxDepthPerVariable)
+  if (declarations.includes('warpjet'))
+    throw new WarpError(
+      'gen: noise and images need functions above main, which only compile gives.',
+    )
+  if (returned !== undefined && code === '')
+    throw new WarpError(
+      'gen: no result was asked for; call .output(name) on an expression instead of returning it.',
+    )
+  return code
 }
 
 /** What an async function or a generator returns at once. */

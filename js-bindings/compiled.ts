@@ -1,5 +1,7 @@
 // What every compilation takes and gives.
-import { Compilation, type Gen, type Target } from './compilation.js'
+import { Compilation, type Gen } from './compilation.js'
+import type { Target } from './kept-module.js'
+import { type TypeName, type Variable, typeOf } from './shapes.js'
 
 /** How much work a result is. */
 export interface Stats {
@@ -10,13 +12,22 @@ export interface Stats {
   temporaries: number
 }
 
+/** What a text reads, with the type that the host is to declare. */
+export interface Declared {
+  name: string
+  /** `'sampler2D'` is an image: a `texture_2d<f32>` of WGSL. */
+  type: TypeName
+}
+
+export const declared = ({ name, shape }: Variable): Declared => ({ name, type: typeOf(shape) })
+
 export interface Compiled {
   /** Statements for the inside of a function; they declare and assign the results. */
   code: string
   /** Functions that `code` calls, for above `main`: the sources of `glsl.fn`, each once. */
   declarations: string
   /** The host's variables and expressions that the statements really read. */
-  uniforms: string[]
+  uniforms: Declared[]
   stats: Stats
 }
 
@@ -27,7 +38,7 @@ export interface CompileOptions {
 
 /** Does some work with a compilation, and closes it whatever happens. */
 export function withCompilation<Result>(
-  target: Target = 'glsl300',
+  target: Target,
   work: (compilation: Compilation) => Result,
   gen?: Gen,
 ): Result {

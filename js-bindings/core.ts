@@ -1,8 +1,11 @@
 // Loads the compiler. Nothing happens before the first warp.
 import { startCore } from './core-module.js'
 
-/** A compilation inside the wasm: an address, to be closed. */
+/** A run of a sketch's function inside the wasm: an address, to be closed. */
 export type Session = number & { readonly session: unique symbol }
+
+/** A module that was kept, read again inside the wasm: an address, to be closed. */
+export type Reading = number & { readonly reading: unique symbol }
 
 /**
  * js-bindings/bindings.cpp. Handles stand for values, numbers, vectors and matrices alike; `failed` stands in the place
@@ -20,22 +23,28 @@ export interface Core {
     octaves: number,
     isMethod: boolean,
   ): number
-  _callTexture(session: Session, filter: number, wrap: number): number
   _swizzle(session: Session, handle: number, count: number, indices: number): number
   _pendingCount(session: Session): number
   _pendingCall(session: Session, place: number): number
   _functionOfCall(session: Session, call: number): number
   _argumentOfCall(session: Session, call: number, i: number): number
   _setPartials(session: Session, call: number): number
-  _dependsOn(session: Session, handle: number, input: number): number
+  _inputOf(session: Session, handle: number): number
   _shapeOf(session: Session, handle: number): number
-  _nodeCount(session: Session): number
-  _operationCount(session: Session): number
-  _temporaryCount(session: Session): number
-  _makeProgram(session: Session): number
-  _programWords(session: Session): number
-  _programSize(session: Session): number
-  _instructionCount(session: Session): number
+  _finish(session: Session): number
+  _keptWords(session: Session): number
+  _keptSize(session: Session): number
+  _closeSession(session: Session): void
+  _openReading(words: number, size: number): Reading
+  _closeReading(reading: Reading): void
+  _nodeCount(reading: Reading): number
+  _operationCount(reading: Reading): number
+  _temporaryCount(reading: Reading): number
+  _wantResult(reading: Reading, number: number): void
+  _makeProgram(reading: Reading): number
+  _programWords(reading: Reading): number
+  _programSize(reading: Reading): number
+  _instructionCount(reading: Reading): number
   _run(
     words: number,
     size: number,
@@ -47,30 +56,27 @@ export interface Core {
   ): void
   _allocate(bytes: number): number
   _release(memory: number): void
-  _closeSession(session: Session): void
   _memoryInUse(): number
 
   operationNames(): string
-  open(target: string): Session | 0
+  open(): Session
   problem(session: Session): string
   input(session: Session, method: string, label: string, columns: number, rows: number): number
-  addFunction(session: Session, name: string, source: string, arity: number): number
+  callTexture(session: Session, image: string, filter: number, wrap: number): number
+  addSource(session: Session, language: string, text: string): void
+  addFunction(session: Session, name: string, arity: number): number
   comment(session: Session, text: string): void
-  output(session: Session, method: string, name: string, handle: number): boolean
-  outputSum(
-    session: Session,
-    method: string,
-    name: string,
-    handle: number,
-    input: number,
-    term: number,
-  ): boolean
-  build(session: Session, maxDepth: number): boolean
-  code(session: Session): string
-  declarations(session: Session): string
-  inputLines(session: Session): string
-  allInputLines(session: Session): string
-  outputLines(session: Session): string
+  output(session: Session, method: string, name: string, handle: number): void
+  warp(session: Session, method: string, turns: boolean, isFlat: boolean): number
+  nameInput(reading: Reading, number: number, text: string): void
+  nameResult(reading: Reading, number: number, text: string): void
+  write(reading: Reading, target: string, maxDepth: number): boolean
+  readingProblem(reading: Reading): string
+  code(reading: Reading): string
+  declarations(reading: Reading): string
+  inputLines(reading: Reading): string
+  allInputLines(reading: Reading): string
+  outputLines(reading: Reading): string
 
   /** Whether it ran out of memory, and nothing of it may be used any more. */
   isBroken?: boolean

@@ -1,8 +1,8 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
 import { WarpError } from './errors.js'
-import type { Program } from './evaluate.js'
 import { type Stream, boundProgram, inputsRead, runProgram } from './evaluation.js'
 import { type VertexInput, variationInputs, vertexInputs } from './inputs.js'
+import type { Program } from './kept-module.js'
 import { noteApproximation } from './notes.js'
 import { readNumbers } from './numbers.js'
 import { checkOptions } from './options.js'
@@ -187,7 +187,8 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
   }
 }
 
-function programOf(method: string, { program }: WarpProgram): Program {
+function programOf(method: string, warp: WarpProgram): Program {
+  const program = warp.program()
   if (program) return program
   throw new WarpError(
     `${method}: this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.`,
@@ -207,18 +208,18 @@ interface Origin {
 /** The program's inputs in order, the uniforms checked. */
 function originsOf(
   method: string,
-  { declared, names }: WarpProgram,
+  { declared, inputs }: WarpProgram,
   program: Program,
   wanted: readonly number[],
   given: Uniforms | undefined,
 ): Origin[] {
-  // The first of two inputs that have one name in the shader.
-  const inputs = new Map(
-    Object.entries(names)
+  // The first of two inputs that are one.
+  const names = new Map(
+    Object.entries(inputs)
       .reverse()
-      .map(([input, name]) => [name, input]),
+      .map(([input, number]) => [number, input]),
   )
-  const nameOf = (variable: Variable) => inputs.get(variable.name)
+  const nameOf = (variable: Variable) => names.get(variable.number)
   const parameters = program.inputs.filter((variable) => !nameOf(variable))
   checkUniforms(method, given, [...declared.keys(), ...parameters.map(({ name }) => name)])
   const uniforms = withDeclared(method, declared, given, parameters)

@@ -1,17 +1,10 @@
 // Named expressions on the CPU, in double.
 import { getCore } from './core.js'
 import { WarpError } from './errors.js'
+import type { Program } from './kept-module.js'
 import { finiteDouble, readNumbers } from './numbers.js'
 import { own } from './options.js'
 import type { Variable } from './shapes.js'
-
-/** src/eval/program.hpp: plain words, which outlive the compilation. */
-export interface Program {
-  words: Uint32Array
-  instructions: number
-  /** Whose numbers it wants, in order. */
-  inputs: Variable[]
-}
 
 export type Numbers = number | ArrayLike<number>
 

@@ -1,7 +1,7 @@
 // Runs programs on many vertices, in a wasm of its own, since it needs SIMD and the compiler does not. It is loaded when
 // the first warp is evaluated, and holds nothing between two calls.
 import { WarpError } from './errors.js'
-import type { Program } from './evaluate.js'
+import type { Program } from './kept-module.js'
 import factory from './generated/evaluation.js'
 import base64 from './generated/evaluation-wasm.js'
 import type { Range } from './vertices.js'

@@ -1,17 +1,23 @@
 // What a sketch holds while it writes an offset: the handle of a number, vector or matrix in the wasm. Its methods come
 // from `builder.ts`; `types.ts` names them.
-import type { Compilation } from './compilation.js'
 import { isExpression } from './describe.js'
 import { WarpError, describe } from './errors.js'
+import type { Shape } from './shapes.js'
 
 const largestFloat32 = 3.4028234663852886e38
 
 /** Nothing that a shader could read, so that it is refused wherever a name is asked for. */
 export const expressionAsText = 'an expression of warpjet'
 
+/** The compilation that an expression is of. */
+export interface Origin {
+  constant(value: number, method: string): Expression
+  shapeOf(value: Expression): Shape
+}
+
 export class Expression {
   constructor(
-    readonly compilation: Compilation,
+    readonly compilation: Origin,
     readonly handle: number,
   ) {}
 
@@ -32,7 +38,7 @@ export class Expression {
  * argument.
  */
 export function toExpression(
-  compilation: Compilation,
+  compilation: Origin,
   method: string,
   operand: unknown,
   place: string | number,

@@ -1,18 +1,19 @@
 // `glsl.fn`: functions of the host's shader, used like built-in ones.
-import type { Compilation, Target } from './compilation.js'
+import type { Compilation, HostFunction } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import { type Expression, expressionAsText, toExpression } from './expression.js'
 import { checkOptions } from './options.js'
+import { languages } from './tables.js'
 
-/** A function of the host from numbers to a number, as the sketch declared it. */
-export interface HostFunction {
-  name: string
-  arity: number
-  /** One for each argument: a number, an expression, or a function from the arguments to one of them. */
-  derivatives: readonly unknown[] | undefined
+const families = [...new Set(Object.values(languages))]
+
+/** A text by itself is one of the language that is asked for. */
+function sourcesOf(source: unknown, language: string): [language: string, text: string][] {
+  const all = source && typeof source === 'object' ? source : { [language]: source }
+  return families
+    .map((family): [string, unknown] => [family, Reflect.get(all, family)])
+    .filter((each): each is [string, string] => typeof each[1] === 'string')
 }
-
-const family = (target: Target) => (target === 'wgsl' ? 'wgsl' : 'glsl')
 
 /** Checks the options of `glsl.fn` and gives the function that the sketch calls. */
 export function declareFunction(compilation: Compilation, options: unknown) {
@@ -26,13 +27,13 @@ export function declareFunction(compilation: Compilation, options: unknown) {
     throw new WarpError(
       `fn: the option "arity" of ${name} must be a whole number from 1 to 16, but is ${describe(arity)}.`,
     )
-  const wanted = family(compilation.target)
-  const text = source && typeof source === 'object' ? Reflect.get(source, wanted) : source
-  if (typeof text !== 'string')
+  const language = languages[compilation.target]
+  const sources = new Map(sourcesOf(source, language))
+  if (!sources.has(language))
     throw new WarpError(
-      `fn: the option "source" of ${name} must be a text of ${wanted.toUpperCase()} for the target ${compilation.target}, or an object { ${wanted}: … } with one, but is ${describe(source)}.`,
+      `fn: the option "source" of ${name} must be a text of ${language.toUpperCase()} for the target ${compilation.target}, or an object { ${language}: … } with one, but is ${describe(source)}.`,
     )
-  if (text.includes(expressionAsText))
+  if ([...sources.values()].some((text) => text.includes(expressionAsText)))
     throw new WarpError(
       `fn: the option "source" of ${name} has an expression in its text; make it an argument of the function.`,
     )
@@ -42,7 +43,7 @@ export function declareFunction(compilation: Compilation, options: unknown) {
       `fn: the option "derivatives" of ${name} must be an array of ${arity as number}, one for each argument, but is ${describe(derivatives)}.`,
     )
   const declared = { name, arity: arity as number, derivatives } as HostFunction
-  const number = compilation.addFunction(declared, text)
+  const number = compilation.addFunction(declared, sources)
   return (...operands: unknown[]): Expression =>
     compilation.callFunction(
       number,

@@ -445,27 +445,6 @@ export interface Vec3Methods {
    * `position` by this offset, at right angles to `normal`, the one after the warp.
    */
   adjustTangent(tangent: Vec3, normal: Vec3, position: Vec3): Vec3
-  /**
-   * `offset.deformation(position)`: What the warp of `position` by this offset makes of
-   * directions: 1 on the diagonal plus the Jacobian. Where its determinant is not above 0, space
-   * turns inside out.
-   */
-  deformation(position: Vec3): Mat3
-  /**
-   * `offset.varied(deformation, input, gradient)`: The `deformation` by this offset where an
-   * input, such as a component of the normal, varies over the surface, with that gradient.
-   */
-  varied(deformation: Mat3, input: Scalar, gradient: Vec3): Mat3
-}
-
-export interface Mat3Methods {
-  /** The unit normal of a surface whose tangents this mat3 turns; zero where there is none. */
-  turnNormal(normal: Vec3): Vec3
-  /**
-   * The unit tangent that this mat3 makes of a tangent, at right angles to `normal`, the turned
-   * one.
-   */
-  turnTangent(tangent: Vec3, normal: Vec3): Vec3
 }
 
 export interface MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self> {
@@ -843,23 +822,6 @@ export interface Functions {
    * the one after the warp.
    */
   adjustTangent(offset: Vec3, tangent: Vec3, normal: Vec3, position: Vec3): Vec3
-  /**
-   * What the warp of `position` by this offset makes of directions: 1 on the diagonal plus the
-   * Jacobian. Where its determinant is not above 0, space turns inside out.
-   */
-  deformation(offset: Vec3, position: Vec3): Mat3
-  /**
-   * The `deformation` by this offset where an input, such as a component of the normal, varies
-   * over the surface, with that gradient.
-   */
-  varied(offset: Vec3, deformation: Mat3, input: Scalar, gradient: Vec3): Mat3
-  /** The unit normal of a surface whose tangents this mat3 turns; zero where there is none. */
-  turnNormal(deformation: Mat3, normal: Vec3): Vec3
-  /**
-   * The unit tangent that this mat3 makes of a tangent, at right angles to `normal`, the turned
-   * one.
-   */
-  turnTangent(deformation: Mat3, tangent: Vec3, normal: Vec3): Vec3
   /** Another name of `add`. */
   sum(...operands: Operand[]): Scalar
   /** Another name of `add`. */

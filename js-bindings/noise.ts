@@ -3,35 +3,23 @@ import type { Compilation } from './compilation.js'
 import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import { checkOptions } from './options.js'
+import { mostOctaves, mostSeed, noises } from './tables.js'
 
-/** In the order of their numbers in the wasm, `noiseNames`. */
-export const noiseKinds = [
-  'noise',
-  'simplex',
-  'valueNoise',
-  'worley',
-  'curl',
-  'fbm',
-  'ridged',
-  'turbulence',
-] as const
+type NoiseKind = keyof typeof noises
 
-type NoiseKind = (typeof noiseKinds)[number]
+/** In the order of their numbers in the wasm. */
+export const noiseKinds = Object.keys(noises) as readonly NoiseKind[]
 
-/** What the others may be made of. */
-const bases = noiseKinds.slice(0, 3)
+/** What others may be made of. */
+const bases = noiseKinds.filter((kind) => noises[kind] === 'base')
 
 const fractalOptions = ['octaves', 'lacunarity', 'gain', 'noise', 'seed']
 
-const optionsOf: Record<NoiseKind, string[]> = {
-  noise: ['seed'],
-  simplex: ['seed'],
-  valueNoise: ['seed'],
-  worley: ['seed'],
-  curl: ['noise', 'seed'],
-  fbm: fractalOptions,
-  ridged: fractalOptions,
-  turbulence: fractalOptions,
+const optionsFor = {
+  base: ['seed'],
+  plain: ['seed'],
+  made: ['noise', 'seed'],
+  fractal: fractalOptions,
 }
 
 export function callNoise(
@@ -47,7 +35,7 @@ export function callNoise(
     )
   if (options instanceof Expression || typeof options === 'number')
     throw new WarpError(`${kind}: make one point of several numbers, such as glsl.vec2(x, y).`)
-  const known = optionsOf[kind]
+  const known = optionsFor[noises[kind]]
   checkOptions(kind, options, known)
   const {
     octaves = 5,
@@ -56,12 +44,12 @@ export function callNoise(
     noise = 'noise',
     seed = 0,
   } = (options ?? {}) as Record<string, unknown>
-  const base = bases.indexOf(noise as never)
-  if (base < 0)
+  const base = noiseKinds.indexOf(noise as never)
+  if (!bases.includes(noise as never))
     throw new WarpError(
       `${kind}: the option "noise" must be one of ${bases.join(', ')}, but is ${describe(noise)}.`,
     )
-  checkWhole(kind, 'octaves', octaves, 1, 16)
+  checkWhole(kind, 'octaves', octaves, 1, mostOctaves)
   checkWhole(kind, 'seed', seed, -mostSeed, mostSeed)
   const operands = [operand, toExpression(compilation, kind, seed, 'the option "seed"')]
   if (known === fractalOptions)
@@ -78,9 +66,6 @@ export function callNoise(
     isMethod,
   )
 }
-
-/** Whole numbers up to here are exact in a float of the shader. */
-const mostSeed = 2 ** 23
 
 function checkWhole(kind: string, option: string, value: unknown, least: number, most: number) {
   if (!(Number.isInteger(value) && (value as number) >= least && (value as number) <= most))

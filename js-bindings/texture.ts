@@ -3,12 +3,10 @@ import type { Compilation } from './compilation.js'
 import { WarpError, describe, describeShape } from './errors.js'
 import { type Expression, toExpression } from './expression.js'
 import { checkOptions } from './options.js'
+import { filters, wraps } from './tables.js'
 
 /** In the order of their numbers in the wasm. */
-const choices = {
-  filter: ['bilinear', 'bicubic', 'bspline'],
-  wrap: ['clamp', 'repeat', 'mirror'],
-}
+const choices: Record<string, readonly string[]> = { filter: filters, wrap: wraps }
 
 export function callTexture(
   compilation: Compilation,

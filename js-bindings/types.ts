@@ -6,7 +6,6 @@
 // What derivatives are at kinks is said at the top of src/ops/table.hpp, and for artists in web/docs/operations.md.
 import type {
   Functions,
-  Mat3Methods,
   MatrixMethods,
   ScalarMethods,
   SquareMethods,
@@ -57,7 +56,7 @@ export interface Matrix<Columns extends Size, Rows extends Size>
 }
 
 export interface Mat2 extends Matrix<2, 2>, SquareMethods<Mat2> {}
-export interface Mat3 extends Matrix<3, 3>, SquareMethods<Mat3>, Mat3Methods {}
+export interface Mat3 extends Matrix<3, 3>, SquareMethods<Mat3> {}
 export interface Mat4 extends Matrix<4, 4>, SquareMethods<Mat4> {}
 
 export type Vector = Vec2 | Vec3 | Vec4

@@ -4,7 +4,7 @@ import { WarpError, describe } from './errors.js'
 import type { Expression } from './expression.js'
 import { inputSizes } from './inputs.js'
 import { isCallable, isList, own } from './options.js'
-import { type Shape, type Variable, imageShape } from './shapes.js'
+import { type Shape, type Variable, imageShape, typeOf } from './shapes.js'
 import type { ImageLike, OffsetFunction, UniformValue, WarpInputs } from './types.js'
 
 type Given = UniformValue | (() => UniformValue)
@@ -30,10 +30,6 @@ const shapes: Record<number, Shape> = {
   9: [3, 3],
   16: [4, 4],
 }
-
-/** GLSL's word for it. */
-export const typeOf = ([columns, rows]: Shape) =>
-  columns === 0 ? 'sampler2D' : columns > 1 ? `mat${columns}` : rows > 1 ? `vec${rows}` : 'float'
 
 const example = '{ amount: 0.5, center: [0, 0, 0], follow: () => [mouseX, mouseY] }'
 
@@ -175,7 +171,10 @@ export function withUniforms(
 ): OffsetFunction {
   return (inputs) => {
     const { compilation } = inputs.position as unknown as Expression
-    return offset({ ...inputs, uniforms: expressions(method, compilation, declared, labelOf) })
+    return offset({
+      ...inputs,
+      uniforms: expressions(method, compilation as Compilation, declared, labelOf),
+    })
   }
 }
 

@@ -1,7 +1,13 @@
-// From an offset function to the text of its warp.
-import { createBuilder, operationNumber } from './builder.js'
-import type { Compilation } from './compilation.js'
-import { type Compiled, type CompileOptions, withCompilation } from './compiled.js'
+// From an offset function to the module of its warp, once, and from there to texts.
+import { createBuilder } from './builder.js'
+import {
+  type Compiled,
+  type CompileOptions,
+  type Declared,
+  declared,
+  withCompilation,
+} from './compiled.js'
+import { type Compilation, resultName } from './compilation.js'
 import { isExpression } from './describe.js'
 import { WarpError, describe, describeShape } from './errors.js'
 import { type Expression, toExpression } from './expression.js'
@@ -13,11 +19,22 @@ import {
   variationNames,
   vertexInputs,
 } from './inputs.js'
-import { noteApproximation } from './notes.js'
+import { type KeptModule, type Target, checkTarget, writeText } from './kept-module.js'
 import { checkCallback, checkOptions } from './options.js'
-import type { Variable } from './shapes.js'
 import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from './types.js'
+import type { Variable } from './shapes.js'
 import { type DeclaredUniforms, readDeclared, withUniforms } from './uniforms.js'
+
+/** The host shader's expression for each input; its name unless given. */
+export type InputNames = Partial<Record<InputName, string>>
+
+/** The names of the results: `warpedPosition`, `warpedNormal`, `warpedTangent` and `offset` unless given. */
+export interface OutputNames {
+  position?: string
+  normal?: string
+  tangent?: string
+  offset?: string
+}
 
 export interface WarpOptions<
   Uniforms extends UniformValues = UniformValues,
@@ -25,10 +42,8 @@ export interface WarpOptions<
   /** What the offset function reads as `uniforms`, with the values that count on the CPU unless others are given; your
    * shader declares and sets them, under the same names. */
   uniforms?: UniformOptions<Uniforms>
-  /** The host shader's expression for each input; its name unless given. */
-  names?: Partial<Record<InputName, string>>
-  /** The names of the results: `warpedPosition`, `warpedNormal`, `warpedTangent` and `offset` unless given. */
-  outputs?: { position?: string; normal?: string; tangent?: string; offset?: string }
+  names?: InputNames
+  outputs?: OutputNames
   /** `false` leaves the normal out. */
   normals?: boolean
   /** `true` also turns the tangent, a vec4 as in glTF. */
@@ -45,20 +60,10 @@ export interface WarpOptions<
 export interface WarpText extends Compiled {
   /** The inputs that are read and are the same for a whole draw call: millis, mouse, size,
    * pixelDensity, and the sketch's own parameters. */
-  uniforms: string[]
+  uniforms: Declared[]
   /** The inputs that are read and differ by vertex: position, normal, uv, color, tangent, and those of
    * `surfaceVariation`. */
-  attributes: string[]
-}
-
-/** For the public function `method`: the text, and the sketch's own parameters. */
-export function compileWarpText(method: string, given: OffsetFunction, options: WarpOptions) {
-  const settings = readOptions(method, given, options)
-  const { offset } = declareUniforms(method, given, options)
-  return withCompilation(settings.target, (compilation) => {
-    const { text, parameters, isApproximate } = buildWarp(compilation, method, offset, settings)
-    return { text, parameters, isApproximate }
-  })
+  attributes: Declared[]
 }
 
 /** Reads the option `uniforms`; gives them to the offset function. */
@@ -76,7 +81,7 @@ export function declareUniforms(
   return { offset: withUniforms(method, offset, declared), declared }
 }
 
-type Settings = ReturnType<typeof readOptions>
+export type Settings = ReturnType<typeof readOptions>
 
 /** Checks what the caller hands in, and fills in what is left out. */
 export function readOptions(method: string, offset: OffsetFunction, options: WarpOptions) {
@@ -90,9 +95,8 @@ export function readOptions(method: string, offset: OffsetFunction, options: War
     'tangents',
     'surfaceVariation',
   ])
-  checkOptions(`${method} names`, options.names, Object.keys(inputSizes))
-  checkOptions(`${method} outputs`, options.outputs, ['position', 'normal', 'tangent', 'offset'])
-  const { target, normals = true, tangents = false, surfaceVariation = false } = options
+  checkNames(method, options)
+  const { normals = true, tangents = false, surfaceVariation = false } = options
   for (const [name, value] of Object.entries({ normals, tangents, surfaceVariation }))
     if (typeof value !== 'boolean')
       throw new WarpError(
@@ -102,6 +106,18 @@ export function readOptions(method: string, offset: OffsetFunction, options: War
     throw new WarpError(
       `${method}: tangents are turned with the normal; leave "normals: false" out.`,
     )
+  const isAccepted = options.surfaceVariation === false
+  const target = checkTarget(options.target)
+  const shown = { normals, tangents, surfaceVariation }
+  return { method, target, ...shown, isAccepted, ...readNames(shown, options) }
+}
+
+type Shown = Record<'normals' | 'tangents' | 'surfaceVariation', boolean>
+
+function readNames(
+  { tangents, surfaceVariation }: Shown,
+  options: { names?: InputNames | undefined; outputs?: OutputNames | undefined },
+) {
   const names: Record<string, string> = {}
   for (const name of Object.keys(inputSizes)) {
     const isLeftOut = name === 'tangent' ? !tangents : name in variationInputs && !surfaceVariation
@@ -114,8 +130,12 @@ export function readOptions(method: string, offset: OffsetFunction, options: War
     tangent: 'warpedTangent',
     ...withoutGaps(options.outputs),
   }
-  const isAccepted = options.surfaceVariation === false
-  return { target, normals, tangents, surfaceVariation, isAccepted, names, outputs }
+  return { names, outputs }
+}
+
+export function checkNames(method: string, { names, outputs }: TextOptions) {
+  checkOptions(`${method} names`, names, Object.keys(inputSizes))
+  checkOptions(`${method} outputs`, outputs, ['position', 'normal', 'tangent', 'offset'])
 }
 
 /** What the text does not read has a name that no sketch has; the CPU may read it. */
@@ -126,138 +146,149 @@ const withoutGaps = <Options extends object>(options?: Options) =>
     Object.entries(options ?? {}).filter(([, value]) => value !== undefined),
   ) as Options
 
-export interface BuiltWarp {
-  text: WarpText
-  /** The sketch's own. */
-  parameters: Variable[]
-  /** By input, the host's expression. */
-  names: Record<string, string>
-  inputs: Record<string, Expression>
-  moved: Expression
-  /** What the warp makes of tangents of the surface, over which normal and uv vary; unless the normal is left out. */
-  deformation: Expression | undefined
+/** What is kept of an offset function. */
+export interface KeptWarp {
+  module: KeptModule
+  settings: Settings
+  /** By input, its number in the module. */
+  inputs: Record<string, number>
   /** Whether the turn depends on how normal and uv vary over the surface. */
   varies: boolean
-  /** Whether they may count as constant nevertheless. */
-  isAccepted: boolean
-  /** Whether they do in the text, and nobody said that this will do. */
+  /** Whether they count as constant in the text, and nobody said that this will do. */
   isApproximate: boolean
 }
 
-/** Calls the offset function and writes the text. The compilation stays open for more. */
-export function buildWarp(
-  compilation: Compilation,
-  method: string,
-  offsetFunction: OffsetFunction,
-  { names, outputs, normals, tangents, surfaceVariation, isAccepted }: Settings,
-): BuiltWarp {
-  const inputs: Record<string, Expression> = {}
-  for (const [name, label] of Object.entries(names)) {
-    const size = inputSizes[name as InputName]
-    inputs[name] = compilation.input(label, [1, size], `${method} names.${name}`)
-  }
-  const { position, normal, tangent } = inputs as Record<string, Expression>
-  const offset = checkOffset(compilation, method, offsetFunction(warpInputs(compilation, inputs)))
+/** The results of `Compilation.warp`, by number: WarpResult of src/builder. The last four come again, by `onSurface`. */
+export const warpResults = {
+  offset: 0,
+  position: 1,
+  normal: 2,
+  tangent: 3,
+  direction: 4,
+  determinant: 5,
+}
 
-  const operate = operations(compilation)
-  const place = `${method} outputs`
-  compilation.output(outputs.offset, offset, place)
-  const moved = operate('add', position, offset)
-  compilation.outputSum(outputs.position, moved, position!, 0, place)
-  const varying = variationNames.map((_, i) =>
-    i < 3 ? part(compilation, normal!, i) : part(compilation, inputs.uv!, i - 3),
-  )
-  // Most warps read neither, and then there is nothing to derive.
-  const readsIn = [normal, inputs.uv].map(
-    (input) => normals && compilation.dependsOn(offset, input!),
-  )
-  const read = varying.map(
-    (input, i) => readsIn[i < 3 ? 0 : 1]! && compilation.dependsOn(offset, input),
-  )
-  const constant = normals ? operate('deformation', offset, position) : undefined
-  const whole = () =>
-    variationNames.reduce(
-      (deformation, name, i) =>
-        read[i] ? operate('varied', offset, deformation, varying[i], inputs[name]) : deformation,
-      constant!,
-    )
-  if (constant) {
-    const deformation = surfaceVariation ? whole() : constant
-    const turned = operate('turnNormal', deformation, normal)
-    compilation.output(outputs.normal, turned, place)
-    if (tangents)
-      compilation.output(
-        outputs.tangent,
-        turnTangent(compilation, deformation, tangent!, turned),
-        place,
+/** Where normal and uv vary over the surface. */
+export const onSurface = (result: number) => (result < warpResults.normal ? result : result + 4)
+
+/** Calls the offset function. */
+export function keepWarp(offsetFunction: OffsetFunction, settings: Settings): KeptWarp {
+  const { method, target, names, normals, surfaceVariation, isAccepted } = settings
+  return withCompilation(target, (compilation) => {
+    const given: Record<string, Expression> = {}
+    for (const [name, label] of Object.entries(names))
+      given[name] = compilation.input(
+        label,
+        [1, inputSizes[name as InputName]],
+        `${method} names.${name}`,
       )
-  }
+    const offset = checkOffset(compilation, method, offsetFunction(warpInputs(compilation, given)))
+    const operands = ['position', 'normal', 'uv', 'tangent', ...variationNames].map(
+      (name) => given[name]!,
+    )
+    const { varies } = compilation.warp(method, [offset, ...operands], normals, !surfaceVariation)
+    const inputs = Object.fromEntries(
+      Object.entries(given).map(([name, input]) => [name, compilation.numberOf(input)]),
+    )
+    const isApproximate = varies && !surfaceVariation && !isAccepted
+    return { module: compilation.finish(), settings, inputs, varies, isApproximate }
+  })
+}
 
-  const { code, declarations, stats, inputs: given } = compilation.build()
-  const used = new Set(given.map(({ name }) => name))
-  const isRead = (name: string) => used.has(names[name]!)
-  const labels = new Set(Object.values(names))
-  const parameters = given.filter(({ name }) => !labels.has(name))
-  const drawn = Object.keys(drawInputs).filter(isRead)
-  refuseNamesakes(method, names, drawn, parameters)
-  const text = {
+/** What a text is written with, unless as the warp was compiled. */
+export interface TextOptions {
+  names?: InputNames | undefined
+  outputs?: OutputNames | undefined
+}
+
+/** The text, and the sketch's own parameters that it reads. */
+export function writeWarp(
+  { module, settings, inputs }: KeptWarp,
+  target: Target,
+  options: TextOptions = {},
+): { text: WarpText; parameters: Variable[] } {
+  const { method, normals, tangents, surfaceVariation } = settings
+  const { names, outputs } = {
+    ...settings,
+    ...(options.names && { names: { ...settings.names, ...withoutGaps(options.names) } }),
+    ...(options.outputs && { outputs: { ...settings.outputs, ...withoutGaps(options.outputs) } }),
+  }
+  checkMerged(inputs, settings.names, names)
+  const isWanted = { offset: true, position: true, normal: normals, tangent: tangents }
+  const results = (Object.keys(isWanted) as (keyof typeof isWanted)[])
+    .filter((name) => isWanted[name])
+    .map((name): [number, string] => [
+      surfaceVariation ? onSurface(warpResults[name]) : warpResults[name],
+      resultName(outputs[name], `${method} outputs`),
+    ])
+  const given = Object.entries(inputs).map(([name, number]): [number, string] => [
+    number,
+    names[name]!,
+  ])
+  const {
     code,
     declarations,
     stats,
-    uniforms: [...drawn, ...parameters.map(({ name }) => name)],
-    attributes: Object.keys(vertexInputs).filter(isRead),
+    inputs: read,
+  } = writeText(module, target, {
+    inputs: given,
+    results,
+  })
+  const known = new Set(Object.values(inputs))
+  const parameters = read.filter(({ number }) => !known.has(number))
+  const among = (sizes: Record<string, number>) =>
+    Object.keys(sizes).flatMap((name) => {
+      const input = read.find(({ number }) => number === inputs[name])
+      return input ? declared({ ...input, name }) : []
+    })
+  const drawn = among(drawInputs)
+  refuseNamesakes(method, names, drawn, parameters)
+  return {
+    text: {
+      code,
+      declarations,
+      stats,
+      uniforms: [...drawn, ...parameters.map(declared)],
+      attributes: among(vertexInputs),
+    },
+    parameters,
   }
-  const deformation = constant && whole()
-  const varies = variationNames.some(
-    (name, i) => read[i] && compilation.dependsOn(deformation!, inputs[name]!),
-  )
-  const isApproximate = varies && !surfaceVariation && !isAccepted
-  return { text, parameters, names, inputs, moved, deformation, varies, isAccepted, isApproximate }
 }
 
 /** A parameter under the name of an input that the shader calls otherwise: both would be one uniform. */
 function refuseNamesakes(
   method: string,
   labels: Record<string, string>,
-  inputs: readonly string[],
+  inputs: readonly Declared[],
   parameters: readonly Variable[],
 ) {
+  const taken = new Set(inputs.map(({ name }) => name))
   for (const { name } of parameters)
-    if (inputs.includes(name))
+    if (taken.has(name))
       throw new WarpError(
         `${method}: the shader's "${name}" has the name of the input ${name}, which the warp reads as "${labels[name]}"; rename it.`,
       )
 }
 
-/** For `compileWarp`. */
-export function noteIfApproximate({ isApproximate }: { isApproximate: boolean }) {
-  if (isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
+/** Inputs that had one name when the function was called are one. */
+function checkMerged(
+  inputs: Record<string, number>,
+  were: Record<string, string>,
+  are: Record<string, string>,
+) {
+  const first = new Map<number, string>()
+  for (const [name, number] of Object.entries(inputs)) {
+    const other = first.get(number) ?? name
+    first.set(number, other)
+    if (are[name] !== are[other])
+      throw new WarpError(
+        `emit: ${other} and ${name} were one input, "${were[name]}", when the offset was compiled; give both one name again, or compile it with these names.`,
+      )
+  }
 }
 
 const part = (compilation: Compilation, vector: Expression, i: number) =>
   compilation.swizzle('xyz'[i]!, vector, [i])
-
-/** A vec4 as it came, but for the direction. */
-export function turnTangent(
-  compilation: Compilation,
-  deformation: Expression,
-  tangent: Expression,
-  turned: Expression,
-): Expression {
-  const operate = operations(compilation)
-  const direction = compilation.swizzle('xyz', tangent, [0, 1, 2])
-  return operate(
-    'vec4',
-    operate('turnTangent', deformation, direction, turned),
-    compilation.swizzle('w', tangent, [3]),
-  )
-}
-
-/** Operations of a compilation by name. */
-export const operations =
-  (compilation: Compilation) =>
-  (name: string, ...operands: (Expression | undefined)[]): Expression =>
-    compilation.call(operationNumber(name), name, operands as Expression[])
 
 function warpInputs(compilation: Compilation, inputs: Record<string, Expression>): WarpInputs {
   const given = Object.entries(inputs).filter(
@@ -282,6 +313,5 @@ function checkOffset(compilation: Compilation, method: string, offset: unknown):
   const [columns, rows] = compilation.shapeOf(vector)
   if (columns !== 1 || rows !== 3)
     throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)
-  // A condition becomes 0 or 1 here, as it does in any sum.
-  return operations(compilation)('add', vector, compilation.constant(0, method))
+  return vector
 }

@@ -5,6 +5,7 @@ import { staleFiles } from '../reference.mjs'
 import { installEnvironments } from './environments.mjs'
 import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
+import { checkHouse } from './house.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
 import { isEveryday, leftOut } from './tiers.mjs'
@@ -63,6 +64,11 @@ async function environments() {
 /** `group` is what `npm test -- <group>` selects; tiers.mjs names the titles that the everyday run leaves out. */
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
+  {
+    group: 'house',
+    title: 'Rooms: no circles, and no language but in a dialect',
+    work: checkHouse,
+  },
   {
     group: 'types',
     title: 'Types',

@@ -1,5 +1,7 @@
 // Prints what the tables say for people and for types, as JSON. This program is only built
 // natively, so that none of these texts is in the wasm.
+#include "noise/table.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -14,6 +16,7 @@
 
 #include "builder/operations.hpp"
 #include "emit/dialect.hpp"
+#include "texture/texture.hpp"
 
 namespace warpjet {
 namespace {
@@ -53,7 +56,7 @@ std::string typeName(ops::Type type) { return text(type == ops::Type::Bool ? "bo
 // The languages that lack a row, and so have it lowered to others.
 std::string missingIn(const ops::Spellings& spellings) {
   std::vector<std::string_view> names;
-  for (const Dialect* dialect : {&glsl300, &glsl100, &wgsl}) {
+  for (const Dialect* dialect : dialects()) {
     if (spellings.in(dialect->language).text.empty()) names.push_back(dialect->name);
   }
   return array(names, text);
@@ -98,6 +101,19 @@ std::string heading(const Heading& each) {
   return object({{"text", text(each.text)}, {"first", text(each.first)}});
 }
 
+std::string language(const Dialect* each) {
+  return object({{"name", text(each->name)}, {"source", text(each->sourceKey)}});
+}
+
+std::string_view useName(NoiseUse use) {
+  constexpr std::string_view names[] = {"base", "plain", "made", "fractal"};
+  return names[static_cast<std::size_t>(use)];
+}
+
+std::string noise(const NoiseRow& each) {
+  return object({{"name", text(each.name)}, {"use", text(useName(each.use))}});
+}
+
 std::string other(const Operation& each) {
   return object({{"name", text(each.name)}, {"isConstructor", truth(each.isConstructor())}});
 }
@@ -111,6 +127,12 @@ int main() {
                        {"compositions", array(compositions, composition)},
                        {"aliases", array(detail::aliases, alias)},
                        {"others", array(detail::others, other)},
-                       {"headings", array(headings, heading)}})
+                       {"headings", array(headings, heading)},
+                       {"languages", array(dialects(), language)},
+                       {"noises", array(noises, noise)},
+                       {"filters", array(filterNames, text)},
+                       {"wraps", array(wrapNames, text)},
+                       {"mostSeed", std::to_string(mostSeed)},
+                       {"mostOctaves", std::to_string(mostOctaves)}})
             << '\n';
 }

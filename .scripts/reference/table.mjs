@@ -32,11 +32,11 @@ export async function readTable() {
 }
 
 /**
- * { operations, aliases, others, headings }. An operation is { name, operands, kinds, result, meaning, isChained,
+ * { operations, aliases, others, headings }, and what numbered.mjs reads. An operation is { name, operands, kinds, result, meaning, isChained,
  * takesMatrices, missingIn, heading }; the one of two operands behind `atan` has that name too. `others` make and take
  * apart vectors and matrices.
  */
-export function arrange({ rows, compositions, aliases, others, headings }) {
+export function arrange({ rows, compositions, aliases, others, headings, ...numbered }) {
   const operations = [...rows.filter(isCallable).map(fromRow), ...compositions.map(fromComposition)]
   const left = new Map(headings.map(({ text, first }) => [first, text]))
   let heading
@@ -47,7 +47,13 @@ export function arrange({ rows, compositions, aliases, others, headings }) {
   }
   if (left.size || !operations[0].heading)
     throw new Stop('The headings in src/builder/operations.hpp do not fit the tables.')
-  return { operations, aliases, others, headings: [...new Set(headings.map(({ text }) => text))] }
+  return {
+    ...numbered,
+    operations,
+    aliases,
+    others,
+    headings: [...new Set(headings.map(({ text }) => text))],
+  }
 }
 
 const isCallable = ({ isHidden, name }) => !isHidden || name === 'atan2'

@@ -80,11 +80,6 @@ const receivers = [
     signaturesOf: method('Vec3'),
   },
   {
-    head: 'Mat3Methods',
-    has: ({ kinds }) => kinds[0] === 'mat3',
-    signaturesOf: method('Mat3'),
-  },
-  {
     head: 'MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self>',
     has: ({ kinds, takesMatrices }) => takesMatrices || kinds[0] === 'matrix',
     signaturesOf: (operation) => special[operation.base]?.matrix ?? method('Self')(operation),

@@ -108,9 +108,9 @@ function readUniforms(settings: readonly string[], wrong: Wrong): Uniforms {
 }
 
 function checkUniforms(file: string, warp: CompiledWarp, uniforms: object) {
-  const missing = warp.uniforms.find((name) => !Object.hasOwn(uniforms, name))
-  if (missing !== undefined)
+  const missing = warp.uniforms.find(({ name }) => !Object.hasOwn(uniforms, name))
+  if (missing)
     throw new WarpError(
-      `${file} reads ${missing}; add --set ${missing}=<number>, or, if it is an image, know that only a GPU can run it.`,
+      `${file} reads ${missing.name}; add --set ${missing.name}=<number>, or, if it is an image, know that only a GPU can run it.`,
     )
 }

@@ -1,7 +1,8 @@
 // `npx warpjet emit`: a warp as shader text.
 import { writeFile } from 'node:fs/promises'
-import { targets, type Target } from '../compilation.js'
 import { compileWarp } from '../compile-warp.js'
+import type { Declared } from '../compiled.js'
+import { targets, type Target } from '../kept-module.js'
 import { areOneFile, writing } from './files.js'
 import { readArguments } from './usage.js'
 import { blame, readWarp } from './warp-file.js'
@@ -27,8 +28,8 @@ export async function emit(args: string[]): Promise<void> {
     compileWarp(offset, { uniforms, target, tangents, surfaceVariation }),
   )
   const lines = [
-    `// uniforms: ${warp.uniforms.join(', ') || 'none'}`,
-    `// attributes: ${warp.attributes.join(', ') || 'none'}`,
+    `// uniforms: ${listed(warp.uniforms)}`,
+    `// attributes: ${listed(warp.attributes)}`,
     ...(warp.declarations ? ['// above main:', warp.declarations.trimEnd(), '// in main:'] : []),
     warp.code.trimEnd(),
   ]
@@ -36,3 +37,6 @@ export async function emit(args: string[]): Promise<void> {
   if (output === undefined) process.stdout.write(text)
   else await writing(output, () => writeFile(output, text))
 }
+
+const listed = (declared: readonly Declared[]) =>
+  declared.map(({ name, type }) => `${type} ${name}`).join(', ') || 'none'

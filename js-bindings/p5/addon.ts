@@ -4,7 +4,7 @@
  */
 import { WarpError, describe } from '../errors.js'
 import type { OffsetFunction, UniformValues } from '../types.js'
-import { type Distort, createWarp as create, keepWarp } from './create-warp.js'
+import { type Distort, createWarp as create, putOnAgain } from './create-warp.js'
 import { type Canvas, sketchRemoved } from './host.js'
 import {
   type LoadModelOptions,
@@ -107,7 +107,7 @@ function addMethods(methods: Methods) {
   if (!normalMaterial) return
   methods.normalMaterial = function (this: Canvas, ...args) {
     const result = normalMaterial.apply(this, args)
-    keepWarp(this)
+    putOnAgain(this)
     return result
   }
 }

@@ -1,5 +1,5 @@
-/** `createWarp` itself: compiles the offset once for the canvas, and makes the function that a sketch calls to draw with it. */
-import { compileWarpText } from '../warp-text.js'
+/** `createWarp` itself: calls the offset function once, and makes the function that a sketch calls to draw with the warp. */
+import { type KeptWarp, keepWarp, readOptions as readWarpOptions, writeWarp } from '../warp-text.js'
 import { WarpError, describe } from '../errors.js'
 import { noteApproximation } from '../notes.js'
 import { hookStyleOf, namesFor, results, weave } from './hooks.js'
@@ -45,21 +45,22 @@ export function createWarp(
     throw new WarpError(
       'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
     )
-  let compiled = compileFor(canvas, offset, settings)
+  const warp = keepFor(canvas, offset, settings)
+  let written = writeFor(canvas, warp, settings)
 
   function apply(uniforms: WarpUniforms) {
     const renderer = webglOf(canvas)
     if (!renderer) throw new WarpError('The canvas that this warp was made for is gone.')
     // setAttributes() and a second createCanvas() make a new renderer, where the old one's shaders mean nothing.
-    if (renderer !== compiled.renderer) compiled = compileFor(canvas, offset, settings)
+    if (renderer !== written.renderer) written = writeFor(canvas, warp, settings)
 
     const isNormal = drawsNormals(renderer)
-    const shader = compiled.shaderFor(settings.type ?? (isNormal ? 'normal' : 'specular'))
-    if (compiled.varies && settings.surfaceVariation === undefined) noteUnlessUsed()
+    const shader = written.shaderFor(settings.type ?? (isNormal ? 'normal' : 'specular'))
+    if (written.varies && settings.surfaceVariation === undefined) noteUnlessUsed()
     canvas.shader(shader)
     if (isNormal) rememberNormals(renderer, shader)
     canvas.noStroke()
-    setInputs(shader, compiled.inputs, canvas)
+    setInputs(shader, written.inputs, canvas)
     setUniforms(shader, uniforms, settings)
     reapply.set(shader, () => apply(uniforms))
   }
@@ -80,34 +81,48 @@ function offsetFor(given: OffsetFunction, { uniforms }: WarpSettings): OffsetFun
   return withUniforms('createWarp', given, uniforms, (name) => labels.get(name)!)
 }
 
-/** The warp as shaders of the canvas's present renderer, one for each material, made when it is first drawn with. */
-function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettings) {
+function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()
   const style = material && hookStyleOf(material)
   if (!style)
     throw new WarpError('createWarp: this p5 has no shader hooks; version 1.11 or newer is needed.')
+  return { material, style }
+}
 
-  const renderer = webglOf(canvas)
-  const target = renderer?.webglVersion === 'webgl' ? 'glsl100' : 'glsl300'
-  const { surfaceVariation } = settings
+const targetFor = (canvas: Canvas) =>
+  webglOf(canvas)?.webglVersion === 'webgl' ? 'glsl100' : 'glsl300'
+
+/** Calls the offset function, for all shaders that will ever be written. */
+function keepFor(
+  canvas: Canvas,
+  offset: OffsetFunction,
+  { surfaceVariation }: WarpSettings,
+): KeptWarp {
+  const { style } = styleFor(canvas)
   if (surfaceVariation && !style.hasVariation)
     throw new WarpError('createWarp: surfaceVariation needs p5 2; leave it out.')
-  const {
-    text: warp,
-    parameters,
-    isApproximate,
-  } = compileWarpText('createWarp', offset, {
-    target,
-    names: namesFor(style),
-    outputs: results,
-    surfaceVariation: surfaceVariation ?? (style.hasVariation || undefined),
-  })
-  if (isApproximate) noteApproximation('createWarp', 'addSurfaceVariation(shape) on p5 2')
+  const warp = keepWarp(
+    offset,
+    readWarpOptions('createWarp', offset, {
+      target: targetFor(canvas),
+      names: namesFor(style),
+      outputs: results,
+      surfaceVariation: surfaceVariation ?? (style.hasVariation || undefined),
+    }),
+  )
+  if (warp.isApproximate) noteApproximation('createWarp', 'addSurfaceVariation(shape) on p5 2')
+  return warp
+}
+
+/** The warp as shaders of the canvas's present renderer, one for each material, made when it is first drawn with. */
+function writeFor(canvas: Canvas, kept: KeptWarp, settings: WarpSettings) {
+  const { material, style } = styleFor(canvas)
+  const { text: warp, parameters } = writeWarp(kept, targetFor(canvas))
   const woven = { ...settings, defs: declarationsOf(settings.uniforms, parameters) + settings.defs }
   refuseUndeclared(parameters, material, woven)
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {
-    renderer,
+    renderer: webglOf(canvas),
     inputs: warp.uniforms,
     varies: readsVariation(warp),
     shaderFor: (type: WarpType) =>
@@ -124,7 +139,7 @@ function compileFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettin
 /**
  * Called after the sketch's `normalMaterial()`, for which p5 1.11 would drop the warp and 2.x would ignore the material.
  */
-export function keepWarp(canvas: Canvas) {
+export function putOnAgain(canvas: Canvas) {
   const renderer = webglOf(canvas)
   const shader = renderer && materialOf(renderer).userFillShader
   if (shader) reapply.get(shader)?.()

@@ -1,13 +1,13 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
 import { WarpError, describe } from '../errors.js'
-import type { Shape, Variable } from '../shapes.js'
+import type { Declared } from '../compiled.js'
+import { type Shape, type Variable, typeOf } from '../shapes.js'
 import {
   type DeclaredUniforms,
   componentsOf,
   imageFor,
   listed,
   numbersFor,
-  typeOf,
   unlisted,
 } from '../uniforms.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
@@ -19,29 +19,24 @@ export type WarpUniforms = Record<string, unknown>
 
 interface Input {
   uniform: string
-  type: string
   read: (canvas: Canvas) => number | number[]
 }
 
 const inputs: Record<string, Input> = {
   millis: {
     uniform: 'uWarpjetMillis',
-    type: 'float',
     read: (canvas) => sketchOf(canvas).millis(),
   },
   mouse: {
     uniform: 'uWarpjetMouse',
-    type: 'vec2',
     read: (canvas) => [sketchOf(canvas).mouseX, sketchOf(canvas).mouseY],
   },
   size: {
     uniform: 'uWarpjetSize',
-    type: 'vec2',
     read: (canvas) => [canvas.width, canvas.height],
   },
   pixelDensity: {
     uniform: 'uWarpjetPixelDensity',
-    type: 'float',
     read: (canvas) => canvas.pixelDensity(),
   },
 }
@@ -52,11 +47,11 @@ export const inputUniforms = Object.fromEntries(
 )
 
 /** The inputs among the `uniforms` of a compiled warp, where the sketch's own parameters are too. */
-const inputsAmong = (names: string[]) =>
-  Object.keys(inputs).flatMap((name) => (names.includes(name) ? inputs[name]! : []))
+const inputsAmong = (read: readonly Declared[]) =>
+  read.flatMap(({ name, type }) => (Object.hasOwn(inputs, name) ? { type, ...inputs[name]! } : []))
 
-export const uniformDeclarations = (names: string[]) =>
-  inputsAmong(names)
+export const uniformDeclarations = (read: readonly Declared[]) =>
+  inputsAmong(read)
     .map(({ type, uniform }) => `uniform ${type} ${uniform};`)
     .join('\n')
 
@@ -95,8 +90,8 @@ export function refuseUndeclared(
   }
 }
 
-export function setInputs(shader: Shader, names: string[], canvas: Canvas) {
-  for (const { uniform, read } of inputsAmong(names)) shader.setUniform(uniform, read(canvas))
+export function setInputs(shader: Shader, inputs: readonly Declared[], canvas: Canvas) {
+  for (const { uniform, read } of inputsAmong(inputs)) shader.setUniform(uniform, read(canvas))
 }
 
 /** Sets the uniforms of the option `uniforms` to their present values, or to what this call gives instead. */

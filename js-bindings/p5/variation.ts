@@ -22,7 +22,7 @@ export async function addSurfaceVariation<Geometry>(geometry: Geometry): Promise
 
 /** Whether the text reads how the surface varies. */
 export const readsVariation = ({ attributes }: WarpText) =>
-  attributes.some((name) => name in variationInputs)
+  attributes.some(({ name }) => name in variationInputs)
 
 /** For a warp that does, when it is drawn with. */
 export function noteUnlessUsed() {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "builder/sentences.hpp"
 #include "graph/multi_index.hpp"
+#include "module/sentences.hpp"
 
 namespace warpjet {
 
@@ -148,8 +148,9 @@ void Builder::comment(std::string_view text) {
   const NodeId end{static_cast<std::uint32_t>(graph_.size())};
   commented_ = graph_.size();
   if (first == end) return;
-  comments_.ranges.push_back({first, end, static_cast<std::uint32_t>(comments_.texts.size())});
-  comments_.texts.emplace_back(text);
+  Comments& comments = module_.comments;
+  comments.ranges.push_back({first, end, static_cast<std::uint32_t>(comments.texts.size())});
+  comments.texts.emplace_back(text);
 }
 
 }  // namespace warpjet

@@ -5,7 +5,6 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,21 +14,18 @@
 #include "builder/operations.hpp"
 #include "builder/values.hpp"
 #include "diff/differentiator.hpp"
-#include "emit/dialect.hpp"
-#include "emit/emit.hpp"
-#include "eval/program.hpp"
-#include "functions/library.hpp"
+#include "module/label.hpp"
+#include "module/module.hpp"
 
 namespace warpjet {
 
 struct Noise;
 struct Sampling;
+struct WarpOptions;
 
-// What a finished builder gives: `code` for the inside of a function, `declarations` for above it.
-struct Built {
-  Emitted emitted;
-  std::string declarations;
-};
+// The results of a warp in the order in which `Builder::warp` asks for them. Those from the fourth
+// on come twice: where normal and uv count as constant, and where they vary over the surface.
+enum class WarpResult : std::uint8_t { Offset, Position, Normal, Tangent, Direction, Determinant };
 
 class Builder {
  public:
@@ -37,11 +33,12 @@ class Builder {
   // derivatives of `pendingCalls` are to be given, and then the same call again.
   static constexpr int failed = -1, needsPartials = -2;
 
-  explicit Builder(const Dialect& dialect) : dialect_(dialect) {}
+  Builder() = default;
   Builder(const Builder&) = delete;
   Builder& operator=(const Builder&) = delete;
 
   const std::string& problem() const { return problem_; }
+  const Module& module() const { return module_; }
   const Graph& graph() const { return graph_; }
   Shape shape(int handle) const { return values_.shape(handle); }
 
@@ -57,15 +54,15 @@ class Builder {
   int call(int operation, bool isMethod);
   int callFunction(int function);
   int callNoise(const Noise& noise, bool isMethod);
-  // The operands are a vec2, an image, and its width and height in texels, a vec2.
-  int callTexture(const Sampling& sampling);
+  // Of the host's image of that name; the operand is a vec2.
+  int callTexture(const Sampling& sampling, std::string_view image);
 
   // Some components of a vector, two bits each, the first one lowest. A problem is told without the
   // method, which goes by three alphabets.
   int swizzle(int handle, int count, unsigned indices);
 
-  // A function of the host from `arity` floats to a float, with the text that defines it there.
-  int addFunction(std::string_view name, std::string_view source, int arity);
+  // A function of the host from `arity` floats to a float, with the texts that define it there.
+  int addFunction(std::string_view name, const std::vector<HostText>& sources, int arity);
   const std::vector<NodeId>& pendingCalls() const { return pendingCalls_; }
   int functionOfCall(NodeId call) const;
   int argumentOfCall(NodeId call, int i);
@@ -75,22 +72,18 @@ class Builder {
   // Puts a comment above the statements of all nodes made since the last one.
   void comment(std::string_view text);
 
-  // Asks for a result under a name. As a sum of an input and the earlier output number `term`,
-  // where it is one, its text is shorter. Whether that went well.
-  bool output(std::string_view method, std::string_view name, int handle);
-  bool outputSum(std::string_view method, std::string_view name, int handle, int input, int term);
+  // Asks for a result under a name.
+  void output(std::string_view method, std::string_view name, int handle);
 
-  // The text of all outputs, or nothing and a problem. With a `maxDepth`, depth makes a temporary
-  // of a node that is used once, and what it reads only far above what a person writes.
-  std::optional<Built> build(std::optional<int> maxDepth = {});
+  // Asks for all results of a warp. The values pushed are the offset, then the inputs as WarpInputs
+  // has them. 1 if it needs the gradients, 0 if not, or in the place of a handle.
+  int warp(std::string_view method, const WarpOptions& options);
 
-  // Whether a value is computed from an input.
-  bool dependsOn(int handle, int input);
+  // The number of an input, by its value.
+  std::uint32_t inputOf(int handle);
 
-  const std::vector<Output>& outputs() const { return outputs_; }
-  // The values pushed, for the CPU; nothing if a function or an image of the host is needed for
-  // them.
-  std::optional<Program> program();
+  // Whether the module is one that can be written and run; otherwise there is a problem.
+  bool finish();
 
  private:
   using Operands = std::span<const Value>;
@@ -114,17 +107,15 @@ class Builder {
   std::optional<std::vector<Expression>> components(const Site& site);
   Value resize(const Value& matrix, int size);
   Value wholeInput(std::uint32_t input);
-  std::optional<Value> partOfInput(std::uint32_t input, std::string_view label, Shape shape);
+  void nameInput(std::uint32_t number, const Label& label, std::string_view method);
+  std::optional<std::optional<Value>> knownInput(std::string_view method, const Label& label,
+                                                 Shape shape);
 
   bool checkCount(int wanted, const Site& site);
   bool fits(Kind kind, const Value& operand, std::size_t place, const Site& site);
   bool fitsInput(const Value& operand, std::size_t place, const Site& site);
   std::optional<Shape> commonShape(Operands operands, const Site& site);
   bool hasAllPartials(const Value& value);
-  bool isFull() const { return graph_.full() || library_.isFull(); }
-  bool hidesWhatIsRead(const Emitted& emitted, std::string_view helpers);
-  std::vector<NodeId> roots() const;
-  std::vector<Output> lowered(Comments& comments);
 
   // The handle of a value, unless nodes made since `before` are not what a shader can hold.
   int finish(std::optional<Value> value, std::size_t before, std::string_view method);
@@ -136,18 +127,14 @@ class Builder {
   [[gnu::noinline, gnu::cold]] std::nullopt_t refuse(std::string_view method, Parts parts);
   std::nullopt_t refuseShapes(Shape a, Shape b, const Site& site);
 
-  const Dialect& dialect_;
-  Graph graph_;
+  Module module_;
+  Graph& graph_ = module_.graph;
   Differentiator differentiator_{graph_};
-  Library library_;
   Values values_;
   std::vector<Value> operands_;
-  std::vector<Output> outputs_;
-  std::set<std::string, std::less<>> outputNames_;
-  // By the label of a vector, the first input that is a part of it.
-  std::map<std::string, std::string, std::less<>> parts_;
-  std::vector<std::string> sources_;  // by function of the host
-  Comments comments_;
+  std::vector<Label> labels_;  // by input
+  // By the root of their labels: there may be thousands.
+  std::map<std::string, std::vector<std::uint32_t>, std::less<>> numbers_;
   std::size_t commented_ = 0;
   std::vector<NodeId> pendingCalls_;
   std::vector<bool> needed_;  // kept for its memory

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "builder/builder.hpp"
-#include "builder/sentences.hpp"
+#include "module/sentences.hpp"
 
 namespace warpjet {
 

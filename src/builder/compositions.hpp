@@ -189,31 +189,6 @@ inline constexpr std::array compositions{
         "333J",
         Kind::Vec3,
         [](auto& d, auto x) { return turnedTangent(deformation(d, x[0], x[3]), x[1], x[2]); }},
-    Composition{
-        {"deformation", "offset, position",
-         "What the warp of `position` by this offset makes of directions: 1 on the diagonal "
-         "plus the Jacobian. Where its determinant is not above 0, space turns inside out."},
-        "3J",
-        Kind::Mat3,
-        [](auto& d, auto x) { return deformation(d, x[0], x[1]); }},
-    Composition{{"varied", "offset, deformation, input, gradient",
-                 "The `deformation` by this offset where an input, such as a component of the "
-                 "normal, varies over the surface, with that gradient."},
-                "39i3",
-                Kind::Mat3,
-                [](auto& d, auto x) { return varied(d, x[1], x[0], x[2][0], x[3]); }},
-    Composition{{"turnNormal", "deformation, normal",
-                 "The unit normal of a surface whose tangents this mat3 turns; zero where there is "
-                 "none."},
-                "93",
-                Kind::Vec3,
-                [](auto&, auto x) { return turnedNormal(x[0], x[1]); }},
-    Composition{{"turnTangent", "deformation, tangent, normal",
-                 "The unit tangent that this mat3 makes of a tangent, at right angles to `normal`, "
-                 "the turned one."},
-                "933",
-                Kind::Vec3,
-                [](auto&, auto x) { return turnedTangent(x[0], x[1], x[2]); }},
 };
 
 static_assert(std::all_of(compositions.begin(), compositions.end(), [](const Composition& row) {

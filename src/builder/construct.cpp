@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "builder/builder.hpp"
-#include "builder/sentences.hpp"
+#include "module/sentences.hpp"
 
 namespace warpjet {
 

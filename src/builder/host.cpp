@@ -3,84 +3,75 @@
 #include <utility>
 
 #include "builder/builder.hpp"
-#include "builder/sentences.hpp"
-#include "emit/names.hpp"
-#include "emit/syntax.hpp"
 #include "graph/reachable.hpp"
+#include "module/sentences.hpp"
+#include "module/syntax.hpp"
 
 namespace warpjet {
 
-namespace {
-
-// Whether a text defines or calls a function of that name.
-bool hasCall(std::string_view text, std::string_view name) {
-  const auto words = identifiers(text);
-  return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view word) { return word == name && isCalled(text, word); });
-}
-
-// Which components of the vector `whole` the text `part` reads, such as 0 and 2 for `p.xz`; nothing
-// if it does something else.
-std::vector<int> componentsOf(std::string_view whole, std::string_view part) {
-  if (part.size() < whole.size() + 2 || !part.starts_with(whole)) return {};
-  const std::string_view rest = part.substr(whole.size());
-  if (rest[0] == '[' && rest.size() == 3 && rest[2] == ']' && isDigit(rest[1]))
-    return {rest[1] - '0'};
-  if (rest[0] != '.' || rest.size() > 5) return {};
-  for (const std::string_view letters : {"xyzw", "rgba", "stpq"}) {
-    std::vector<int> indices;
-    for (const char letter : rest.substr(1)) {
-      const std::size_t at = letters.find(letter);
-      if (at != letters.npos) indices.push_back(static_cast<int>(at));
-    }
-    if (indices.size() == rest.size() - 1) return indices;
-  }
-  return {};
-}
-
-// Which vector the text reads a part of, if there is one; else nothing.
-std::string_view wholeOf(std::string_view part) {
-  const std::string_view whole = part.substr(0, part.find_last_of(".["));
-  return componentsOf(whole, part).empty() ? std::string_view() : whole;
-}
-
-}  // namespace
-
-int Builder::input(std::string_view method, std::string_view label, Shape shape) {
+// `position.x`, `position.xz` and `position[0]` are parts of `position`, so that derivatives know
+// that they are the same.
+int Builder::input(std::string_view method, std::string_view text, Shape shape) {
   const auto found = [&]() -> std::optional<Value> {
-    if (const auto known = graph_.inputLabelled(label)) {
-      const Shape before = graph_.input(*known).shape;
-      if (before == shape) return wholeInput(*known);
-      return refuse(method, {quotedShort(label), " was read as ", shapeName(before),
-                             " before, and now as ", shapeName(shape), "."});
-    }
-    const std::string_view whole = wholeOf(label);
-    if (const auto vector = graph_.inputLabelled(whole)) {
-      if (const auto part = partOfInput(*vector, label, shape)) return part;
-    }
-    if (const auto part = parts_.find(label); shape.isVector() && part != parts_.end())
-      return refuse(method, {quotedShort(part->second), " was read before ", quotedShort(label),
-                             ", whose part it is; read the vector first."});
-    if (const std::string why = inputProblem(dialect_, label); !why.empty())
-      return refuse(method, {quotedShort(label), " cannot be read in a shader: ", why, "."});
-    if (!whole.empty()) parts_.emplace(whole, label);
-    return wholeInput(graph_.input(label, shape));
+    std::string why = text.find_first_not_of(' ') == text.npos ? "it is empty"
+                                                               : syntaxProblem(text, allOperators);
+    if (!why.empty())
+      return refuse(method, {quotedShort(text), " cannot be read in a shader: ", why, "."});
+    const Label label = readLabel(text);
+    if (auto known = knownInput(method, label, shape)) return *known;
+    const std::uint32_t number = graph_.input(label.text, shape);
+    nameInput(number, label, method);
+    return wholeInput(number);
   }();
   return finish(found, graph_.size(), method);
 }
 
-// `position.x`, `position.xz` and `position[0]` are parts of `position`, so that derivatives know
-// that they are the same.
-std::optional<Value> Builder::partOfInput(std::uint32_t input, std::string_view label,
-                                          Shape shape) {
-  const Input& vector = graph_.input(input);
-  if (!vector.shape.isVector()) return std::nullopt;
-  const std::vector<int> indices = componentsOf(vector.label, label);
-  if (indices.empty() || vectorOf(static_cast<int>(indices.size())) != shape) return std::nullopt;
-  if (*std::max_element(indices.begin(), indices.end()) >= vector.shape.rows) return std::nullopt;
-  return fill(graph_, shape, [&](int i) {
-    return Expression{&graph_, graph_.component(input, indices[i])};
-  });
+void Builder::nameInput(std::uint32_t number, const Label& label, std::string_view method) {
+  labels_.resize(number + 1);
+  module_.methods.resize(number + 1);
+  labels_[number] = label;
+  module_.methods[number] = method;
+  numbers_[label.root].push_back(number);
+}
+
+// What was asked for before, or a part of it; nothing if it is new. The value in it is missing if
+// it cannot be told.
+std::optional<std::optional<Value>> Builder::knownInput(std::string_view method, const Label& label,
+                                                        Shape shape) {
+  const std::vector<std::uint32_t>& beside = numbers_[label.root];
+  const auto refused = [&](Parts parts) {
+    refuse(method, parts);
+    return std::optional(std::optional<Value>());
+  };
+  const auto components = [&](std::uint32_t input, const std::vector<int>& indices) {
+    return fill(graph_, shape, [&](int i) {
+      return Expression{&graph_, graph_.component(input, indices[i])};
+    });
+  };
+  for (const std::uint32_t i : beside) {
+    if (labels_[i].text != label.text) continue;
+    const Shape known = graph_.input(i).shape;
+    if (known == shape) return wholeInput(i);
+    return refused({quotedShort(label.text), " was read as ", shapeName(known),
+                    " before, and now as ", shapeName(shape), "."});
+  }
+  for (const std::uint32_t i : beside) {
+    const Shape known = graph_.input(i).shape;
+    const auto part = partOf(labels_[i], known, label);
+    if (part && static_cast<int>(part->size()) == shape.size()) return components(i, *part);
+    if (isWithin(label, labels_[i]) && !known.isNumber()) return std::nullopt;
+  }
+  for (const std::uint32_t i : beside) {
+    const Label& known = labels_[i];
+    if (!mayMeet(known, label)) continue;
+    const std::string_view whole = isWithin(known, label) && shape.isMatrix() ? "matrix" : "vector";
+    if (isWithin(known, label))
+      return refused({quotedShort(known.text), " was read before ", quotedShort(label.text),
+                      ", whose part it is; read the ", whole, " first."});
+    return refused({quotedShort(known.text), " was read before ", quotedShort(label.text),
+                    " and may be a part of it; read the ", whole, " of both first."});
+  }
+  return std::nullopt;
 }
 
 Value Builder::wholeInput(std::uint32_t input) {
@@ -89,24 +80,27 @@ Value Builder::wholeInput(std::uint32_t input) {
   });
 }
 
-int Builder::addFunction(std::string_view name, std::string_view source, int arity) {
-  const auto refuseName = [&](std::string_view why, std::string_view detail = ".") {
-    refuse("fn", {quotedShort(name), why, detail});
+std::uint32_t Builder::inputOf(int handle) {
+  return graph_.node(values_.get(graph_, handle)[0].id).operands[0];
+}
+
+int Builder::addFunction(std::string_view name, const std::vector<HostText>& sources, int arity) {
+  const auto refuseName = [&](std::string_view why) {
+    refuse("fn", {quotedShort(name), why, "."});
     return failed;
   };
-  if (const std::string why = functionProblem(dialect_, name); !why.empty())
-    return refuseName(" cannot name a function: ", why + ".");
+  if (name.starts_with("warpjet"))
+    return refuseName(" cannot name a function: such names are warpjet's own; rename it");
   if (const auto known = graph_.functionNamed(name)) {
-    if (sources_[*known] == source && graph_.function(*known).arity == arity)
-      return static_cast<int>(*known);
+    const bool isSame = !graph_.function(*known).isOurs() && module_.sources[*known] == sources &&
+                        graph_.function(*known).arity == arity;
+    if (isSame) return static_cast<int>(*known);
     return refuseName(" is the name of another function already; rename one");
   }
   if (arity < 1) return refuseName(" must have at least one argument");
-  if (!hasCall(source, name))
-    return refuseName(" is not in the source, which must define a function of that name");
   const std::uint32_t number = graph_.addFunction({std::string(name), arity});
-  sources_.resize(number);
-  sources_.emplace_back(source);
+  module_.sources.resize(number);
+  module_.sources.push_back(sources);
   return static_cast<int>(number);
 }
 
@@ -114,7 +108,7 @@ int Builder::addFunction(std::string_view name, std::string_view source, int ari
 // pending.
 bool Builder::hasAllPartials(const Value& value) {
   pendingCalls_.clear();
-  if (sources_.empty()) return true;
+  if (module_.sources.empty()) return true;
   for (const NodeId id : reachable(graph_, value.nodes())) {
     if (graph_.isCall(id) && !graph_.isOurCall(id) && !graph_.hasPartials(id))
       pendingCalls_.push_back(id);

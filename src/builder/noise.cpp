@@ -1,29 +1,26 @@
 // Calls of noise functions.
-#include "noise/noise.hpp"
-
 #include "builder/builder.hpp"
-#include "builder/sentences.hpp"
+#include "module/sentences.hpp"
+#include "noise/table.hpp"
 
 namespace warpjet {
 
 // The operands are a point and a seed, and of a fractal lacunarity and gain.
 int Builder::callNoise(const Noise& noise, bool isMethod) {
   const std::size_t before = graph_.size();
-  const std::string_view name = nameOf(noise.kind);
+  const NoiseRow& kind = row(noise.kind);
+  const std::string_view name = kind.name;
   const Site site{name, isMethod};
   const auto result = [&]() -> std::optional<Value> {
     for (std::size_t i = 0; i < operands_.size(); ++i) {
-      const Kind kind = i == 0 ? Kind::NumberOrVector : Kind::Number;
-      if (!fits(kind, operands_[i], i, site)) return std::nullopt;
+      const Kind wanted = i == 0 ? Kind::NumberOrVector : Kind::Number;
+      if (!fits(wanted, operands_[i], i, site)) return std::nullopt;
     }
     const Value& point = operands_[0];
     const int dimensions = point.size();
-    if (noise.kind == NoiseKind::Worley && dimensions > 3)
-      return refuse(name, {site.place(0), " must be a number, a vec2 or a vec3, but is a vec4."});
-    if (noise.kind == NoiseKind::Curl && dimensions < 3)
-      return refuse(name,
-                    {site.place(0), " must be a vec3, or a vec4 whose last number is time, but is ",
-                     shapeName(point.shape()), "."});
+    if (dimensions < kind.fewest || dimensions > kind.most)
+      return refuse(name, {site.place(0), " must be ", kind.points, ", but is ",
+                           shapeName(point.shape()), "."});
     Numbers arguments;
     for (const Value& operand : operands_) {
       for (int i = 0; i < operand.size(); ++i) arguments.push_back(operand[i]);
@@ -37,8 +34,9 @@ int Builder::callNoise(const Noise& noise, bool isMethod) {
     // Derivatives of a function are by its point alone.
     const bool isPlain = !isFractal(noise.kind) || (graph_.isConstant(arguments.end()[-2].id) &&
                                                     graph_.isConstant(arguments.end()[-1].id));
-    const Numbers values = isPlain ? library_.call(definition, arguments)
-                                   : definition.body(library_, definition.settings, arguments);
+    const Numbers values = isPlain
+                               ? module_.library.call(definition, arguments)
+                               : definition.body(module_.library, definition.settings, arguments);
     const int size = static_cast<int>(values.size());
     return fill(graph_, vectorOf(size), [&](int i) { return values[i]; });
   }();

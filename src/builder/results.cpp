@@ -1,146 +1,66 @@
-// The results that the host is given: as text, or as a program for the CPU.
+// What is asked for in the end: results by name, and the results of a warp.
 #include <algorithm>
 
 #include "builder/builder.hpp"
-#include "builder/declarations.hpp"
-#include "builder/sentences.hpp"
-#include "emit/lower.hpp"
-#include "emit/names.hpp"
 #include "graph/reachable.hpp"
+#include "module/sentences.hpp"
+#include "warp/warp.hpp"
 
 namespace warpjet {
 
-bool Builder::output(std::string_view method, std::string_view name, int handle) {
-  if (const std::string why = outputProblem(dialect_, name); !why.empty()) {
-    refuse(method, {quotedShort(name), " cannot name a result: ", why, "."});
-    return false;
-  }
-  if (outputNames_.contains(name)) {
-    refuse(method, {"there are two results named ", quotedShort(name), "; rename one."});
-    return false;
-  }
+void Builder::output(std::string_view method, std::string_view name, int handle) {
   const Value value = values_.get(graph_, handle);
-  const Shape shape = value.shape();
-  if (shape.isMatrix() && !shape.isSquare() && !dialect_.hasRectangularMatrices) {
-    refuse(method, {"the result ", quotedShort(name), " is ", shapeName(shape),
-                    ", but WebGL 1 has only matrices of as many rows as columns; take its columns "
-                    "by .column(0)."});
-    return false;
+  const auto nodes = value.nodes();
+  module_.outputs.push_back(
+      {std::string(name), value.shape(), {nodes.begin(), nodes.end()}, std::string(method)});
+}
+
+int Builder::warp(std::string_view method, const WarpOptions& options) {
+  const std::size_t before = graph_.size();
+  // A condition becomes 0 or 1 here, as it does in any sum.
+  const Value offset = operands_[0] + constantLike(operands_[0], 0);
+  if (options.turns && !hasAllPartials(offset)) {
+    operands_.clear();
+    return needsPartials;
   }
-  outputNames_.emplace(name);
-  outputs_.push_back({std::string(name), shape, {value.nodes().begin(), value.nodes().end()}});
-  return true;
-}
+  const WarpInputs inputs{operands_[1],
+                          operands_[2],
+                          operands_[3],
+                          operands_[4],
+                          {operands_[5], operands_[6], operands_[7], operands_[8], operands_[9]}};
+  const Warp warp = makeWarp(differentiator_, offset, inputs, options);
 
-bool Builder::outputSum(std::string_view method, std::string_view name, int handle, int input,
-                        int term) {
-  if (!output(method, name, handle)) return false;
-  const NodeId first = values_.get(graph_, input)[0].id;
-  outputs_.back().sum = {graph_.node(first).operands[0], static_cast<std::size_t>(term)};
-  return true;
-}
-
-std::vector<NodeId> Builder::roots() const {
-  std::vector<NodeId> nodes;
-  for (const Output& output : outputs_)
-    nodes.insert(nodes.end(), output.components.begin(), output.components.end());
-  return nodes;
-}
-
-bool Builder::dependsOn(int handle, int input) {
-  const Value value = values_.get(graph_, handle), from = values_.get(graph_, input);
-  const auto inputs = from.nodes();
-  const std::vector<NodeId> nodes = reachable(graph_, value.nodes());
-  return std::find_first_of(nodes.begin(), nodes.end(), inputs.begin(), inputs.end()) !=
-         nodes.end();
-}
-
-std::optional<Program> Builder::program() {
-  std::vector<NodeId> nodes;
-  for (const Value& value : operands_)
-    nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
-  operands_.clear();
-  problem_.clear();
-  for (const NodeId id : reachable(graph_, nodes)) {
-    const bool isImage =
-        graph_.isInput(id) && graph_.input(graph_.node(id).operands[0]).shape == oneImage;
-    if (isImage) return std::nullopt;
+  bool isFine = true;
+  const auto ask = [&](std::string_view name, const Value& value) {
+    const int handle = finish(value, before, method);
+    isFine &= handle != failed;
+    if (isFine) output(method, name, handle);
+  };
+  const auto askTurned = [&](const Turned& turned) {
+    ask("normal", turned.normal);
+    ask("tangent", turned.tangent);
+    ask("direction", turned.direction);
+    ask("determinant", turned.determinant);
+  };
+  ask("offset", warp.offset);
+  ask("position", warp.position);
+  if (warp.surface) {
+    askTurned(warp.flat ? *warp.flat : *warp.surface);
+    askTurned(*warp.surface);
   }
-  const std::vector<NodeId> inlined = inlineCalls(graph_, library_, nodes);
-  if (isFull()) return refuse("A result", {tooLarge});
-  return warpjet::program(graph_, inlined);
+  return isFine ? warp.varies : failed;
 }
 
-std::optional<Built> Builder::build(std::optional<int> maxDepth) {
-  constexpr std::string_view site = "A result";
+bool Builder::finish() {
   problem_.clear();
   // Every value was searched when it was made; but a sketch may catch a problem and go on.
   if (wasImpossible_) {
-    for (const NodeId id : reachable(graph_, roots())) {
-      if (const auto* why = impossible(id)) return refuse(site, {*why});
+    for (const NodeId id : reachable(graph_, module_.roots())) {
+      if (const auto* why = impossible(id)) refuse("A result", {*why});
     }
   }
-  Comments comments = comments_;
-  const std::vector<Output> outputs = lowered(comments);
-  if (isFull()) return refuse(site, {tooLarge});
-
-  EmitOptions options;
-  if (maxDepth) {
-    options.maxDepth = *maxDepth;
-    options.maxReads = EmitOptions::mostReads;
-  }
-  Built built{emit(graph_, dialect_, outputs, options, comments), {}};
-  for (const std::uint32_t function : built.emitted.functions)
-    built.declarations += sources_[function] + '\n';
-  Declarations declarations(dialect_, library_);
-  declarations.add(graph_, built.emitted);
-  built.declarations += declarations.text();
-  if (isFull()) return refuse(site, {tooLarge});
-  if (hidesWhatIsRead(built.emitted, declarations.text())) return std::nullopt;
-  return built;
-}
-
-// The outputs in operations that the language has.
-std::vector<Output> Builder::lowered(Comments& comments) {
-  const std::vector<NodeId> nodes = lower(graph_, roots(), dialect_.language, comments);
-  std::vector<Output> outputs = outputs_;
-  auto node = nodes.begin();
-  for (Output& output : outputs) {
-    for (NodeId& component : output.components) component = *node++;
-  }
-  return outputs;
-}
-
-// A result named like a variable or function that the text reads would hide it, and a variable
-// cannot have the name of a function. `helpers` is the text of functions of ours.
-bool Builder::hidesWhatIsRead(const Emitted& emitted, std::string_view helpers) {
-  const auto refusesResult = [&](std::string_view name, std::string_view read) {
-    if (!outputNames_.contains(name)) return false;
-    refuse({}, {"The result ", quotedShort(name),
-                " has the name of a variable or function that is read for it (", quotedShort(read),
-                "); rename the result."});
-    return true;
-  };
-  std::set<std::string_view> variables;
-  for (const std::uint32_t i : emitted.inputs) {
-    const std::string& label = graph_.input(i).label;
-    for (const std::string_view word : identifiers(label)) {
-      if (refusesResult(word, label)) return true;
-      if (!isCalled(label, word)) variables.insert(word);
-    }
-  }
-  std::vector<std::string_view> functions;
-  for (const std::uint32_t i : emitted.functions) functions.push_back(graph_.function(i).name);
-  for (const std::string_view word : identifiers(helpers)) {
-    if (word.starts_with(ourPrefix)) functions.push_back(word);
-  }
-  for (const std::string_view name : functions) {
-    if (refusesResult(name, name)) return true;
-    if (!variables.contains(name)) continue;
-    refuse({}, {quotedShort(name), " is both a variable and a function; rename one."});
-    return true;
-  }
-  return false;
+  if (graph_.full()) refuse("A result", {tooLarge});
+  return problem_.empty();
 }
 
 }  // namespace warpjet

@@ -1,15 +1,23 @@
 // Calls of images.
 #include "texture/texture.hpp"
 
+#include <utility>
+
 #include "builder/builder.hpp"
 
 namespace warpjet {
 
-int Builder::callTexture(const Sampling& sampling) {
+int Builder::callTexture(const Sampling& sampling, std::string_view image) {
+  const Value uv = std::exchange(operands_, {})[0];
+  const int handle = input("texture", image, oneImage);
+  if (handle == failed) return failed;
   const std::size_t before = graph_.size();
-  const Value size = operands_[2], place = operands_[0] * size - constantLike(size, 0.5);
-  const Numbers arguments{place[0], place[1], operands_[1][0], size[0], size[1]};
-  const Numbers values = library_.call(definitionOf(sampling), arguments);
+  const Value texels = values_.get(graph_, handle);
+  const std::uint32_t number = graph_.sizeOf(inputOf(handle));
+  nameInput(number, {}, "texture");
+  const Value size = wholeInput(number), place = uv * size - constantLike(size, 0.5);
+  const Numbers arguments{place[0], place[1], texels[0], size[0], size[1]};
+  const Numbers values = module_.library.call(definitionOf(sampling), arguments);
   return finish(fill(graph_, vectorOf(4), [&](int i) { return values[i]; }), before, "texture");
 }
 

@@ -25,7 +25,7 @@ std::string Bundle::partName(int part) { return "part" + std::to_string(part); }
 
 std::string Bundle::type(const Dialect& dialect) const {
   if (isStruct()) return function + "Results";
-  return dialect.typeName(ops::Type::Float, vectorOf(count));
+  return std::string(dialect.typeName(ops::Type::Float, vectorOf(count)));
 }
 
 std::string Bundle::member(int i) const {
@@ -36,13 +36,11 @@ std::string Bundle::member(int i) const {
 
 std::string Bundle::definition(const Dialect& dialect) const {
   if (!isStruct()) return {};
-  const std::string vec4 = dialect.typeName(ops::Type::Float, vectorOf(perPart));
-  std::string text = "struct " + type(dialect) + " {";
-  for (int part = 0; part < parts(); ++part) {
-    text += dialect.declaresWithVar ? ' ' + partName(part) + ": " + vec4 + ','
-                                    : ' ' + vec4 + ' ' + partName(part) + ';';
-  }
-  return text + (dialect.declaresWithVar ? " }\n" : " };\n");
+  const std::string_view vec4 = dialect.typeName(ops::Type::Float, vectorOf(perPart));
+  std::string members;
+  for (int part = 0; part < parts(); ++part)
+    members += filled(dialect.member, {vec4, partName(part)});
+  return filled(dialect.structure, {type(dialect), members});
 }
 
 }  // namespace warpjet

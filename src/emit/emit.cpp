@@ -4,6 +4,7 @@
 
 #include "emit/names.hpp"
 #include "emit/statements.hpp"
+#include "emit/sums.hpp"
 #include "emit/writer.hpp"
 #include "graph/reachable.hpp"
 #include "graph/schedule.hpp"
@@ -15,13 +16,15 @@ namespace {
 class Emitter {
  public:
   Emitter(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-          const EmitOptions& options, const Comments& comments)
+          const EmitOptions& options, const Comments& comments, std::span<const std::string> inputs)
       : graph_(graph),
         dialect_(dialect),
         outputs_(outputs),
+        sums_(findSums(graph, outputs)),
         options_(options),
         comments_(comments),
-        nodes_(reachable(graph, roots(outputs))),
+        inputs_(inputs),
+        nodes_(reachable(graph, roots())),
         writer_(graph, dialect) {}
 
   Emitted run() {
@@ -44,11 +47,11 @@ class Emitter {
     return !graph_.isLeaf(id) && !graph_.isList(id) && !graph_.isResult(id);
   }
 
-  static std::vector<NodeId> roots(std::span<const Output> outputs) {
+  std::vector<NodeId> roots() const {
     std::vector<NodeId> roots;
-    for (const Output& output : outputs) {
-      if (!output.sum)
-        roots.insert(roots.end(), output.components.begin(), output.components.end());
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      const std::vector<NodeId>& components = outputs_[i].components;
+      if (!sums_[i]) roots.insert(roots.end(), components.begin(), components.end());
     }
     return roots;
   }
@@ -85,14 +88,14 @@ class Emitter {
       if (graph_.isInput(id)) used[graph_.node(id).operands[0]] = true;
       if (graph_.isCall(id) && !graph_.isOurCall(id)) called[graph_.node(id).operands[1]] = true;
     }
-    for (const Output& output : outputs_) {
-      if (output.sum) used[output.sum->input] = true;
-      temporaries_.reserve(output.name);
+    for (const Output& output : outputs_) temporaries_.reserve(output.name);
+    for (const auto& sum : sums_) {
+      if (sum) used[sum->input] = true;
     }
     for (std::uint32_t i = 0; i < used.size(); ++i) {
       if (!used[i]) continue;
       result_.inputs.push_back(i);
-      temporaries_.reserve(graph_.input(i).label);
+      temporaries_.reserve(inputs_[i]);
     }
     for (std::uint32_t i = 0; i < called.size(); ++i) {
       if (!called[i]) continue;
@@ -104,26 +107,25 @@ class Emitter {
   // An expression of the host that is more than a variable is computed once.
   void bindInputs() {
     for (const std::uint32_t i : result_.inputs) {
-      const Input& input = graph_.input(i);
-      if (isPlainVariable(input.label)) {
-        writer_.nameInput(i, input.label);
+      if (isPlainVariable(inputs_[i])) {
+        writer_.nameInput(i, inputs_[i]);
         continue;
       }
       const std::string name = temporaries_.next();
-      define(dialect_.typeName(ops::Type::Float, input.shape), name);
-      statements_ += input.label + ";\n";
+      define(dialect_.typeName(ops::Type::Float, graph_.input(i).shape), name);
+      statements_ += inputs_[i] + ";\n";
       writer_.nameInput(i, name);
       ++result_.temporaries;
     }
   }
 
   // The beginning of a statement.
-  void define(const std::string& type, const std::string& name) {
-    statements_ += "  " + dialect_.definition(type, name);
+  void define(std::string_view type, std::string_view name) {
+    statements_ += "  " + filled(dialect_.definition, {type, name});
   }
 
   void writeStatements() {
-    const Statements statements = makeStatements(graph_, nodes_, outputs_, options_);
+    const Statements statements = makeStatements(graph_, nodes_, outputs_, sums_, options_);
     for (const std::uint32_t i : schedule(statements.work)) {
       const Statement& statement = statements.all[i];
       if (statement.node) {
@@ -150,9 +152,8 @@ class Emitter {
 
   void assign(const Output& output) {
     statements_ += "  " + output.name + " = ";
-    if (output.sum) {
-      statements_ +=
-          writer_.inputName(output.sum->input) + " + " + outputs_[output.sum->output].name;
+    if (const auto& sum = sums_[static_cast<std::size_t>(&output - outputs_.data())]) {
+      statements_ += writer_.inputName(sum->input) + " + " + outputs_[sum->output].name;
     } else {
       writer_.writeValue(statements_, output.shape, output.components);
     }
@@ -167,13 +168,13 @@ class Emitter {
   // spliced into one function, and no temporary can meet a variable of the host.
   std::string assemble() const {
     std::string code;
-    std::string group;
+    std::string_view group;
     for (const Output& output : outputs_) {
-      const std::string type = dialect_.typeName(graph_.type(output.components[0]), output.shape);
-      if (type == group && !dialect_.declaresWithVar) {
+      const auto type = dialect_.typeName(graph_.type(output.components[0]), output.shape);
+      if (type == group && dialect_.declaresSeveral) {
         code += ", " + output.name;
       } else {
-        code += (group.empty() ? "" : ";\n") + dialect_.declaration(type, output.name);
+        code += (group.empty() ? "" : ";\n") + filled(dialect_.declaration, {type, output.name});
       }
       group = type;
     }
@@ -183,8 +184,10 @@ class Emitter {
   const Graph& graph_;
   const Dialect& dialect_;
   std::span<const Output> outputs_;
+  std::vector<std::optional<Sum>> sums_;
   const EmitOptions& options_;
   const Comments& comments_;
+  std::span<const std::string> inputs_;
   std::vector<NodeId> nodes_;
   Writer writer_;
   Temporaries temporaries_;
@@ -195,9 +198,19 @@ class Emitter {
 }  // namespace
 
 Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-             const EmitOptions& options, const Comments& comments) {
+             const EmitOptions& options, const Comments& comments,
+             std::span<const std::string> inputs) {
   if (outputs.empty()) return {};
-  return Emitter(graph, dialect, outputs, options, comments).run();
+  return Emitter(graph, dialect, outputs, options, comments, inputs).run();
+}
+
+std::vector<std::string> inputTexts(const Graph& graph, const Dialect& dialect) {
+  std::vector<std::string> texts;
+  for (std::uint32_t i = 0; i < graph.inputCount(); ++i) {
+    const Input& input = graph.input(i);
+    texts.push_back(input.image ? filled(dialect.imageSize, {texts[*input.image]}) : input.label);
+  }
+  return texts;
 }
 
 }  // namespace warpjet

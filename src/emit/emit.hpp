@@ -12,26 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "emit/comments.hpp"
 #include "emit/dialect.hpp"
-#include "graph/graph.hpp"
+#include "module/module.hpp"
 
 namespace warpjet {
-
-// A variable that the statements declare and assign.
-struct Output {
-  // The variable as the sum of an input and an earlier output, where it happens to be one. It only
-  // makes the text shorter: `position + offset` instead of three sums.
-  struct Sum {
-    std::uint32_t input;
-    std::size_t output;
-  };
-
-  std::string name;
-  Shape shape;
-  std::vector<NodeId> components;
-  std::optional<Sum> sum = {};
-};
 
 struct EmitOptions {
   // The number of nested operations at which an expression becomes a temporary.
@@ -62,9 +46,17 @@ struct Emitted {
   std::size_t temporaries = 0;
 };
 
+// What each input is in this language, if the host calls it by its label.
+std::vector<std::string> inputTexts(const Graph& graph, const Dialect& dialect);
+
 // Names must have passed `inputProblem` and `outputProblem`, and be distinct. The outputs must have
-// been lowered to what the dialect has.
+// been lowered to what the dialect has. `inputs` has the host's text of each input.
 Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-             const EmitOptions& options = {}, const Comments& comments = {});
+             const EmitOptions& options, const Comments& comments,
+             std::span<const std::string> inputs);
+inline Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
+                    const EmitOptions& options = {}, const Comments& comments = {}) {
+  return emit(graph, dialect, outputs, options, comments, inputTexts(graph, dialect));
+}
 
 }  // namespace warpjet

@@ -98,19 +98,18 @@ class Lowering {
   std::vector<NodeId> lowered_;  // by node
 };
 
-// Whether the language has all operations of a graph.
-bool hasAll(const Graph& graph, ops::Language language) {
-  for (std::size_t row = 0; row < ops::count; ++row) {
-    if (graph.has(Op(row)) && lacks(language, Op(row))) return false;
-  }
-  return true;
-}
-
 }  // namespace
+
+bool lacksAny(const Graph& graph, ops::Language language) {
+  for (std::size_t row = 0; row < ops::count; ++row) {
+    if (graph.has(Op(row)) && lacks(language, Op(row))) return true;
+  }
+  return false;
+}
 
 std::vector<NodeId> lower(Graph& graph, std::span<const NodeId> roots, ops::Language language,
                           Comments& comments) {
-  if (hasAll(graph, language)) return {roots.begin(), roots.end()};
+  if (!lacksAny(graph, language)) return {roots.begin(), roots.end()};
   Lowering lowering(graph, language, comments);
   for (const NodeId id : reachable(graph, roots)) lowering.visit(id);
   std::vector<NodeId> found(roots.size());

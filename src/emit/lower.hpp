@@ -4,10 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "emit/comments.hpp"
 #include "graph/graph.hpp"
+#include "module/comments.hpp"
 
 namespace warpjet {
+
+// Whether an operation of the graph is one that the language lacks.
+bool lacksAny(const Graph& graph, ops::Language language);
 
 // Nodes of the same values as `roots`, which the language can write; what was made for a node gets
 // its comment. Derivatives must have been taken before: a row's own are shorter than those of what

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
-#include "emit/syntax.hpp"
+#include "module/syntax.hpp"
 #include "ops/ops.hpp"
 
 namespace warpjet {
 
 namespace {
-
-// WebGL 1.0, section 6.21; WebGL 2 allows 1024.
-constexpr std::size_t longestName = 256;
 
 // Whether our statements call a function of that name, such as `sin($0)`.
 bool isCalledByUs(const Dialect& dialect, std::string_view word) {
@@ -21,7 +18,8 @@ bool isCalledByUs(const Dialect& dialect, std::string_view word) {
 }
 
 std::string reservedProblem(const Dialect& dialect, std::string_view word) {
-  if (word.size() > longestName) return "it is longer than 256 letters";
+  if (word.size() > dialect.longestName)
+    return "it is longer than " + std::to_string(dialect.longestName) + " letters";
   const std::string language(dialect.family);
   if (Dialect::holds(dialect.keywords, word))
     return quoted(word) + " is a word of " + language + " itself";
@@ -38,22 +36,6 @@ std::string reservedProblem(const Dialect& dialect, std::string_view word) {
 
 }  // namespace
 
-std::vector<std::string_view> identifiers(std::string_view text) {
-  std::vector<std::string_view> found;
-  for (std::size_t i = 0; i < text.size();) {
-    if (!isWordPart(text[i])) {
-      ++i;
-      continue;
-    }
-    std::size_t end = i;
-    while (end < text.size() && isWordPart(text[end])) ++end;
-    const bool isMember = i > 0 && text[i - 1] == '.';
-    if (isWordStart(text[i]) && !isMember) found.push_back(text.substr(i, end - i));
-    i = end;
-  }
-  return found;
-}
-
 std::string inputProblem(const Dialect& dialect, std::string_view text) {
   if (text.find_first_not_of(' ') == std::string_view::npos) return "it is empty";
   if (auto problem = syntaxProblem(text, dialect.operators); !problem.empty()) return problem;
@@ -62,7 +44,7 @@ std::string inputProblem(const Dialect& dialect, std::string_view text) {
   for (const std::string_view word : identifiers(text)) {
     const std::size_t end = text.find_first_not_of(' ', word.data() - text.data() + word.size());
     const char next = end == text.npos ? ' ' : text[end];
-    const bool isTemplate = dialect.language == ops::Language::Wgsl && (next == '<' || next == '>');
+    const bool isTemplate = dialect.hasTemplates && (next == '<' || next == '>');
     if ((next == '(' || isTemplate) && Dialect::holds(dialect.constructors, word)) continue;
     if (next == '(' && isCalledByUs(dialect, word)) continue;
     if (Dialect::holds(dialect.builtIns, word)) continue;

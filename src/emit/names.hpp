@@ -10,9 +10,6 @@
 
 namespace warpjet {
 
-// The identifiers in a text. Members behind a dot are not among them.
-std::vector<std::string_view> identifiers(std::string_view text);
-
 // What is wrong with a host's expression, such as `aPosition` or `(m * vec4(p, 1.0)).xyz`, or
 // nothing. It must be one balanced expression without statements, comments or reserved words.
 std::string inputProblem(const Dialect& dialect, std::string_view text);

@@ -10,8 +10,9 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 
 class Maker {
  public:
-  Maker(const Graph& graph, std::span<const Output> outputs, const EmitOptions& options)
-      : graph_(graph), outputs_(outputs), options_(options), states_(graph.size()) {}
+  Maker(const Graph& graph, std::span<const Output> outputs,
+        std::span<const std::optional<Sum>> sums, const EmitOptions& options)
+      : graph_(graph), outputs_(outputs), sums_(sums), options_(options), states_(graph.size()) {}
 
   Statements run(std::span<const NodeId> nodes) {
     countUses(nodes);
@@ -19,7 +20,7 @@ class Maker {
     for (const NodeId id : nodes) {
       if (!graph_.isLeaf(id)) visit(id);
     }
-    for (const Output& output : outputs_) assign(output);
+    for (std::size_t i = 0; i < outputs_.size(); ++i) assign(outputs_[i], sums_[i]);
     return std::move(made_);
   }
 
@@ -43,9 +44,9 @@ class Maker {
     for (const NodeId id : nodes) {
       for (int i = 0; i < graph_.arity(id); ++i) ++state(graph_.operand(id, i)).uses;
     }
-    for (const Output& output : outputs_) {
-      if (output.sum) continue;
-      for (const NodeId id : output.components) ++state(id).uses;
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      if (sums_[i]) continue;
+      for (const NodeId id : outputs_[i].components) ++state(id).uses;
     }
   }
 
@@ -53,7 +54,7 @@ class Maker {
   void findScalarOutputs() {
     for (const Output& output : outputs_) {
       const NodeId id = output.components[0];
-      if (output.shape.isNumber() && !output.sum && !graph_.isLeaf(id) && !state(id).output)
+      if (output.shape.isNumber() && !graph_.isLeaf(id) && !state(id).output)
         state(id).output = &output;
     }
   }
@@ -142,11 +143,11 @@ class Maker {
     ++set.count;
   }
 
-  void assign(const Output& output) {
+  void assign(const Output& output, const std::optional<Sum>& sum) {
     const NodeId first = output.components[0];
     Set set = emptySet();
-    if (output.sum) {
-      include(set, assigned_[output.sum->output]);
+    if (sum) {
+      include(set, assigned_[sum->output]);
     } else if (state(first).output == &output) {
       return assigned_.push_back(state(first).statement);
     } else {
@@ -157,6 +158,7 @@ class Maker {
 
   const Graph& graph_;
   std::span<const Output> outputs_;
+  std::span<const std::optional<Sum>> sums_;
   const EmitOptions& options_;
   std::vector<State> states_;            // by node
   std::vector<std::uint32_t> assigned_;  // by output, its statement
@@ -166,8 +168,9 @@ class Maker {
 }  // namespace
 
 Statements makeStatements(const Graph& graph, std::span<const NodeId> nodes,
-                          std::span<const Output> outputs, const EmitOptions& options) {
-  return Maker(graph, outputs, options).run(nodes);
+                          std::span<const Output> outputs, std::span<const std::optional<Sum>> sums,
+                          const EmitOptions& options) {
+  return Maker(graph, outputs, sums, options).run(nodes);
 }
 
 }  // namespace warpjet

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "emit/emit.hpp"
+#include "emit/sums.hpp"
 #include "graph/graph.hpp"
 #include "graph/schedule.hpp"
 
@@ -24,8 +25,9 @@ struct Statements {
   Work work;
 };
 
-// `nodes` are all that the outputs need, ascending.
+// `nodes` are all that the outputs need, ascending; `sums` says which of them are sums.
 Statements makeStatements(const Graph& graph, std::span<const NodeId> nodes,
-                          std::span<const Output> outputs, const EmitOptions& options);
+                          std::span<const Output> outputs, std::span<const std::optional<Sum>> sums,
+                          const EmitOptions& options);
 
 }  // namespace warpjet

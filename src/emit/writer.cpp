@@ -36,7 +36,7 @@ void Writer::need(NodeId call, int result) {
 
 std::string Writer::typeOf(NodeId id) const {
   if (graph_.isOurCall(id)) return Bundle(graph_.function(id), orderOf(id)).type(dialect_);
-  return dialect_.typeName(graph_.type(id), oneNumber);
+  return std::string(dialect_.typeName(graph_.type(id), oneNumber));
 }
 
 std::string_view Writer::textOf(NodeId id) {
@@ -141,12 +141,13 @@ void Writer::writeValue(std::string& text, Shape shape, std::span<const NodeId> 
   const bool allEqual =
       shape.isVector() && std::all_of(components.begin(), components.end(),
                                       [&](NodeId id) { return id == components[0]; });
-  text += dialect_.typeName(graph_.type(components[0]), shape) + '(';
+  std::string values;
   for (std::size_t i = 0; i < (allEqual ? 1 : components.size()); ++i) {
-    if (i > 0) text += ", ";
-    write(text, components[i]);
+    if (i > 0) values += ", ";
+    write(values, components[i]);
   }
-  text += ')';
+  const std::string_view type = dialect_.typeName(graph_.type(components[0]), shape);
+  text += filled(allEqual ? dialect_.splat : dialect_.construction, {type, values});
 }
 
 }  // namespace warpjet

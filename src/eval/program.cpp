@@ -2,8 +2,17 @@
 
 #include "eval/words.hpp"
 #include "graph/reachable.hpp"
+#include "module/sentences.hpp"
 
 namespace warpjet {
+
+namespace {
+
+bool isImage(const Graph& graph, NodeId id) {
+  return graph.isInput(id) && graph.input(graph.node(id).operands[0]).shape == oneImage;
+}
+
+}  // namespace
 
 std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots) {
   // Of each input, its first number.
@@ -11,7 +20,8 @@ std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots
   std::uint32_t place = 0;
   for (std::uint32_t input = 0; input < graph.inputCount(); ++input) {
     places.push_back(place);
-    place += static_cast<std::uint32_t>(graph.input(input).shape.size());
+    const Shape shape = graph.input(input).shape;
+    place += shape == oneImage ? 0 : static_cast<std::uint32_t>(shape.size());
   }
 
   Program program;
@@ -27,6 +37,25 @@ std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots
   }
   for (const NodeId root : roots) program.words.push_back(instructionOf[index(root)]);
   return program;
+}
+
+ModuleProgram program(const Module& module, std::span<const std::uint32_t> results) {
+  std::vector<NodeId> roots;
+  for (const std::uint32_t number : results) {
+    const std::vector<NodeId>& components = module.outputs[number].components;
+    roots.insert(roots.end(), components.begin(), components.end());
+  }
+  bool callsOurs = false;
+  for (const NodeId id : reachable(module.graph, roots)) {
+    if (isImage(module.graph, id)) return {};
+    callsOurs |= module.graph.isOurCall(id);
+  }
+  if (!callsOurs) return {program(module.graph, roots)};
+  Graph graph = module.graph.copy();
+  Library library = module.library.fresh();
+  const std::vector<NodeId> inlined = inlineCalls(graph, library, roots);
+  if (graph.full() || library.isFull()) return {{}, "A result: " + std::string(tooLarge)};
+  return {program(graph, inlined)};
 }
 
 void evaluate(std::span<const std::uint32_t> words, std::uint32_t instructions,

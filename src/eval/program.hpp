@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "graph/graph.hpp"
+#include "module/module.hpp"
 
 namespace warpjet {
 
@@ -19,9 +21,19 @@ struct Program {
   std::uint32_t instructions = 0;
 };
 
-// Numbers are given to the program for all inputs of the graph in order, component by component.
+// Numbers are given to the program for all inputs of the graph but images in order, component by
+// component.
 // Nothing if the program would have to call a function of the host.
 std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots);
+
+// Of these results of a module, in this order, with the bodies of our functions in it. Nothing if a
+// function or an image of the host is needed for them, or, which is a problem, if they are too many
+// operations.
+struct ModuleProgram {
+  std::optional<Program> program;
+  std::string problem = {};
+};
+ModuleProgram program(const Module& module, std::span<const std::uint32_t> results);
 
 // Runs a program of so many instructions; conditions are 1 and 0.
 void evaluate(std::span<const std::uint32_t> words, std::uint32_t instructions,

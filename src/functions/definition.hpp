@@ -1,13 +1,13 @@
 // Functions of ours that a text defines once, however often they are called, so that a value and
 // its derivatives share their work. Each is written once, as nodes: text, derivatives of every
-// order and evaluation on the CPU follow from those. What nodes cannot say, such as to read an
-// image, is a function of a text.
+// order and evaluation on the CPU follow from those.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "graph/expression.hpp"
@@ -40,12 +40,22 @@ class Numbers {
   std::size_t size_ = 0;
 };
 
+// For names such as warpjetNoise3.
+inline std::string capitalized(std::string_view text) {
+  std::string name(text);
+  name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
 struct Definition {
   // The values from the arguments. May call other functions of the library.
   using Body = Numbers (*)(Library&, std::uint32_t settings, const Numbers& arguments);
+  // Makes it again from its settings.
+  using Maker = Definition (*)(std::uint32_t settings);
 
   // Equal names are equal functions.
   Function function;
+  // None if nodes cannot say it, so that each language has a text, and there are no derivatives.
   Body body = nullptr;
   // What `body` is told.
   std::uint32_t settings = 0;
@@ -55,14 +65,12 @@ struct Definition {
   // What the size of each first derivative is known not to exceed.
   double steepest = std::numeric_limits<double>::infinity();
 
-  // Instead of a body, the function in each language; one that has no derivatives.
-  const ops::Helpers* texts = nullptr;
-
   // The variables, then the other arguments, as far as there are any.
   static constexpr std::string_view variableNames[] = {"x", "y", "z", "w"};
   static constexpr std::string_view noiseParameters[] = {"seed", "lacunarity", "gain"};
   static constexpr std::string_view imageParameters[] = {"image", "width", "height"};
   const std::string_view* parameters = noiseParameters;
+  Maker maker = nullptr;
 
   std::string_view argumentName(int i) const {
     return i < function.variables ? variableNames[i] : parameters[i - function.variables];

@@ -13,11 +13,25 @@ std::uint32_t numberOf(Graph& graph, const Function& function) {
 
 }  // namespace
 
-Body* Library::find(std::string_view name) {
+Body* Library::find(std::string_view name) const {
   for (const auto& body : bodies_) {
     if (body->definition.function.name == name) return body.get();
   }
   return nullptr;
+}
+
+Library Library::fresh() const {
+  Library made;
+  for (const auto& body : bodies_) made.add(body->definition);
+  return made;
+}
+
+void Library::add(const Definition& definition) {
+  if (!find(definition.function.name)) bodies_.push_back(std::make_unique<Body>(definition));
+}
+
+const Definition& Library::definition(std::string_view name) const {
+  return find(name)->definition;
 }
 
 bool Library::isFull() const {
@@ -29,8 +43,7 @@ bool Library::isFull() const {
 
 Numbers Library::call(const Definition& definition, const Numbers& arguments) {
   const Function& function = definition.function;
-  if (!find(function.name)) bodies_.push_back(std::make_unique<Body>(definition));
-
+  add(definition);
   Graph& graph = *arguments[0].graph;
   std::vector<NodeId> nodes;
   for (const Expression& argument : arguments) nodes.push_back(argument.id);
@@ -44,7 +57,7 @@ Body& Library::withResults(std::string_view name, int order) {
   Body& body = *find(name);
   const Definition& definition = body.definition;
   const Function& function = definition.function;
-  if (definition.texts) return body;
+  if (!definition.body) return body;
   if (body.results.empty()) {
     for (int i = 0; i < function.arity; ++i) {
       const std::uint32_t input =

@@ -1,4 +1,4 @@
-// The functions of ours that the graphs of one builder call, and what is in them.
+// The functions of ours that a graph calls, and what is in them.
 #pragma once
 
 #include <memory>
@@ -27,19 +27,25 @@ struct Body {
 
 class Library {
  public:
+  // Another one that knows the same functions; what is derived there stays there.
+  Library fresh() const;
+
+  void add(const Definition& definition);
+  const Definition& definition(std::string_view name) const;
+
   // The values of a call, in the graph of the arguments.
   Numbers call(const Definition& definition, const Numbers& arguments);
 
-  // With all `results` up to that order of derivatives; with none if the function is a text.
+  // With all `results` up to that order of derivatives; with none if the function has no body.
   Body& withResults(std::string_view name, int order);
-  // The same, and as many in `withoutCalls`. Not of a function that is a text.
+  // The same, and as many in `withoutCalls`. Not of a function without a body.
   Body& withoutCalls(std::string_view name, int order);
 
   // Whether the nodes of one of them are too many, and so without meaning.
   bool isFull() const;
 
  private:
-  Body* find(std::string_view name);
+  Body* find(std::string_view name) const;
 
   std::vector<std::unique_ptr<Body>> bodies_;
 };

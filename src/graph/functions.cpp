@@ -29,6 +29,14 @@ std::optional<std::uint32_t> Graph::inputLabelled(std::string_view label) const 
   return known->second;
 }
 
+std::uint32_t Graph::sizeOf(std::uint32_t image) {
+  for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
+    if (inputs_[i].image == image) return i;
+  }
+  inputs_.push_back({{}, vectorOf(2), image});
+  return static_cast<std::uint32_t>(inputs_.size() - 1);
+}
+
 std::uint32_t Graph::addFunction(Function function) {
   const auto number = static_cast<std::uint32_t>(functions_.size());
   functionNumbers_.emplace(function.name, number);

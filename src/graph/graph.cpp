@@ -1,8 +1,10 @@
 #include "graph/graph.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "graph/simplify.hpp"
 
@@ -44,6 +46,29 @@ bool fitsFloat32(double value) {
 Graph::Graph(std::size_t capacity, Simplification simplification)
     : table_(initialTableSize), capacity_(capacity), simplification_(simplification) {}
 
+Graph::Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Function> functions)
+    : nodes_(std::move(nodes)),
+      inputs_(std::move(inputs)),
+      functions_(std::move(functions)),
+      capacity_(nodes_.size()),
+      simplification_(Simplification::On) {
+  for (const Node& node : nodes_) has_[index(node.op)] = true;
+  for (std::uint32_t i = 0; i < functions_.size(); ++i)
+    functionNumbers_.emplace(functions_[i].name, i);
+  for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
+    if (!inputs_[i].image) inputNumbers_.emplace(inputs_[i].label, i);
+  }
+}
+
+Graph Graph::copy() const {
+  Graph made = *this;
+  made.capacity_ = std::max(capacity_, maxNodes);
+  std::size_t size = initialTableSize;
+  while (size < made.nodes_.size() * 2) size *= 2;
+  if (size > table_.size()) made.makeTable(size);
+  return made;
+}
+
 std::size_t Graph::slotOf(const Node& node) const {
   const std::size_t mask = table_.size() - 1;
   std::size_t slot = hash(node) & mask;
@@ -60,12 +85,12 @@ NodeId Graph::intern(const Node& node) {
   nodes_.push_back(node);
   has_[index(node.op)] = true;
   table_[slot] = id + 1;
-  if (nodes_.size() * 2 > table_.size()) growTable();
+  if (nodes_.size() * 2 > table_.size()) makeTable(table_.size() * 2);
   return NodeId{id};
 }
 
-void Graph::growTable() {
-  table_.assign(table_.size() * 2, 0);
+void Graph::makeTable(std::size_t size) {
+  table_.assign(size, 0);
   for (std::uint32_t id = 0; id < nodes_.size(); ++id) table_[slotOf(nodes_[id])] = id + 1;
 }
 

@@ -57,10 +57,11 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
-// A variable of the host.
+// A variable of the host, or the width and height of the image that is another input.
 struct Input {
   std::string label;
   Shape shape;
+  std::optional<std::uint32_t> image = {};
 };
 
 // A function that is called by name. One of the host goes from floats to a float. One of ours gives
@@ -86,11 +87,16 @@ class Graph {
 
   explicit Graph(std::size_t capacity = maxNodes,
                  Simplification simplification = Simplification::On);
+  // One of these nodes, to which none can be added: that is what copies are for.
+  Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Function> functions);
+  Graph copy() const;
 
   NodeId constant(double value);
 
   // The number of the input with this label and shape; asking twice gives the same one.
   std::uint32_t input(std::string_view label, Shape shape);
+  // The number of the input that is the size of an image.
+  std::uint32_t sizeOf(std::uint32_t image);
   // The first input with this label, whatever its shape.
   std::optional<std::uint32_t> inputLabelled(std::string_view label) const;
   NodeId component(std::uint32_t input, int component);
@@ -153,7 +159,7 @@ class Graph {
   // The slot that holds an equal node, or the empty one where it belongs.
   std::size_t slotOf(const Node& node) const;
   NodeId intern(const Node& node);
-  void growTable();
+  void makeTable(std::size_t size);
   NodeId convert(NodeId id, ops::Type type);
   std::optional<NodeId> fold(Op op, const Operands& operands);
   NodeId makeList(std::span<const NodeId> items);

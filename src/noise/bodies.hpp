@@ -36,8 +36,9 @@ Numbers curlNoise(Library& library, NoiseKind base, const Numbers& p, Expression
 // their sum, from -1 to 1; of their absolute values, from 0 to 1 (Perlin, "An image synthesizer",
 // 1985); or of the squares of what these lack to 1, from 0 to 1 (after Musgrave's ridged
 // multifractal, "Texturing and Modeling", chapter 16). Divided by the sum of all strengths.
-Expression fractalNoise(Library& library, const Noise& noise, const Numbers& p, Expression seed,
-                        Expression lacunarity, Expression gain);
+// `shaped` is done to each octave; the parameters are a hash, lacunarity and gain.
+Expression fractalNoise(Library& library, const Noise& noise, const Numbers& p,
+                        const Expression* parameters, Expression (*shaped)(Expression));
 
 // A call of a noise of one value.
 Expression callBase(Library& library, NoiseKind base, const Numbers& p, Expression seed);

@@ -9,20 +9,14 @@ namespace {
 constexpr double shifts[] = {0.6180339887498949, 0.7548776662466927, 0.8191725133961645,
                              0.8566748838545029};
 
-Expression shaped(NoiseKind kind, Expression noise) {
-  if (kind == NoiseKind::Sum) return noise;
-  if (kind == NoiseKind::Turbulence) return abs(noise);
-  const Expression ridge = 1.0 - abs(noise);
-  return ridge * ridge;
-}
-
 }  // namespace
 
-Expression fractalNoise(Library& library, const Noise& noise, const Numbers& p, Expression seed,
-                        Expression lacunarity, Expression gain) {
+Expression fractalNoise(Library& library, const Noise& noise, const Numbers& p,
+                        const Expression* parameters, Expression (*shaped)(Expression)) {
+  const Expression seed = parameters[0], lacunarity = parameters[1], gain = parameters[2];
   const Expression one{seed.graph, seed.graph->constant(1)};
   Expression fineness = one, strength = one;
-  Expression total = shaped(noise.kind, callBase(library, noise.base, p, seed)), strengths = one;
+  Expression total = shaped(callBase(library, noise.base, p, seed)), strengths = one;
   for (int octave = 1; octave < noise.octaves; ++octave) {
     fineness = fineness * lacunarity;
     strength = strength * gain;
@@ -30,7 +24,7 @@ Expression fractalNoise(Library& library, const Noise& noise, const Numbers& p, 
     for (std::size_t i = 0; i < p.size(); ++i)
       moved.push_back(p[i] * fineness + octave * shifts[i]);
     const Expression finer = callBase(library, noise.base, moved, hash(seed, octave));
-    total = total + shaped(noise.kind, finer) * strength;
+    total = total + shaped(finer) * strength;
     strengths = strengths + strength;
   }
   return total / strengths;

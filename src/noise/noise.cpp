@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "noise/bodies.hpp"
+#include "noise/table.hpp"
 
 namespace warpjet {
 
@@ -15,57 +15,29 @@ constexpr std::uint32_t pack(const Noise& noise, int dimensions) {
          static_cast<std::uint32_t>(dimensions) << 24;
 }
 
+struct Unpacked {
+  Noise noise;
+  std::size_t dimensions;
+};
+
+Unpacked unpack(std::uint32_t settings) {
+  return {{NoiseKind(settings & 255), NoiseKind(settings >> 8 & 255),
+           static_cast<int>(settings >> 16 & 255)},
+          settings >> 24};
+}
+
 Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments) {
-  const Noise noise{NoiseKind(settings & 255), NoiseKind(settings >> 8 & 255),
-                    static_cast<int>(settings >> 16 & 255)};
+  const auto [noise, dimensions] = unpack(settings);
   Numbers p;
-  while (p.size() < settings >> 24) p.push_back(arguments[p.size()]);
-  const Expression* parameters = arguments.begin() + p.size();
-  const Expression seed = parameters[0];
-  switch (noise.kind) {
-    case NoiseKind::Gradient:
-      return {gradientNoise(library, p, seed)};
-    case NoiseKind::Simplex:
-      return {simplexNoise(library, p, seed)};
-    case NoiseKind::Value:
-      return {valueNoise(p, seed)};
-    case NoiseKind::Worley:
-      return worleyNoise(p, seed);
-    case NoiseKind::Curl:
-      return curlNoise(library, noise.base, p, seed);
-    default:
-      return {fractalNoise(library, noise, p, seed, parameters[1], parameters[2])};
-  }
-}
-
-// Above what the size of each first derivative can be, by as much as float32 may round. Curls and
-// fractals are sums of others.
-double steepest(NoiseKind kind, int dimensions) {
-  constexpr double slack = 1.001;
-  switch (kind) {
-    case NoiseKind::Gradient:
-      return slack * steepestGradientNoise(dimensions);
-    case NoiseKind::Simplex:
-      return slack * steepestSimplexNoise(dimensions);
-    case NoiseKind::Value:
-      return slack * steepestValueNoise();
-    case NoiseKind::Worley:  // a distance changes by no more than the way
-      return slack;
-    default:
-      return std::numeric_limits<double>::infinity();
-  }
-}
-
-std::string capitalized(std::string_view text) {
-  std::string name(text);
-  name[0] = static_cast<char>(name[0] - 'a' + 'A');
-  return name;
+  while (p.size() < dimensions) p.push_back(arguments[p.size()]);
+  return row(noise.kind).body(library, noise, p, arguments.begin() + p.size());
 }
 
 // warpjetNoise3, warpjetCurl4Simplex, warpjetFbm2Noise5
 std::string functionName(const Noise& noise, int dimensions) {
-  std::string name = "warpjet" + capitalized(nameOf(noise.kind)) + std::to_string(dimensions);
-  if (noise.kind >= NoiseKind::Curl) name += capitalized(nameOf(noise.base));
+  std::string name = "warpjet" + capitalized(row(noise.kind).name) + std::to_string(dimensions);
+  const NoiseUse use = row(noise.kind).use;
+  if (use == NoiseUse::Made || use == NoiseUse::Fractal) name += capitalized(row(noise.base).name);
   if (isFractal(noise.kind)) name += std::to_string(noise.octaves);
   return name;
 }
@@ -73,17 +45,22 @@ std::string functionName(const Noise& noise, int dimensions) {
 }  // namespace
 
 Definition definitionOf(const Noise& noise, int dimensions) {
-  const int values = noise.kind == NoiseKind::Worley ? 2 : noise.kind == NoiseKind::Curl ? 3 : 1;
+  const NoiseRow& kind = row(noise.kind);
   const int parameters = isFractal(noise.kind) ? 3 : 1;
-  Definition made{{functionName(noise, dimensions), dimensions + parameters, values, dimensions},
-                  body,
-                  pack(noise, dimensions)};
-  made.steepest = steepest(noise.kind, dimensions);
-  if (values == 1) {
-    made.low = noise.kind >= NoiseKind::Ridged ? 0 : -1;
-    made.high = 1;
-  }
+  Definition made{
+      {functionName(noise, dimensions), dimensions + parameters, kind.values, dimensions},
+      body,
+      pack(noise, dimensions)};
+  made.low = kind.low;
+  made.high = kind.high;
+  if (kind.steepest) made.steepest = kind.steepest(dimensions);
+  made.maker = noiseFrom;
   return made;
+}
+
+Definition noiseFrom(std::uint32_t settings) {
+  const auto [noise, dimensions] = unpack(settings);
+  return definitionOf(noise, static_cast<int>(dimensions));
 }
 
 Expression callBase(Library& library, NoiseKind base, const Numbers& p, Expression seed) {

@@ -1,4 +1,4 @@
-// Which noise functions there are, by name.
+// The noise functions, as those see them who call them.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace warpjet {
 
-// The first three are what the others may be made of.
+// The kinds by number, in the order of the rows of noise/table.hpp.
 enum class NoiseKind : std::uint8_t {
   Gradient,
   Simplex,
@@ -21,14 +21,17 @@ enum class NoiseKind : std::uint8_t {
   Turbulence
 };
 
-inline constexpr std::array<std::string_view, 8> noiseNames{
-    "noise", "simplex", "valueNoise", "worley", "curl", "fbm", "ridged", "turbulence"};
+// What a kind is made of, and so what it takes.
+enum class NoiseUse : std::uint8_t {
+  Base,    // what others may be made of
+  Plain,   // nothing but itself
+  Made,    // one base
+  Fractal  // octaves of a base
+};
 
-constexpr std::string_view nameOf(NoiseKind kind) {
-  return noiseNames[static_cast<std::size_t>(kind)];
-}
-
-constexpr bool isFractal(NoiseKind kind) { return kind >= NoiseKind::Sum; }
+// Whole numbers up to here are exact in a float of the shader.
+inline constexpr int mostSeed = 1 << 23;
+inline constexpr int mostOctaves = 16;
 
 struct Noise {
   NoiseKind kind;
@@ -39,5 +42,7 @@ struct Noise {
 // A function of a point of so many dimensions and of a hash; of fractals, also of lacunarity and
 // gain.
 Definition definitionOf(const Noise& noise, int dimensions);
+// The same from its settings.
+Definition noiseFrom(std::uint32_t settings);
 
 }  // namespace warpjet

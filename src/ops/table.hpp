@@ -97,7 +97,9 @@ inline constexpr std::tuple table{
         [](auto x, auto y) { return x / y; },        //
         [](auto, auto y, auto) { return 1.0 / y; },  //
         [](auto, auto y, auto v, auto d) {
-          return countedWhere(gt(abs(v), least), d, -(v * d) / y);
+          // A quotient may be 0 by its numerator, and turns there; sinh / cosh has huge parts that
+          // count.
+          return countedWhere(logicalOr(lt(abs(y), most), gt(abs(v), least)), d, -(v * d) / y);
         }),
 
     // powers

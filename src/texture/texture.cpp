@@ -8,21 +8,6 @@ namespace {
 
 constexpr int channels = 4, reach = 4;
 
-// Texel centres lie at half texels, where not even a linear filter of the host's mixes neighbours.
-constexpr ops::Helpers texelTexts{
-    R"(highp vec4 warpjetTexel(float x, float y, highp sampler2D image, float width, float height) {
-  return texelFetch(image, ivec2(int(x), int(y)), 0);
-}
-)",
-    R"(highp vec4 warpjetTexel(float x, float y, highp sampler2D image, float width, float height) {
-  return texture2D(image, vec2((x + 0.5) / width, (y + 0.5) / height));
-}
-)",
-    R"(fn warpjetTexel(x: f32, y: f32, image: texture_2d<f32>, width: f32, height: f32) -> vec4f {
-  return textureLoad(image, vec2i(i32(x), i32(y)), 0);
-}
-)"};
-
 // By filter and texel, its weight times the divisor as a polynomial of where the point lies between
 // the middle two, from 0 to 1; the highest power first.
 constexpr std::int8_t weights[3][reach][4] = {
@@ -69,14 +54,16 @@ struct Axis {
   }
 };
 
+Sampling unpack(std::uint32_t settings) { return {Filter(settings & 3), Wrap(settings >> 2)}; }
+
 Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments) {
-  const std::uint32_t filter = settings & 3;
-  const Wrap wrap{static_cast<std::uint8_t>(settings >> 2)};
+  const auto [filterKind, wrap] = unpack(settings);
+  const auto filter = static_cast<std::uint32_t>(filterKind);
   Numbers place = arguments;
   const Calculation make{*place[0].graph};
   const Axis across(make, place[0].id, place[3].id, filter, wrap);
   const Axis down(make, place[1].id, place[4].id, filter, wrap);
-  const Definition texel{.function = {"warpjetTexel", 5, channels, 0}, .texts = &texelTexts};
+  const Definition texel{.function = {texelName, 5, channels, 0}};
   const Expression zero{&make.graph, make.graph.constant(0)};
   Numbers values{zero, zero, zero, zero};
   const auto addTo = [&](Numbers& sums, NodeId share, const Numbers& x) {
@@ -98,15 +85,17 @@ Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments)
 }  // namespace
 
 Definition definitionOf(const Sampling& sampling) {
-  constexpr const char* filterNames[] = {"Bilinear", "Bicubic", "Bspline"};
-  constexpr const char* wrapNames[] = {"Clamp", "Repeat", "Mirror"};
   const auto filter = static_cast<std::uint32_t>(sampling.filter);
   const auto wrap = static_cast<std::uint32_t>(sampling.wrap);
-  const std::string name = std::string("warpjet") + filterNames[filter] + wrapNames[wrap];
+  const std::string name =
+      "warpjet" + capitalized(filterNames[filter]) + capitalized(wrapNames[wrap]);
   return {.function = {name, 5, channels, 2},
           .body = body,
           .settings = filter | wrap << 2,
-          .parameters = Definition::imageParameters};
+          .parameters = Definition::imageParameters,
+          .maker = samplingFrom};
 }
+
+Definition samplingFrom(std::uint32_t settings) { return definitionOf(unpack(settings)); }
 
 }  // namespace warpjet

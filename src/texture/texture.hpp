@@ -4,11 +4,16 @@
 // the interpolant itself, whatever filter the host has set.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "functions/library.hpp"
 
 namespace warpjet {
+
+// Reads a texel; each language has a text for it.
+inline constexpr const char* texelName = "warpjetTexel";
 
 // Bilinear is continuous. Bicubic passes through the texels too and is continuously differentiable
 // (Keys, "Cubic Convolution Interpolation for Digital Image Processing", 1981, with a = -1/2: the
@@ -20,6 +25,10 @@ enum class Filter : std::uint8_t { Bilinear, Bicubic, Bspline };
 // What is beyond the edges: the texels there, the image again, or its mirror image.
 enum class Wrap : std::uint8_t { Clamp, Repeat, Mirror };
 
+// What sketches call them, by number.
+inline constexpr std::array<std::string_view, 3> filterNames{"bilinear", "bicubic", "bspline"};
+inline constexpr std::array<std::string_view, 3> wrapNames{"clamp", "repeat", "mirror"};
+
 struct Sampling {
   Filter filter;
   Wrap wrap;
@@ -27,5 +36,7 @@ struct Sampling {
 
 // A function of x, y, an image, and its width and height.
 Definition definitionOf(const Sampling& sampling);
+// The same from its settings.
+Definition samplingFrom(std::uint32_t settings);
 
 }  // namespace warpjet

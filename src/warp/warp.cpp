@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "algebra/derivatives.hpp"
 #include "algebra/matrices.hpp"
 #include "algebra/vectors.hpp"
+#include "graph/reachable.hpp"
 
 namespace warpjet {
 
@@ -61,7 +63,60 @@ Value unit(const Value& v, double most) {
   return fill(v.graph(), v.shape(), [&](int i) { return ifElse(hasDirection, turned[i], 0.0); });
 }
 
+std::array<Expression, 5> varying(const WarpInputs& inputs) {
+  const auto& [position, normal, uv, tangent, gradients] = inputs;
+  return {normal[0], normal[1], normal[2], uv[0], uv[1]};
+}
+
+// Which nodes of `among` the values are computed from.
+std::vector<bool> readBy(std::span<const NodeId> values, const Graph& graph,
+                         std::span<const NodeId> among) {
+  const std::vector<NodeId> nodes = reachable(graph, values);
+  std::vector<bool> isRead;
+  for (const NodeId id : among)
+    isRead.push_back(std::binary_search(nodes.begin(), nodes.end(), id));
+  return isRead;
+}
+
+Turned turn(const Value& m, const WarpInputs& inputs) {
+  Graph& graph = m.graph();
+  const Value& t = inputs.tangent;
+  const Value along = fill(graph, vectorOf(3), [&](int i) { return t[i]; });
+  const Value normal = turnedNormal(m, inputs.normal), turned = turnedTangent(m, along, normal);
+  const Value tangent = fill(graph, vectorOf(4), [&](int i) { return i < 3 ? turned[i] : t[3]; });
+  return {normal, tangent, multiply(m, along), determinant(sized(m))};
+}
+
 }  // namespace
+
+Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInputs& inputs,
+              const WarpOptions& options) {
+  Warp warp{offset, inputs.position + offset};
+  if (!options.turns) return warp;
+  Graph& graph = offset.graph();
+  const Value constant = deformation(differentiator, offset, inputs.position);
+  const std::array<Expression, 5> numbers = varying(inputs);
+  std::vector<NodeId> nodes, gradients;
+  for (const Expression number : numbers) nodes.push_back(number.id);
+  const std::vector<bool> isRead = readBy(offset.nodes(), graph, nodes);
+  const bool readsAny = std::find(isRead.begin(), isRead.end(), true) != isRead.end();
+  if (options.isFlat || !readsAny) warp.flat = turn(constant, inputs);
+  if (!readsAny) {
+    warp.surface = warp.flat;
+    return warp;
+  }
+  Value m = constant;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!isRead[i]) continue;
+    m = varied(differentiator, m, offset, numbers[i], inputs.gradients[i]);
+    const auto gradient = inputs.gradients[i].nodes();
+    gradients.insert(gradients.end(), gradient.begin(), gradient.end());
+  }
+  warp.surface = turn(m, inputs);
+  const std::vector<bool> needed = readBy(m.nodes(), graph, gradients);
+  warp.varies = std::find(needed.begin(), needed.end(), true) != needed.end();
+  return warp;
+}
 
 Value deformation(Differentiator& differentiator, const Value& offset, const Value& position) {
   Value m = jacobian(differentiator, offset, position);

@@ -1,11 +1,49 @@
-// The warp: an offset function enters as a graph, the turned normal leaves as nodes of the same
-// graph. The only room that knows what a warp is.
+// The warp: an offset enters as a graph, and all that becomes of a surface leaves as nodes of the
+// same graph. The only room that knows what a warp is.
 #pragma once
+
+#include <array>
+#include <optional>
 
 #include "algebra/value.hpp"
 #include "diff/differentiator.hpp"
 
 namespace warpjet {
+
+// Of each vertex. The offset may depend on all but the tangent and the gradients.
+struct WarpInputs {
+  Value position, normal, uv;
+  Value tangent;  // a direction, and in which direction the bitangent is: 1 or -1
+  // Over the surface, of x, y and z of the normal and of u and v: how they vary.
+  std::array<Value, 5> gradients;
+};
+
+// What the warp makes of what lies along the surface.
+struct Turned {
+  Value normal;     // of length 1, or zero where the warp collapses the surface
+  Value tangent;    // as it came, but of length 1, turned, and at right angles to the normal
+  Value direction;  // the tangent's direction, only turned: for lines, which have no surface
+  Expression determinant;
+};
+
+struct Warp {
+  Value offset, position;
+  // Where normal and uv count as constant, and where they vary over the surface as the gradients
+  // say; both are the same for an offset that depends on neither.
+  std::optional<Turned> flat = {}, surface = {};
+  // Whether any of it needs the gradients.
+  bool varies = false;
+};
+
+struct WarpOptions {
+  bool turns = true;   // otherwise there is only the position
+  bool isFlat = true;  // whether `flat` is wanted too
+};
+
+Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInputs& inputs,
+              const WarpOptions& options = {});
+
+// The parts of it.
 
 // M = I + J, where J is the Jacobian of the offset by the position: what the warp makes of
 // directions. Its determinant says how volume grows; where it is not above zero, the warp turns

@@ -175,7 +175,10 @@ for (const [version, p5] of p5InThisRun) {
         const moved = uv.add(uv.yx().mult(5).sin().mult(0.1))
         return { color: glsl.texture('picture', moved, { wrap: 'mirror', filter: 'bicubic' }) }
       })
-      assert.deepEqual(uniforms, ['vTexCoord', 'picture'])
+      assert.deepEqual(uniforms, [
+        { name: 'vTexCoord', type: 'vec2' },
+        { name: 'picture', type: 'sampler2D' },
+      ])
       const vertex = `#version 300 es
 precision highp float;
 in vec3 aPosition;

@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "builder/builder.hpp"
+#include "emit/text.hpp"
 
 namespace warpjet {
 
 struct Bench {
-  explicit Bench(const Dialect& dialect = glsl300) : builder(dialect), dialect_(dialect) {}
+  explicit Bench(const Dialect& dialect = glsl300) : dialect_(dialect) {}
 
   int number(double value) { return builder.constant(value); }
   int input(std::string_view label, Shape shape = oneNumber) {
@@ -44,11 +45,27 @@ struct Bench {
   // What a result of this value is written as if it is the only one.
   std::string text(int value) {
     const std::string name = "result" + std::to_string(++texts_);
-    if (value < 0 || !builder.output("gen", name, value)) return builder.problem();
-    const std::vector only{builder.outputs().back()};
-    const std::string code = emit(builder.graph(), dialect_, only, {}).code;
+    if (value < 0) return builder.problem();
+    builder.output("gen", name, value);
+    const std::vector only{builder.module().outputs.back()};
+    const std::string code = emit(builder.graph(), dialect_, only).code;
     const std::size_t start = code.find(name + " = ") + name.size() + 3;
     return code.substr(start, code.find(";\n", start) - start);
+  }
+
+  // All results asked for so far, with temporaries by depth.
+  Written written() const {
+    return write(builder.module(), dialect_, {.emit = {8, EmitOptions::mostReads}});
+  }
+  std::string code() const {
+    const Written made = written();
+    return made.text ? made.text->emitted.code : made.problem;
+  }
+  // Why there is no text.
+  std::string problemOfText() const { return written().problem; }
+
+  int hostFunction(std::string_view name, std::string_view source, int arity) {
+    return builder.addFunction(name, {{"glsl", std::string(source)}}, arity);
   }
 
   Builder builder;

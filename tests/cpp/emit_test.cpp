@@ -185,8 +185,7 @@ TEST_F(EmitTest, AnInputIsWrittenWholeOnlyInItsOwnShape) {
 
 TEST_F(EmitTest, ASumOfAnInputAndAnEarlierResultIsWrittenAsThat) {
   const Value p = vector3(graph, "position"), offset = p * 2.0;
-  std::vector<Output> outputs{result("offset", offset), result("moved", p + offset)};
-  outputs[1].sum = {graph.input("position", vectorOf(3)), 0};
+  const std::vector<Output> outputs{result("offset", offset), result("moved", p + offset)};
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
             "vec3 offset, moved;\n{\n"
             "  offset = vec3(position.x * 2.0, position.y * 2.0, position.z * 2.0);\n"
@@ -281,6 +280,31 @@ TEST_F(EmitTest, ALongChainIsManyShortStatements) {
   for (int i = 0; i < 100'000; ++i) v = sin(v);
   const std::vector<Output> outputs{result("r", v)};
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).temporaries, 12'499u);
+}
+
+// Whatever the graph makes of the sum.
+TEST_F(EmitTest, AnInputPlusAnEarlierResultIsWrittenSo) {
+  const Value p = vector3(graph, "p"), q = vector3(graph, "q");
+  const auto vec3 = [&](Expression a, Expression b, Expression c) {
+    const Expression all[] = {a, b, c};
+    return fill(graph, vectorOf(3), [&](int i) { return all[i]; });
+  };
+  const auto constant = [&](double value) { return Expression{&graph, graph.constant(value)}; };
+  const auto assigned = [&](const Value& offset, const Value& moved) {
+    const std::string text =
+        emit(graph, glsl300, std::vector{result("offset", offset), result("moved", moved)}).code;
+    const std::size_t start = text.find("moved = ") + 8;
+    return text.substr(start, text.find(';', start) - start);
+  };
+  for (const Value& offset :
+       {vec3(x, sin(x), q[0]), vec3(-x, constant(0), x), vec3(constant(-2), constant(3), -p[0]),
+        vec3(p[2], p[1] * x - x, -sin(x))}) {
+    EXPECT_EQ(assigned(offset, p + offset), "p + offset");
+    EXPECT_EQ(assigned(offset, offset + p), "p + offset");
+  }
+  EXPECT_NE(assigned(q * x, p + q), "p + offset");
+  EXPECT_NE(assigned(vec3(x, x, x), vec3(p[0] + x, p[2] + x, p[1] + x)), "p + offset");
+  EXPECT_EQ(assigned(constantLike(p, 0), p), "p") << "nothing is added";
 }
 
 }  // namespace

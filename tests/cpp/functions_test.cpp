@@ -1,8 +1,9 @@
 // Functions of ours: how their results are numbered, derived, written and inlined. The function
 // here is x² y + s, so that every derivative is known by hand.
+#include "emit/functions.hpp"
+
 #include <gtest/gtest.h>
 
-#include "builder/declarations.hpp"
 #include "functions/library.hpp"
 #include "graph/multi_index.hpp"
 #include "support.hpp"

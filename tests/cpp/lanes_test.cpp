@@ -240,7 +240,7 @@ TEST(Lanes, ModIsThatOfFloats) {
   for (const auto& [i, expected] :
        std::map<std::size_t, float>{{0, 2}, {1, -2}, {2, 1.5}, {3, 0.75}})
     EXPECT_EQ(rest[i], expected);
-  EXPECT_TRUE(std::isnan(mod(1.0, 0.0)[0]));
+  EXPECT_TRUE(std::isnan(mod(Lanes(1.0f), Lanes(0.0f))[0]));
 }
 
 TEST(Lanes, PowersAndAnglesKeepTheirBounds) {

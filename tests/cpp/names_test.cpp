@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "emit/syntax.hpp"
+#include "module/syntax.hpp"
 
 namespace warpjet {
 namespace {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
+#include "eval/program.hpp"
 
 namespace warpjet {
 namespace {
@@ -14,8 +15,8 @@ class OwnFunctions : public testing::Test, protected Bench {
     return builder.pendingCalls();
   }
 
-  int noise = builder.addFunction("noise", "float noise(float a, float b) { return a * b; }", 2);
-  int bump = builder.addFunction("bump", "float bump(float a) { return a; }", 1);
+  int noise = hostFunction("noise", "float noise(float a, float b) { return a * b; }", 2);
+  int bump = hostFunction("bump", "float bump(float a) { return a; }", 1);
 };
 
 TEST_F(OwnFunctions, AreCalledByComponent) {
@@ -30,8 +31,8 @@ TEST_F(OwnFunctions, TakeConditionsAsNumbers) {
 
 TEST_F(OwnFunctions, AreDeclaredOnceAndOnlyIfCalled) {
   const int a = own(bump, {x}), b = own(bump, {call("sin", {x})});
-  ASSERT_TRUE(builder.output("gen", "y", call("add", {a, b})));
-  EXPECT_EQ(builder.build(8)->declarations, "float bump(float a) { return a; }\n");
+  builder.output("gen", "y", call("add", {a, b}));
+  EXPECT_EQ(written().text->declarations, "float bump(float a) { return a; }\n");
 }
 
 TEST_F(OwnFunctions, AreAskedForTheirPartialsWhereTheyAreDifferentiated) {
@@ -75,8 +76,7 @@ TEST_F(OwnFunctions, ASecondDerivativeAsksForThePartialsOfThePartials) {
   const std::vector<NodeId> pending = pendingFor(called);
   ASSERT_EQ(pending.size(), 1u);
   const NodeId first = pending[0];
-  const int steepness =
-      builder.addFunction("steepness", "float steepness(float a) { return 1.0; }", 1);
+  const int steepness = hostFunction("steepness", "float steepness(float a) { return 1.0; }", 1);
   ASSERT_TRUE(givePartials(first, {own(steepness, {builder.argumentOfCall(first, 0)})}));
   const int slope = call("derivative", {called, x});
   const std::vector<NodeId> pendingAgain = pendingFor(slope);
@@ -86,13 +86,13 @@ TEST_F(OwnFunctions, ASecondDerivativeAsksForThePartialsOfThePartials) {
   const int argument = builder.argumentOfCall(second, 0);
   ASSERT_TRUE(givePartials(second, {call("mult", {argument, number(6)})}));
   const int curvature = call("derivative", {slope, x});
-  ASSERT_TRUE(builder.output("gen", "slope", slope));
-  ASSERT_TRUE(builder.output("gen", "curvature", curvature));
-  const auto built = builder.build(8);
-  ASSERT_TRUE(built) << builder.problem();
-  EXPECT_EQ(built->emitted.code,
+  builder.output("gen", "slope", slope);
+  builder.output("gen", "curvature", curvature);
+  const auto text = written().text;
+  ASSERT_TRUE(text) << problemOfText();
+  EXPECT_EQ(text->emitted.code,
             "float slope, curvature;\n{\n  slope = steepness(x);\n  curvature = x * 6.0;\n}\n");
-  EXPECT_EQ(built->declarations, "float steepness(float a) { return 1.0; }\n")
+  EXPECT_EQ(text->declarations, "float steepness(float a) { return 1.0; }\n")
       << "bump is not called";
 }
 
@@ -124,8 +124,9 @@ TEST_F(OwnFunctions, PartialsMustBeANumberForEachArgument) {
 }
 
 TEST_F(OwnFunctions, GiveNoProgram) {
-  builder.push(own(bump, {x}));
-  EXPECT_FALSE(builder.program());
+  builder.output("gen", "y", own(bump, {x}));
+  const std::uint32_t first = 0;
+  EXPECT_FALSE(program(builder.module(), {&first, 1}).program);
 }
 
 }  // namespace

@@ -19,8 +19,19 @@ class Refusals : public testing::Test, protected Bench {
     EXPECT_EQ(builder.problem(), sentence);
     EXPECT_GE(call("sin", {x}), 0) << "after: " << sentence;
   }
-  void refuses(bool isDone, const std::string& sentence) {
-    refuses(isDone ? 0 : Builder::failed, sentence);
+  // There is no text, and then there would be one without the last result.
+  void refusesText(const Bench& bench, const std::string& sentence) {
+    EXPECT_FALSE(bench.written().text) << sentence;
+    EXPECT_EQ(bench.problemOfText(), sentence);
+  }
+  // That something of this method cannot be written in GLSL.
+  template <class Ask>
+  void refusesToWrite(Ask ask, const std::string& sentence) {
+    Bench bench;
+    bench.builder.output("gen", "fine", bench.x);
+    EXPECT_TRUE(bench.written().text) << bench.problemOfText();
+    ask(bench);
+    refusesText(bench, sentence);
   }
 };
 
@@ -175,8 +186,8 @@ TEST_F(Refusals, OfInputsThatNoShaderCanRead) {
   refuses(input("m2", matrixOf(2, 3)),
           "glsl: \"m2\" was read as a mat2 before, and now as a matrix of 2 columns and 3 rows.");
   refuses(input("a +"), "glsl: \"a +\" cannot be read in a shader: an operand is missing in it.");
-  refuses(input("for"),
-          "glsl: \"for\" cannot be read in a shader: \"for\" is a word of GLSL itself.");
+  refusesToWrite([](Bench& bench) { EXPECT_GE(bench.input("for"), 0); },
+                 "glsl: \"for\" cannot be read in a shader: \"for\" is a word of GLSL itself.");
   refuses(input("a\nb"),
           "glsl: \"a b\" cannot be read in a shader: only letters from a to z can stand in it.");
   EXPECT_GE(input("p.x"), 0);
@@ -190,54 +201,64 @@ TEST_F(Refusals, OfOwnFunctionsThatTheSourceDoesNotDefine) {
       "fn: \"noise\" is not in the source, which must define a function of that name.";
   for (const char* source : {"float other(float x) { return x; }", "float noise;",
                              "float mynoise(float x) { return x; }", ""})
-    refuses(builder.addFunction("noise", source, 1), problem);
+    refusesToWrite([&](Bench& bench) { EXPECT_GE(bench.hostFunction("noise", source, 1), 0); },
+                   problem);
 }
 
 TEST_F(Refusals, OfNamesAndCountsOfOwnFunctions) {
-  refuses(builder.addFunction("noise", "float noise() { return 1.0; }", 0),
+  refuses(hostFunction("noise", "float noise() { return 1.0; }", 0),
           "fn: \"noise\" must have at least one argument.");
-  refuses(builder.addFunction("2d", "float 2d(float x) { return x; }", 1),
-          "fn: \"2d\" cannot name a function: a name is made of letters, digits and underscores "
-          "and does not start with a digit.");
-  refuses(builder.addFunction("sin", "float sin(float x) { return x; }", 1),
-          "fn: \"sin\" cannot name a function: \"sin\" is a function of GLSL.");
-  refuses(builder.addFunction("for", "float for(float x) { return x; }", 1),
-          "fn: \"for\" cannot name a function: \"for\" is a word of GLSL itself.");
+  const auto refusesName = [&](const std::string& name, const std::string& why) {
+    refusesToWrite(
+        [&](Bench& bench) {
+          EXPECT_GE(bench.hostFunction(name, "float " + name + "(float x) { return x; }", 1), 0);
+        },
+        "fn: \"" + name + "\" cannot name a function: " + why);
+  };
+  refusesName("2d",
+              "a name is made of letters, digits and underscores and does not start with a digit.");
+  refusesName("sin", "\"sin\" is a function of GLSL.");
+  refusesName("for", "\"for\" is a word of GLSL itself.");
 }
 
 TEST_F(Refusals, OfOwnFunctionsWithNamesThatAreTaken) {
-  refuses(builder.addFunction("main", "float main(float x) { return x; }", 1),
-          "fn: \"main\" cannot name a function: it is the function that a shader begins with.");
-  refuses(builder.addFunction("radians", "float radians(float x) { return x; }", 1),
-          "fn: \"radians\" cannot name a function: \"radians\" is a function of GLSL.");
-  refuses(builder.addFunction("warpjetHash", "float warpjetHash(float x) { return x; }", 1),
+  const auto refusesName = [&](const std::string& name, const std::string& why) {
+    refusesToWrite(
+        [&](Bench& bench) {
+          EXPECT_GE(bench.hostFunction(name, "float " + name + "(float x) { return x; }", 1), 0);
+        },
+        "fn: \"" + name + "\" cannot name a function: " + why);
+  };
+  refusesName("main", "it is the function that a shader begins with.");
+  refusesName("radians", "\"radians\" is a function of GLSL.");
+  refuses(hostFunction("warpjetHash", "float warpjetHash(float x) { return x; }", 1),
           "fn: \"warpjetHash\" cannot name a function: such names are warpjet's own; rename it.");
 }
 
 TEST_F(Refusals, OfAVariableWithMembersNamedLikeAFunction) {
-  const int inputs = builder.addFunction("inputs", "float inputs(float x) {}", 1);
-  ASSERT_TRUE(builder.output("gen", "y", own(inputs, {input("inputs.height")})));
-  refuses(builder.build().has_value(), "\"inputs\" is both a variable and a function; rename one.");
+  const int inputs = hostFunction("inputs", "float inputs(float x) {}", 1);
+  builder.output("gen", "y", own(inputs, {input("inputs.height")}));
+  refusesText(*this, "\"inputs\" is both a variable and a function; rename one.");
 }
 
 TEST_F(Refusals, OfNoExpressionThatCallsTheFunctionItself) {
-  const int wave = builder.addFunction("wave", "float wave(float x) {}", 1);
-  ASSERT_TRUE(builder.output("gen", "y", own(wave, {input("wave(uTime)")})));
-  EXPECT_TRUE(builder.build()) << builder.problem();
+  const int wave = hostFunction("wave", "float wave(float x) {}", 1);
+  builder.output("gen", "y", own(wave, {input("wave(uTime)")}));
+  EXPECT_TRUE(written().text) << problemOfText();
 }
 
 TEST_F(Refusals, OfASecondFunctionOfTheSameName) {
   const std::string source = "float noise(float x) { return x; }";
-  const int noise = builder.addFunction("noise", source, 1);
-  EXPECT_EQ(builder.addFunction("noise", source, 1), noise) << "the same one again is fine";
+  const int noise = hostFunction("noise", source, 1);
+  EXPECT_EQ(hostFunction("noise", source, 1), noise) << "the same one again is fine";
   const std::string problem = "fn: \"noise\" is the name of another function already; rename one.";
-  refuses(builder.addFunction("noise", source + ' ', 1), problem);
-  refuses(builder.addFunction("noise", source, 2), problem);
+  refuses(hostFunction("noise", source + ' ', 1), problem);
+  refuses(hostFunction("noise", source, 2), problem);
   EXPECT_EQ(text(own(noise, {x})), "noise(x)");
 }
 
 TEST_F(Refusals, OfCallsOfOwnFunctionsThatDoNotFit) {
-  const int noise = builder.addFunction("noise", "float noise(float x, float y) {}", 2);
+  const int noise = hostFunction("noise", "float noise(float x, float y) {}", 2);
   refuses(own(noise, {x}), "noise: 2 arguments were expected, but 1 came.");
   refuses(own(noise, {v2, v3}),
           "noise: a vec2 and a vec3 do not fit together; use vectors of one size, or numbers.");
@@ -245,53 +266,77 @@ TEST_F(Refusals, OfCallsOfOwnFunctionsThatDoNotFit) {
   EXPECT_EQ(text(own(noise, {x, x})), "noise(x, x)");
 }
 
+TEST_F(Refusals, OfASourceInAnotherLanguageOnly) {
+  builder.addFunction("noise", {{"wgsl", "fn noise(x: f32) -> f32 { return x; }"}}, 1);
+  refusesText(
+      *this,
+      "fn: the option \"source\" of noise must be a text of GLSL for the target glsl300, or "
+      "an object { glsl: … } with one.");
+}
+
 TEST_F(Refusals, OfNamesOfResults) {
-  EXPECT_TRUE(builder.output("gen", "slope", x));
-  refuses(builder.output("gen", "a b", x),
-          "gen: \"a b\" cannot name a result: a name is made of letters, digits and underscores "
-          "and does not start with a digit.");
-  refuses(builder.output("gen", "cos", x),
-          "gen: \"cos\" cannot name a result: \"cos\" is a function of GLSL.");
-  refuses(builder.output("gen", "slope", x),
-          "gen: there are two results named \"slope\"; rename one.");
-  refuses(builder.outputSum("gen", "slope", v3, v3, 0),
-          "gen: there are two results named \"slope\"; rename one.");
-  EXPECT_EQ(builder.outputs().size(), 1u) << "but for the one that was fine";
+  const auto refusesName = [&](const std::string& name, const std::string& sentence) {
+    refusesToWrite([&](Bench& bench) { bench.builder.output("gen", name, bench.x); }, sentence);
+  };
+  refusesName(
+      "a b",
+      "gen: \"a b\" cannot name a result: a name is made of letters, digits and underscores "
+      "and does not start with a digit.");
+  refusesName("cos", "gen: \"cos\" cannot name a result: \"cos\" is a function of GLSL.");
+  refusesName("fine", "gen: there are two results named \"fine\"; rename one.");
 }
 
 TEST_F(Refusals, OfRectangularResultsInWebGl1) {
   Bench old(glsl100);
-  EXPECT_FALSE(old.builder.output("gen", "j", old.m23));
-  EXPECT_EQ(old.builder.problem(),
-            "gen: the result \"j\" is a matrix of 2 columns and 3 rows, but WebGL 1 has only "
-            "matrices of as many rows as columns; take its columns by .column(0).");
-  EXPECT_TRUE(old.builder.output("gen", "j", old.m3));
-  EXPECT_TRUE(builder.output("gen", "j", m23)) << "WebGL 2 has them";
+  old.builder.output("gen", "j", old.m23);
+  refusesText(old,
+              "gen: the result \"j\" is a matrix of 2 columns and 3 rows, but WebGL 1 has only "
+              "matrices of as many rows as columns; take its columns by .column(0).");
+  Bench square(glsl100);
+  square.builder.output("gen", "j", square.m3);
+  EXPECT_TRUE(square.written().text);
+  builder.output("gen", "j", m23);
+  EXPECT_TRUE(written().text) << "WebGL 2 has them";
 }
 
 TEST_F(Refusals, OfResultsThatHideAVariable) {
   const int uv = input("inputs.uv * scale", vectorOf(2));
-  ASSERT_TRUE(builder.output("gen", "uv", uv)) << "a member is not hidden";
-  ASSERT_TRUE(builder.output("gen", "v2", x)) << "v2 is not read";
-  ASSERT_TRUE(builder.build()) << builder.problem();
-  ASSERT_TRUE(builder.output("gen", "scale", uv));
-  refuses(builder.build().has_value(),
-          "The result \"scale\" has the name of a variable or function that is read for it "
-          "(\"inputs.uv * scale\"); rename the result.");
+  builder.output("gen", "uv", uv);  // a member is not hidden
+  builder.output("gen", "v2", x);   // v2 is not read
+  ASSERT_TRUE(written().text) << problemOfText();
+  builder.output("gen", "scale", uv);
+  refusesText(*this,
+              "The result \"scale\" has the name of a variable or function that is read for it "
+              "(\"inputs.uv * scale\"); rename the result.");
 }
 
 TEST_F(Refusals, OfResultsThatHideAFunction) {
-  const int noise = builder.addFunction("noise", "float noise(float x) {}", 1);
-  ASSERT_TRUE(builder.output("gen", "noise", own(noise, {x})));
-  refuses(builder.build().has_value(),
-          "The result \"noise\" has the name of a variable or function that is read for it "
-          "(\"noise\"); rename the result.");
+  const int noise = hostFunction("noise", "float noise(float x) {}", 1);
+  builder.output("gen", "noise", own(noise, {x}));
+  refusesText(*this,
+              "The result \"noise\" has the name of a variable or function that is read for it "
+              "(\"noise\"); rename the result.");
 }
 
 TEST_F(Refusals, OfAVariableNamedLikeAFunction) {
-  const int noise = builder.addFunction("noise", "float noise(float x) {}", 1);
-  ASSERT_TRUE(builder.output("gen", "y", own(noise, {input("noise")})));
-  refuses(builder.build().has_value(), "\"noise\" is both a variable and a function; rename one.");
+  const int noise = hostFunction("noise", "float noise(float x) {}", 1);
+  builder.output("gen", "y", own(noise, {input("noise")}));
+  refusesText(*this, "\"noise\" is both a variable and a function; rename one.");
+}
+
+// An input and a part of it that were two inputs while the function ran.
+TEST_F(Refusals, OfNamesThatMakeTwoInputsOne) {
+  builder.output("gen", "y", call("mult", {x, v2}));
+  for (const char* name : {"v2", "v2.x", "( v2 ) [1]"}) {
+    const Written made = write(builder.module(), glsl300, {.inputs = {{0, name}}});
+    EXPECT_EQ(made.problem,
+              "glsl: \"" + std::string(name) +
+                  "\" is the name of another input already (\"v2\"), but was not when "
+                  "the function was compiled; rename one, or compile it with these "
+                  "names.");
+  }
+  const Written made = write(builder.module(), glsl300, {.inputs = {{0, "v22.x"}}});
+  EXPECT_TRUE(made.text) << made.problem;
 }
 
 // Equal nodes are one node, so what was refused can be met again below one that is there already;
@@ -301,17 +346,17 @@ TEST_F(Refusals, AtTheEndOfWhatWasMetAgain) {
   ASSERT_EQ(make(), Builder::failed);
   const int again = make();
   ASSERT_GE(again, 0);
-  ASSERT_TRUE(builder.output("gen", "y", again));
-  refuses(builder.build().has_value(),
-          "A result: it divides by zero, or by a number too close to zero for a shader to hold.");
+  builder.output("gen", "y", again);
+  EXPECT_FALSE(builder.finish());
+  EXPECT_EQ(builder.problem(),
+            "A result: it divides by zero, or by a number too close to zero for a shader to hold.");
 }
 
 TEST_F(Refusals, LeaveNothingInTheText) {
   EXPECT_EQ(call("log", {number(0)}), Builder::failed);
-  ASSERT_TRUE(builder.output("gen", "y", call("sin", {x})));
-  const auto built = builder.build();
-  ASSERT_TRUE(built) << builder.problem();
-  EXPECT_EQ(built->emitted.code, "float y;\n{\n  y = sin(x);\n}\n");
+  builder.output("gen", "y", call("sin", {x}));
+  ASSERT_TRUE(builder.finish()) << builder.problem();
+  EXPECT_EQ(code(), "float y;\n{\n  y = sin(x);\n}\n");
 }
 
 // Four at a time, to be quicker.

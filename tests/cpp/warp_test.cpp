@@ -305,5 +305,74 @@ TEST_F(SurfaceTest, TheDeterminantTellsWhereTheSidesChangePlaces) {
   EXPECT_NEAR(sign(-0.7), 0, 1e-12);
 }
 
+class WholeWarpTest : public SurfaceTest {
+ protected:
+  Value t = variable(graph, "tangent", vectorOf(4));
+  WarpInputs inputs{
+      p, n, uv, t, {gradients[0], gradients[1], gradients[2], gradients[3], gradients[4]}};
+
+  static void expectSame(const Value& a, const Value& b) {
+    ASSERT_EQ(a.shape(), b.shape());
+    for (int i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].id, b[i].id) << "component " << i;
+  }
+};
+
+TEST_F(WholeWarpTest, ItHasTheParts) {
+  const Value offset = vec3(sin(p[1]) * n[2], p[0] * uv[1], n[0] * n[1]);
+  const Warp warp = makeWarp(differentiator, offset, inputs);
+  expectSame(warp.position, p + offset);
+  EXPECT_TRUE(warp.varies);
+  const Value along = vec3(t[0], t[1], t[2]);
+  const auto expectParts = [&](const Turned& turned, const Value& m) {
+    expectSame(turned.normal, turnedNormal(m, n));
+    const Value tangent = turnedTangent(m, along, turned.normal);
+    expectSame(turned.direction, multiply(m, along));
+    EXPECT_EQ(turned.determinant.id, determinant(m).id);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(turned.tangent[i].id, tangent[i].id);
+    EXPECT_EQ(turned.tangent[3].id, t[3].id) << "the side of the bitangent stays";
+  };
+  expectParts(*warp.flat, deformation(differentiator, offset, p));
+  expectParts(*warp.surface, surfaceDeformation(offset));
+}
+
+// M t by differences of the moved curve p + s t, neither of length 1 nor square to the normal.
+TEST_F(WholeWarpTest, TheDirectionIsTheTangentOfTheMovedCurve) {
+  const Value offset = vec3(sin(p[1] * 2.0) * 0.3, p[0] * p[2] * 0.4, cos(p[0]) * 0.5);
+  const Warp warp = makeWarp(differentiator, offset, inputs);
+  const Point at{0.3, -0.7, 0.9}, along{0.6, 1.8, -0.4};
+  const auto inputsAt = [&](double step) {
+    Inputs all;
+    for (std::size_t i = 0; i < 3; ++i) {
+      all[p[static_cast<int>(i)].id] = at[i] + step * along[i];
+      all[t[static_cast<int>(i)].id] = along[i];
+    }
+    return all;
+  };
+  for (int i = 0; i < 3; ++i) {
+    const double after = evaluateNode(graph, warp.position[i].id, inputsAt(1e-6));
+    const double before = evaluateNode(graph, warp.position[i].id, inputsAt(-1e-6));
+    EXPECT_NEAR(evaluateNode(graph, warp.flat->direction[i].id, inputsAt(0)),
+                (after - before) / 2e-6, 1e-9);
+  }
+}
+
+TEST_F(WholeWarpTest, AnOffsetByThePositionAloneNeedsNoGradients) {
+  const Warp warp = makeWarp(differentiator, vec3(sin(p[1]), zero, zero), inputs);
+  EXPECT_FALSE(warp.varies);
+  expectSame(warp.flat->normal, warp.surface->normal);
+  // Reading the normal is not yet depending on it.
+  const Warp cancelled = makeWarp(differentiator, vec3(n[0] - n[0] + p[1], zero, zero), inputs);
+  EXPECT_FALSE(cancelled.varies);
+}
+
+TEST_F(WholeWarpTest, WhatIsNotAskedForIsNotMade) {
+  const Value offset = n * p[0];
+  const Warp moved = makeWarp(differentiator, offset, inputs, {.turns = false});
+  EXPECT_FALSE(moved.flat || moved.surface);
+  const Warp turned = makeWarp(differentiator, offset, inputs, {.isFlat = false});
+  EXPECT_FALSE(turned.flat);
+  EXPECT_TRUE(turned.surface);
+}
+
 }  // namespace
 }  // namespace warpjet

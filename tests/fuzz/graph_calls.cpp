@@ -1,12 +1,14 @@
 #include "fuzz/graph_calls.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
 #include "fuzz/require.hpp"
-#include "noise/noise.hpp"
+#include "noise/table.hpp"
+#include "warp/warp.hpp"
 
 namespace warpjet {
 
@@ -77,8 +79,9 @@ int operationNamed(std::string_view name) {
   return static_cast<int>(i);
 }
 
-void requireProblem(const Builder& builder) {
-  const std::string& problem = builder.problem();
+void requireProblem(const Builder& builder) { requireSentence(builder.problem()); }
+
+void requireSentence(const std::string& problem) {
   require(problem.size() > 1 && problem.ends_with('.'), "a problem is one sentence", problem);
 }
 
@@ -160,7 +163,7 @@ void GraphCalls::step() {
       const std::string of = name();
       const int arity = 1 + reader_.below(4);
       const int function =
-          builder_.addFunction(of, "float " + of + "(float a) { return a; }", arity);
+          builder_.addFunction(of, {{"glsl", "float " + of + "(float a) { return a; }"}}, arity);
       if (function < 0) requireProblem(builder_);
       if (function >= 0) arities_[function] = arity;
       break;
@@ -177,9 +180,11 @@ void GraphCalls::step() {
     case Step::Output:
       output();
       break;
-    case Step::Build:
-      if (!builder_.build(1 + reader_.byte())) requireProblem(builder_);
+    case Step::Build: {
+      const Written made = write(builder_.module(), glsl300, {.emit = {1 + reader_.byte()}});
+      if (!made.text) requireSentence(made.problem);
       break;
+    }
     case Step::Position:
       values_.push_back(values_[0]);
       break;
@@ -190,7 +195,7 @@ void GraphCalls::step() {
 
 // As JavaScript makes it: of whatever it is called on, of a whole seed, and of numbers.
 void GraphCalls::noise() {
-  const auto kind = NoiseKind(reader_.below(noiseNames.size())), base = NoiseKind(reader_.below(3));
+  const auto kind = NoiseKind(reader_.below(noises.size())), base = NoiseKind(reader_.below(3));
   const Noise noise{kind, base, 1 + reader_.below(3)};
   std::vector<int> operands{value(), builder_.constant(reader_.byte())};
   if (isFractal(kind)) {
@@ -240,12 +245,17 @@ void GraphCalls::givePartials() {
 }
 
 void GraphCalls::derivative() {
-  static const std::array byPosition{
-      operationNamed("jacobian"),   operationNamed("gradient"),    operationNamed("adjustNormal"),
-      operationNamed("derivative"), operationNamed("deformation"), operationNamed("adjustTangent")};
+  static const std::array byPosition{operationNamed("jacobian"),
+                                     operationNamed("gradient"),
+                                     operationNamed("adjustNormal"),
+                                     operationNamed("derivative"),
+                                     -1,
+                                     operationNamed("adjustTangent")};
   const std::size_t which = static_cast<std::size_t>(reader_.below(byPosition.size()));
   const int of = value(), position = values_[0];
-  if (which == 2)
+  if (which == 4)
+    warp(of);
+  else if (which == 2)
     callOperation(byPosition[which], {of, value(), position}, false);
   else if (which == 5)
     callOperation(byPosition[which], {of, value(), value(), position}, false);
@@ -253,6 +263,27 @@ void GraphCalls::derivative() {
     callOperation(byPosition[which], {of, values_[1]}, false);
   else
     callOperation(byPosition[which], {of, position}, false);
+}
+
+// All of a warp; JavaScript lets no other offset through than a vec3.
+void GraphCalls::warp(int offset) {
+  if (builder_.shape(offset) != vectorOf(3)) return;
+  const auto input = [&](const char* name, int size) {
+    return builder_.input("compileWarp", name, vectorOf(size));
+  };
+  std::vector<int> inputs{input("normal", 3), input("uv", 2), input("tangent", 4)};
+  for (const char* name : {"nx", "ny", "nz", "u", "v"}) inputs.push_back(input(name, 3));
+  if (std::find(inputs.begin(), inputs.end(), Builder::failed) != inputs.end())
+    return requireProblem(builder_);
+  const WarpOptions options{(reader_.byte() & 3) != 0, (reader_.byte() & 1) != 0};
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    for (const int operand : {offset, values_[0]}) builder_.push(operand);
+    for (const int operand : inputs) builder_.push(operand);
+    const int result = builder_.warp("compileWarp", options);
+    if (result == Builder::failed) return requireProblem(builder_);
+    if (result != Builder::needsPartials) return;
+    givePartials();
+  }
 }
 
 void GraphCalls::callFunction() {
@@ -265,8 +296,8 @@ void GraphCalls::callFunction() {
 
 void GraphCalls::output() {
   const std::string as =
-      reader_.byte() & 1 ? "out" + std::to_string(builder_.outputs().size()) : name();
-  if (!builder_.output("output", as, value())) requireProblem(builder_);
+      reader_.byte() & 1 ? "out" + std::to_string(builder_.module().outputs.size()) : name();
+  builder_.output("output", as, value());
 }
 
 }  // namespace warpjet

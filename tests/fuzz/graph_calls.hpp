@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "builder/builder.hpp"
+#include "emit/text.hpp"
 #include "fuzz/reader.hpp"
 
 namespace warpjet {
@@ -20,7 +21,7 @@ enum class Step : std::uint8_t {
   Call,
   SameShape,  // a call on values of one shape, so that more of them succeed
   Swizzle,
-  Derivative,
+  Derivative,  // or a whole warp
   Function,
   CallFunction,
   Noise,
@@ -54,6 +55,7 @@ class GraphCalls {
   void callOperation(int operation, const std::vector<int>& operands, bool isMethod);
   void givePartials();
   void derivative();
+  void warp(int offset);
   void callFunction();
   void noise();
   void output();
@@ -69,5 +71,6 @@ int operationNamed(std::string_view name);
 
 // Whatever went wrong is said in one sentence.
 void requireProblem(const Builder& builder);
+void requireSentence(const std::string& problem);
 
 }  // namespace warpjet

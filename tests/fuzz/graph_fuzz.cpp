@@ -7,13 +7,13 @@
 #include <numeric>
 #include <random>
 
-#include "emit/names.hpp"
-#include "emit/syntax.hpp"
 #include "eval/blocks.hpp"
 #include "eval/bounds.hpp"
+#include "eval/program.hpp"
 #include "eval/words.hpp"
 #include "fuzz/graph_calls.hpp"
 #include "fuzz/require.hpp"
+#include "module/syntax.hpp"
 
 namespace warpjet {
 namespace {
@@ -51,11 +51,30 @@ void checkText(const std::string& text) {
   checkNumbers(text);
 }
 
-void checkBuild(Builder& builder, bool hasForeignText) {
-  const auto built = builder.build();
-  if (!built) return requireProblem(builder);
-  require(builder.problem().empty(), "there is a text or a problem", builder.problem());
-  if (!hasForeignText) checkText(built->emitted.code);
+// Results under their own names may hide each other; numbered ones do not.
+TextOptions numbered(const Module& module) {
+  TextOptions options;
+  for (std::uint32_t i = 0; i < module.outputs.size(); ++i)
+    options.results.push_back({i, "warpjetResult" + std::to_string(i)});
+  return options;
+}
+
+// The words that are kept say the same as the module itself, in every language.
+void checkTexts(const Module& module, bool hasForeignText) {
+  const Module kept = load(save(module));
+  for (const Dialect* dialect : dialects()) {
+    for (const TextOptions& options : {TextOptions{}, numbered(module)}) {
+      const Written made = write(kept, *dialect, options);
+      require(made.text.has_value() == made.problem.empty(), "there is a text or a problem",
+              made.problem);
+      if (!made.text) requireSentence(made.problem);
+      if (made.text && !hasForeignText) checkText(made.text->emitted.code);
+      const Written again = write(load(save(kept)), *dialect, options);
+      require(made.problem == again.problem &&
+                  (!made.text || made.text->emitted.code == again.text->emitted.code),
+              "what is kept twice is the same");
+    }
+  }
 }
 
 // The numbers of all inputs, vertex by vertex, within a range each; uniform ones are all the same.
@@ -105,16 +124,21 @@ Given givenInputs(const Graph& graph, unsigned style) {
   return given;
 }
 
-// Values that are numbers in all their components, the latest ones, pushed. How many numbers.
-std::size_t pushResults(Builder& builder, const std::vector<int>& values) {
-  std::size_t pushed = 0;
-  for (std::size_t i = values.size(); i-- > 0;) {
-    const auto size = static_cast<std::size_t>(builder.shape(values[i]).size());
-    if (pushed + size > mostResults) break;
-    builder.push(values[i]);
-    pushed += size;
+// The latest results, by number, and how many numbers they have.
+struct Latest {
+  std::vector<std::uint32_t> results;
+  std::size_t size = 0;
+};
+
+Latest latestOf(const Module& module) {
+  Latest latest;
+  for (std::size_t i = module.outputs.size(); i-- > 0;) {
+    const auto size = module.outputs[i].components.size();
+    if (latest.size + size > mostResults) break;
+    latest.results.push_back(static_cast<std::uint32_t>(i));
+    latest.size += size;
   }
-  return pushed;
+  return latest;
 }
 
 bool isNumber(const Words& words, std::uint32_t instruction) {
@@ -147,9 +171,9 @@ void requireWithin(const Range& range, double value, const std::string& of) {
               exactly(range.high));
 }
 
-void checkEvaluation(Builder& builder, const std::vector<int>& handles, unsigned style) {
-  const std::size_t results = pushResults(builder, handles);
-  const auto program = builder.program();
+void checkEvaluation(const Module& module, unsigned style) {
+  const auto [latest, results] = latestOf(module);
+  const auto program = warpjet::program(module, latest).program;
   if (!program || program->instructions > mostInstructions) return;
   const Words words(program->words, program->instructions);
   std::vector<std::uint32_t> wanted;
@@ -158,7 +182,7 @@ void checkEvaluation(Builder& builder, const std::vector<int>& handles, unsigned
   }
   if (wanted.empty()) return;
 
-  const Given given = givenInputs(builder.graph(), style);
+  const Given given = givenInputs(module.graph, style);
   BlockEvaluator evaluator(
       allocateRegisters(program->words, program->instructions, wanted, given.isUniform),
       given.streams);
@@ -187,14 +211,18 @@ void checkEvaluation(Builder& builder, const std::vector<int>& handles, unsigned
 
 void check(std::span<const std::uint8_t> bytes) {
   Reader reader(bytes);
-  const Dialect* const dialects[] = {&glsl300, &glsl100, &wgsl};
-  Builder builder(*dialects[reader.below(3)]);
+  Builder builder;
+  reader.byte();  // was a language, of which now all are written
   const unsigned style = reader.byte();
   GraphCalls calls(builder, reader);
   calls.run();
-  builder.output("output", "last", calls.values().back());
-  checkBuild(builder, calls.hasForeignText());
-  checkEvaluation(builder, calls.values(), style);
+  const std::vector<int>& values = calls.values();
+  for (std::size_t i = values.size() - std::min<std::size_t>(values.size(), 4); i < values.size();
+       ++i)
+    builder.output("output", "last" + std::to_string(i), values[i]);
+  if (!builder.finish()) return requireProblem(builder);
+  checkTexts(builder.module(), calls.hasForeignText());
+  checkEvaluation(load(save(builder.module())), style);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Calls on a builder, as graph_calls.cpp reads them.
 #include "fuzz/graph_calls.hpp"
 #include "fuzz/seeds.hpp"
-#include "noise/noise.hpp"
+#include "noise/table.hpp"
 
 namespace warpjet {
 
@@ -40,7 +40,7 @@ class Calls {
   Calls& component(std::size_t back, std::size_t i) {
     return add(Step::Swizzle, {16 * back, 0, i});
   }
-  // 0 jacobian, 1 gradient, 2 adjustNormal, 3 derivative, 4 deformation, 5 adjustTangent.
+  // 0 jacobian, 1 gradient, 2 adjustNormal, 3 derivative, 4 a whole warp, 5 adjustTangent.
   Calls& derivative(std::size_t which, const std::vector<std::size_t>& operands) {
     std::vector<std::size_t> then{which};
     for (const std::size_t back : operands) then.push_back(16 * back);
@@ -91,11 +91,16 @@ Calls matrices(std::size_t dialect) {
   return calls;
 }
 
-// The warp of a twist with its normal, tangent and deformation.
+// The warp of a twist, at once and by its parts.
 Calls warp(std::size_t dialect) {
   Calls calls(dialect, 2);
   calls.position().component(0, 1).call("sin", {0}).call("mult", {0, 1});
-  calls.position().call("mult", {0, 1}).output().derivative(4, {0}).output();
+  calls.position()
+      .call("mult", {0, 1})
+      .output()
+      .derivative(4, {0})
+      .add(Step::Constant, {1})
+      .output();
   calls.position().call("normalize", {0}).derivative(2, {3, 0}).output();
   calls.derivative(5, {4, 1, 0}).output();
   return calls;
@@ -113,9 +118,9 @@ Calls ownFunctions(std::size_t dialect) {
 }
 
 // Each kind of noise of the position, and derivatives of it.
-Calls noises(std::size_t dialect) {
+Calls everyNoise(std::size_t dialect) {
   Calls calls(dialect, 2);
-  for (std::size_t kind = 0; kind < noiseNames.size(); ++kind) {
+  for (std::size_t kind = 0; kind < noises.size(); ++kind) {
     calls.position().add(Step::Noise, {kind, kind % 3, 1, 0, kind, 0}).output();
     calls.derivative(1, {0, 16}).output();
   }
@@ -145,7 +150,7 @@ void writeGraphSeeds() {
     write("matrices", matrices(dialect));
     write("warp", warp(dialect));
     write("functions", ownFunctions(dialect));
-    write("noises", noises(dialect));
+    write("noises", everyNoise(dialect));
     write("oddities", oddities(dialect));
   }
 }

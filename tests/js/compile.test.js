@@ -4,6 +4,8 @@ import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
 import { compile, compileWarp, gen, memoryInUse, version, WarpError } from '../../dist/warpjet.js'
 
+const namesOf = (declared) => declared.map(({ name }) => name)
+
 const wave = ({ glsl, position, millis }) =>
   glsl.vec3(0, position.x().mult(4).add(millis.div(1000)).sin().mult(0.15), 0)
 
@@ -13,8 +15,11 @@ test('a warp gives statements, the inputs that it reads, and counts', () => {
   assert.match(warp.code, /offset = vec3\(0\.0, sin\(t0\) \* 0\.15, 0\.0\);/)
   assert.match(warp.code, /warpedPosition = position \+ offset;/)
   assert.equal(warp.declarations, '')
-  assert.deepEqual(warp.uniforms, ['millis'])
-  assert.deepEqual(warp.attributes, ['position', 'normal'])
+  assert.deepEqual(warp.uniforms, [{ name: 'millis', type: 'float' }])
+  assert.deepEqual(warp.attributes, [
+    { name: 'position', type: 'vec3' },
+    { name: 'normal', type: 'vec3' },
+  ])
   assert.deepEqual(Object.keys(warp.stats), ['nodes', 'operations', 'temporaries'])
   assert.ok(warp.stats.nodes > warp.stats.operations)
 })
@@ -28,28 +33,32 @@ test('names of inputs and outputs are the caller’s', () => {
   assert.match(code, /aPosition\.x \* 4\.0 \+ uTime \/ 1000\.0/)
   assert.match(code, /p = aPosition \+ f;/)
   assert.match(code, /inputs\.normal\.y/)
-  assert.deepEqual(uniforms, ['millis'])
-  assert.deepEqual(attributes, ['position', 'normal'])
+  assert.deepEqual(namesOf(uniforms), ['millis'])
+  assert.deepEqual(namesOf(attributes), ['position', 'normal'])
 })
 
 test('normals can be left out', () => {
   const { code, attributes } = compileWarp(wave, { normals: false })
   assert.doesNotMatch(code, /warpedNormal|cos/)
-  assert.deepEqual(attributes, ['position'])
+  assert.deepEqual(namesOf(attributes), ['position'])
 })
 
 test('parameters of the sketch are listed with the uniforms', () => {
   const { uniforms } = compileWarp(({ glsl, mouseX }) =>
     glsl.vec3Param('uCenter').mult(glsl.param('uAmount')).mult(mouseX),
   )
-  assert.deepEqual(uniforms, ['mouse', 'uCenter', 'uAmount'])
+  assert.deepEqual(uniforms, [
+    { name: 'mouse', type: 'vec2' },
+    { name: 'uCenter', type: 'vec3' },
+    { name: 'uAmount', type: 'float' },
+  ])
 })
 
 test('an unused input is not read', () => {
   const { uniforms, attributes } = compileWarp(({ glsl }) => glsl.vec3(0, 1, 0), {
     normals: false,
   })
-  assert.deepEqual([uniforms, attributes], [[], ['position']])
+  assert.deepEqual([uniforms, namesOf(attributes)], [[], ['position']])
 })
 
 test('a temporary never takes a name that the shader uses', () => {
@@ -73,7 +82,7 @@ test('compile gives any named expressions and their derivatives', () => {
       '  below = y < 1.0;\n' +
       '  both = vec2(x, y);\n}\n',
   )
-  assert.deepEqual(uniforms, ['x'])
+  assert.deepEqual(uniforms, [{ name: 'x', type: 'float' }])
 })
 
 test('gen has the outputs and derivatives of glsl-autodiff', () => {

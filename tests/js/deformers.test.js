@@ -144,7 +144,9 @@ for (const [name, list] of Object.entries(cases))
         for (const vertex of vertices) {
           const expected = warpVertex(oracle, vertex, vertex, step)
           if (!expected.normal) continue
-          const uniforms = warp.uniforms.includes('millis') ? { millis: vertex.millis } : {}
+          const uniforms = warp.uniforms.some(({ name }) => name === 'millis')
+            ? { millis: vertex.millis }
+            : {}
           const { turned } = evaluate(vertex)
           const { position, normal } = warp.evaluateAt(vertex.position, {
             normal: vertex.normal,
@@ -222,7 +224,9 @@ for (const [name, list] of Object.entries(cases))
         for (const much of [-3, -1, 0, 1e-30, 0.5, 1, 3])
           for (const point of points) {
             const known = { millis: 100, much }
-            const uniforms = Object.fromEntries(warp.uniforms.map((key) => [key, known[key]]))
+            const uniforms = Object.fromEntries(
+              warp.uniforms.map(({ name }) => [name, known[name]]),
+            )
             const moved = warp.evaluateAt(point, { normal: [0, 0.6, 0.8], uniforms })
             for (const x of [...moved.position, ...moved.normal])
               assert.ok(Number.isFinite(x), `${moved.position} ${moved.normal} at ${point}`)
@@ -252,7 +256,7 @@ test('where computed options have no meaning, nothing becomes infinite', () => {
     ]
     const warp = compileWarp(deformers[name](Object.fromEntries(Object.entries(options).map(read))))
     const known = { ...options, millis: 50 }
-    const uniforms = Object.fromEntries(warp.uniforms.map((key) => [key, known[key]]))
+    const uniforms = Object.fromEntries(warp.uniforms.map(({ name }) => [name, known[name]]))
     const { position, normal } = warp.evaluateAt([3, 4, 5], { normal: [0, 1, 0], uniforms })
     for (const x of [...position, ...normal])
       assert.ok(Number.isFinite(x), `${name}: ${position} ${normal}`)
@@ -284,7 +288,8 @@ test('volume stays in a twist, and in a stretch that is told so', () => {
   for (const warp of [twist({ axis: oblique }), stretch({ keepVolume: true, amount: 0.7 })]) {
     const { evaluate } = compile((glsl) => {
       const position = glsl.vec3Param('position')
-      return { volume: warp({ glsl, position }).deformation(position).determinant() }
+      const turned = warp({ glsl, position }).jacobian(position).add(glsl.mat3(1))
+      return { volume: turned.determinant() }
     })
     for (const { position } of vertices.slice(0, 9))
       assertClose([evaluate({ position }).volume], [1], 1e-12)
@@ -321,7 +326,7 @@ test('value and derivative share their sines', () => {
 test('a wave that stands still reads no time', () => {
   assert.deepEqual(compileWarp(deformers.wave({ speed: 0 })).uniforms, [])
   assert.deepEqual(compileWarp(deformers.ripple({ speed: 0 })).uniforms, [])
-  assert.deepEqual(compileWarp(deformers.wave()).uniforms, ['millis'])
+  assert.deepEqual(compileWarp(deformers.wave()).uniforms, [{ name: 'millis', type: 'float' }])
 })
 
 describe('says what is wrong:', () => {

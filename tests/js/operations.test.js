@@ -27,16 +27,7 @@ const functions = [
 ]
 
 /** Results are asked for, not computed; and those of a warp: tests/js/compile.test.js and tests/cpp/warp_test.cpp have them. */
-const results = [
-  'output',
-  'outputDeriv',
-  'adjustNormal',
-  'adjustTangent',
-  'deformation',
-  'varied',
-  'turnNormal',
-  'turnTangent',
-]
+const results = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent']
 
 /** The names that a user can call, { builder, method }. */
 function surface() {

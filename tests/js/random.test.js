@@ -20,7 +20,7 @@ function evaluateCase(source) {
     compiled.evaluate(
       Object.fromEntries(
         inputs
-          .filter(({ name }) => compiled.uniforms.includes(name))
+          .filter(({ name }) => compiled.uniforms.some((uniform) => uniform.name === name))
           .map(({ name, shape }) => [name, shape === 'float' ? point[name][0] : point[name]]),
       ),
     )

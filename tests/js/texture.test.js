@@ -20,18 +20,23 @@ function refuses(work, pattern) {
 test('the image is among the uniforms, and its size where it must be told', () => {
   for (const target of targets) {
     const { uniforms, attributes } = compileWarp(inverted, { target })
-    const wanted = target === 'glsl100' ? ['heightMap', 'heightMapSize'] : ['heightMap']
-    assert.deepEqual(uniforms, wanted, target)
-    assert.deepEqual(attributes, ['position', 'normal'])
+    const image = { name: 'heightMap', type: 'sampler2D' }
+    const size = { name: 'heightMapSize', type: 'vec2' }
+    assert.deepEqual(uniforms, target === 'glsl100' ? [image, size] : [image], target)
+    assert.deepEqual(attributes, [
+      { name: 'position', type: 'vec3' },
+      { name: 'normal', type: 'vec3' },
+    ])
   }
 })
 
 test('an image whose colour cancels is not read', () => {
-  const { uniforms, declarations } = compile((glsl) => ({
+  const { uniforms, declarations, evaluate } = compile((glsl) => ({
     r: glsl.texture('map', glsl.vec2(0.1, 0.2)).r().mult(0).add(glsl.param('x')),
   }))
-  assert.deepEqual(uniforms, ['x'])
+  assert.deepEqual(uniforms, [{ name: 'x', type: 'float' }])
   assert.equal(declarations, '')
+  assert.deepEqual(evaluate({ x: 7 }), { r: 7 })
 })
 
 test('one function serves all images, and equal calls are one', () => {

@@ -59,7 +59,8 @@ describe('types come from the values:', () => {
       ({ glsl, millis, uniforms }) => glsl.vec3(uniforms.wind, millis.mult(uniforms.amount)),
       { uniforms: { amount: 1, unused: 2, wind: [1, 0] } },
     )
-    assert.deepEqual(warp.uniforms.toSorted(), ['amount', 'millis', 'wind'])
+    const types = Object.fromEntries(warp.uniforms.map(({ name, type }) => [name, type]))
+    assert.deepEqual(types, { amount: 'float', millis: 'float', wind: 'vec2' })
     assert.match(warp.code, /\bwind\b/)
     assert.match(warp.code, /\bamount \* millis|millis \* amount\b/)
     assert.doesNotMatch(warp.code, /unused/)
@@ -217,7 +218,7 @@ describe('one sentence says what is wrong:', () => {
     refuses(named('uTime', { millis: 'uTime' }), /the name that the option "names" gives to millis/)
     refuses(named('float'), /^compileWarp uniforms\.float: "float" cannot be read in a shader/)
     refuses(named('offset'), /"offset" has the name of a variable .* read/)
-    assert.deepEqual(named('toString')().uniforms, ['toString'])
+    assert.deepEqual(named('toString')().uniforms, [{ name: 'toString', type: 'float' }])
   })
 
   test('reading what is not declared, and writing', () => {
@@ -272,7 +273,9 @@ describe('one sentence says what is wrong:', () => {
       /^compileWarp: the shader's "millis" has the name of the input millis, .* "uTime"; rename it/,
     )
     const alone = ({ glsl }) => glsl.vec3(glsl.param('millis'), 0, 0)
-    assert.deepEqual(compileWarp(alone, { names: { millis: 'uTime' } }).uniforms, ['millis'])
+    assert.deepEqual(compileWarp(alone, { names: { millis: 'uTime' } }).uniforms, [
+      { name: 'millis', type: 'float' },
+    ])
   })
 
   test('a function that changes its type', () => {

@@ -71,7 +71,7 @@ function countWorks(change) {
 /** Only those that the warp reads, which would not take others. */
 function uniforms({ compiled } = warp, { center, unit } = model) {
   const all = { center, unit, amount: Number(amount.value), time: Number(time.value) }
-  return Object.fromEntries(compiled.uniforms.map((name) => [name, all[name]]))
+  return Object.fromEntries(compiled.uniforms.map(({ name }) => [name, all[name]]))
 }
 
 function boxOf({ positions }) {

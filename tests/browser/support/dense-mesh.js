@@ -87,8 +87,8 @@ export function vertices(mesh) {
 export function arraysOf(points, attributes) {
   const all = (name) => Float32Array.from(points.flatMap((point) => point[name]))
   const gradients = attributes
-    .filter((name) => name.endsWith('Gradient'))
-    .map((name) => [`${name}s`, all(name)])
+    .filter(({ name }) => name.endsWith('Gradient'))
+    .map(({ name }) => [`${name}s`, all(name)])
   return {
     positions: all('position'),
     normals: all('normal'),

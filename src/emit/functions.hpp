@@ -22,10 +22,7 @@ class Declarations {
  private:
   bool isDefined(std::string_view name) const;
   void define(const Function& function, int order);
-  void define(std::string_view name, const std::string& text);
-  std::string textIn(const ops::Helpers& texts) const {
-    return std::string(texts[static_cast<std::size_t>(dialect_.language)]);
-  }
+  void define(std::string_view name, std::string_view text);
   std::string header(const std::string& type, const std::string& name, const Body& body) const;
 
   const Dialect& dialect_;

@@ -1,4 +1,4 @@
-#include "emit/syntax.hpp"
+#include "module/syntax.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,6 +32,23 @@ std::size_t numberLength(std::string_view text) {
   return length;
 }
 
+constexpr std::array<std::string_view, 9> pairs{"<=", ">=", "==", "!=", "&&",
+                                                "||", "^^", "<<", ">>"};
+
+bool isPair(std::string_view two) {
+  return std::find(pairs.begin(), pairs.end(), two) != pairs.end();
+}
+
+bool startsNumber(std::string_view text, bool operandDue) {
+  return isDigit(text[0]) || (text[0] == '.' && operandDue && text.size() > 1 && isDigit(text[1]));
+}
+
+std::size_t tokenLength(std::string_view text, bool operandDue) {
+  if (startsNumber(text, operandDue)) return numberLength(text);
+  if (isWordStart(text[0])) return wordLength(text);
+  return isPair(text.substr(0, 2)) ? 2 : 1;
+}
+
 // Reads an expression from left to right. Operands and operators take turns, and every bracket and
 // every question mark waits for its partner.
 class Reader {
@@ -56,13 +73,12 @@ class Reader {
 
   std::string readToken() {
     const char c = rest_[0];
-    const bool isNumber = isDigit(c) || (c == '.' && operandDue_ && isDigit(peek(1)));
-    if (isNumber) {
-      const std::size_t length = numberLength(rest_);
+    const std::size_t length = tokenLength(rest_, operandDue_);
+    if (startsNumber(rest_, operandDue_)) {
       if (isWordPart(peek(length)) || peek(length) == '.') return operatorMissing;
       return readOperand(length, false);
     }
-    if (isWordStart(c)) return readOperand(wordLength(rest_), true);
+    if (isWordStart(c)) return readOperand(length, true);
     switch (c) {
       case '(':
       case '[':
@@ -118,26 +134,24 @@ class Reader {
 
   std::string readOperator() {
     constexpr std::array<std::string_view, 4> forbidden{"//", "/*", "++", "--"};
-    constexpr std::array<std::string_view, 9> pairs{"<=", ">=", "==", "!=", "&&",
-                                                    "||", "^^", "<<", ">>"};
     constexpr std::string_view singles = "+-*/%<>!&|^~?:,", prefixes = "+-!~";
     const std::string_view two = rest_.substr(0, 2), single = rest_.substr(0, 1);
 
-    constexpr std::string_view optional = "%&|^~?:";
     const bool isLogical = two == "&&" || two == "||" || two == "^^";
     const bool isShift = two == "<<" || two == ">>";
     // Only GLSL has ^^, as it alone has ?:
     const std::string_view needed = two == "^^" ? "?" : isShift ? "&" : isLogical ? "" : single;
-    if (optional.find(needed) != optional.npos && operators_.find(needed) == operators_.npos)
+    if (allOperators.find(needed) != allOperators.npos &&
+        operators_.find(needed) == operators_.npos)
       return quoted(single) + " cannot stand in it";
     if (std::find(forbidden.begin(), forbidden.end(), two) != forbidden.end())
       return quoted(two) + " cannot stand in it";
-    const bool isPair = std::find(pairs.begin(), pairs.end(), two) != pairs.end();
+    const bool isTwo = isPair(two);
     if (single[0] < ' ' || single[0] > '~') return "only letters from a to z can stand in it";
-    if (!isPair && singles.find(single) == singles.npos)
+    if (!isTwo && singles.find(single) == singles.npos)
       return quoted(single) + " cannot stand in it";
-    if (operandDue_ && (isPair || prefixes.find(single) == prefixes.npos)) return operandMissing;
-    if (!operandDue_ && (single == "!" || single == "~") && !isPair) return operatorMissing;
+    if (operandDue_ && (isTwo || prefixes.find(single) == prefixes.npos)) return operandMissing;
+    if (!operandDue_ && (single == "!" || single == "~") && !isTwo) return operatorMissing;
 
     if (single == "?") awaited_ += ':';
     if (single == ":" || single == ",") {
@@ -147,7 +161,7 @@ class Reader {
       if (single == ":") awaited_.pop_back();
     }
     operandDue_ = true;
-    rest_.remove_prefix(isPair ? 2 : 1);
+    rest_.remove_prefix(isTwo ? 2 : 1);
     return {};
   }
 
@@ -161,6 +175,36 @@ class Reader {
 };
 
 }  // namespace
+
+std::vector<std::string_view> tokensOf(std::string_view text) {
+  std::vector<std::string_view> found;
+  bool operandDue = true;
+  for (std::size_t i = text.find_first_not_of(' '); i < text.size();
+       i = text.find_first_not_of(' ', i)) {
+    const std::string_view rest = text.substr(i);
+    found.push_back(rest.substr(0, tokenLength(rest, operandDue)));
+    const char last = found.back().back();
+    operandDue = !isWordPart(last) && last != ')' && last != ']';
+    i += found.back().size();
+  }
+  return found;
+}
+
+std::vector<std::string_view> identifiers(std::string_view text) {
+  std::vector<std::string_view> found;
+  for (std::size_t i = 0; i < text.size();) {
+    if (!isWordPart(text[i])) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < text.size() && isWordPart(text[end])) ++end;
+    const bool isMember = i > 0 && text[i - 1] == '.';
+    if (isWordStart(text[i]) && !isMember) found.push_back(text.substr(i, end - i));
+    i = end;
+  }
+  return found;
+}
 
 std::string syntaxProblem(std::string_view text, std::string_view operators) {
   return Reader(text, operators).problem();

@@ -1,4 +1,4 @@
-#include "builder/declarations.hpp"
+#include "emit/functions.hpp"
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
 void Declarations::add(const Graph& graph, const Emitted& emitted) {
   for (const Op op : emitted.helped) {
     const ops::Info& info = ops::info(op);
-    define(info.name, textIn(info.helpers));
+    define(info.name, info.helpers[static_cast<std::size_t>(dialect_.language)]);
   }
   for (const auto& [number, order] : emitted.ourFunctions) define(graph.function(number), order);
 }
@@ -37,7 +37,7 @@ bool Declarations::isDefined(std::string_view name) const {
   return std::find(defined_.begin(), defined_.end(), name) != defined_.end();
 }
 
-void Declarations::define(std::string_view name, const std::string& text) {
+void Declarations::define(std::string_view name, std::string_view text) {
   if (isDefined(name)) return;
   defined_.emplace_back(name);
   text_ += text;
@@ -47,7 +47,7 @@ void Declarations::define(const Function& function, int order) {
   const Bundle bundle(function, order);
   if (isDefined(bundle.function)) return;
   Body& body = library_.withResults(function.name, order);
-  if (const auto* texts = body.definition.texts) return define(bundle.function, textIn(*texts));
+  if (!body.definition.body) return define(bundle.function, dialect_.texel);
   Comments none;
   std::vector<NodeId> results(body.results.begin(), body.results.begin() + bundle.count);
   results = lower(body.graph, results, dialect_.language, none);
@@ -58,9 +58,8 @@ void Declarations::define(const Function& function, int order) {
   const std::string type = bundle.type(dialect_);
   std::string result = outputs[0].name;
   if (bundle.isStruct()) {
-    result = type + '(' + result;
     for (std::size_t i = 1; i < outputs.size(); ++i) result += ", " + outputs[i].name;
-    result += ')';
+    result = filled(dialect_.construction, {type, result});
   }
   define(bundle.function, bundle.definition(dialect_) + header(type, bundle.function, body) +
                               emitted.code + "return " + result + ";\n}\n");
@@ -68,15 +67,14 @@ void Declarations::define(const Function& function, int order) {
 
 std::string Declarations::header(const std::string& type, const std::string& name,
                                  const Body& body) const {
-  const bool isWgsl = dialect_.declaresWithVar;
-  std::string text = (isWgsl ? "fn " : type + ' ') + name + '(';
-  for (int i = 0; i < body.definition.function.arity; ++i) {
-    if (i > 0) text += ", ";
-    const std::string argument(body.definition.argumentName(i));
-    const std::string kind = dialect_.typeName(ops::Type::Float, body.definition.argumentShape(i));
-    text += isWgsl ? argument + ": " + kind : kind + ' ' + argument;
+  const Definition& definition = body.definition;
+  std::string parameters;
+  for (int i = 0; i < definition.function.arity; ++i) {
+    if (i > 0) parameters += ", ";
+    const auto kind = dialect_.typeName(ops::Type::Float, definition.argumentShape(i));
+    parameters += filled(dialect_.parameter, {kind, definition.argumentName(i)});
   }
-  return text + (isWgsl ? ") -> " + type : ")") + " {\n";
+  return filled(dialect_.function, {type, name, parameters});
 }
 
 }  // namespace warpjet

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace warpjet {
 
@@ -15,8 +16,17 @@ constexpr bool isWordPart(char c) { return isWordStart(c) || isDigit(c); }
 
 inline std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
-// Why a text is not one complete expression, or nothing. `operators` are those of `%&|^~?:` that
-// the language has; << and >> go with &.
+// The operators that not every language has; << and >> go with &.
+inline constexpr std::string_view allOperators = "%&|^~?:";
+
+// Why a text is not one complete expression, or nothing. `operators` are those of
+// `allOperators` that the language has.
 std::string syntaxProblem(std::string_view text, std::string_view operators);
+
+// The numbers, words, brackets and operators of a complete expression.
+std::vector<std::string_view> tokensOf(std::string_view text);
+
+// The identifiers in a text. Members behind a dot are not among them.
+std::vector<std::string_view> identifiers(std::string_view text);
 
 }  // namespace warpjet

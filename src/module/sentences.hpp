@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "emit/syntax.hpp"
 #include "graph/shape.hpp"
+#include "module/syntax.hpp"
 
 namespace warpjet {
 

@@ -1,4 +1,4 @@
-#include "builder/sentences.hpp"
+#include "module/sentences.hpp"
 
 #include <algorithm>
 

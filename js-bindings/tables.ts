@@ -1,0 +1,23 @@
+// Written by `npm run reference` from the C++: what has a number there, in the order of its numbers, and what is limited.
+
+/** Shading languages, the one first that counts unless another is asked for, each with what `glsl.fn` calls its sources. */
+export const languages = { glsl300: 'glsl', glsl100: 'glsl', wgsl: 'wgsl' } as const
+
+/** Kinds of noise, each with what it takes: others are made of bases, and a fractal has octaves. */
+export const noises = {
+  noise: 'base',
+  simplex: 'base',
+  valueNoise: 'base',
+  worley: 'plain',
+  curl: 'made',
+  fbm: 'fractal',
+  ridged: 'fractal',
+  turbulence: 'fractal',
+} as const
+
+/** Of `glsl.texture`. */
+export const filters = ['bilinear', 'bicubic', 'bspline'] as const
+export const wraps = ['clamp', 'repeat', 'mirror'] as const
+
+export const mostSeed = 8388608
+export const mostOctaves = 16

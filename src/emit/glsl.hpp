@@ -1,0 +1,22 @@
+// What the two versions of GLSL ES write alike.
+#pragma once
+
+#include "emit/dialect.hpp"
+
+namespace warpjet::glsl {
+
+inline constexpr std::array<std::string_view, 2> numbers{"float", "bool"};
+inline constexpr std::array<std::array<std::string_view, 3>, 2> vectors{
+    {{"vec2", "vec3", "vec4"}, {"bvec2", "bvec3", "bvec4"}}};
+// Images have low precision unless told otherwise, which cuts heights off.
+inline constexpr std::string_view image = "highp sampler2D";
+
+inline constexpr std::string_view declaration = "$0 $1",
+                                  definition = "$0 $1 = ", construction = "$0($1)",
+                                  splat = "$0($1)", function = "$0 $1($2) {\n", parameter = "$0 $1",
+                                  structure = "struct $0 {$1 };\n", member = " $0 $1;";
+
+// WebGL 1.0, section 6.21; WebGL 2 allows 1024, but a warp should do in both.
+inline constexpr std::size_t longestName = 256;
+
+}  // namespace warpjet::glsl

@@ -1,0 +1,228 @@
+#include "emit/text.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+
+#include "emit/functions.hpp"
+#include "emit/lower.hpp"
+#include "emit/names.hpp"
+#include "module/label.hpp"
+#include "module/sentences.hpp"
+#include "module/syntax.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// Whether a text defines or calls a function of that name.
+bool hasCall(std::string_view text, std::string_view name) {
+  const auto words = identifiers(text);
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return word == name && isCalled(text, word); });
+}
+
+class TextWriter {
+ public:
+  TextWriter(const Module& module, const Dialect& dialect, const TextOptions& options)
+      : module_(module), graph_(module.graph), dialect_(dialect), options_(options) {
+    nameInputs();
+    nameOutputs();
+  }
+
+  Written run() {
+    const bool isFine = checkInputs() && checkFunctions() && checkOutputs();
+    if (!isFine) return {{}, problem_};
+    Text text = compose();
+    if (isFull_) refuse("A result", {tooLarge});
+    if (isFull_ || hidesWhatIsRead(text)) return {{}, problem_};
+    return {std::move(text)};
+  }
+
+ private:
+  using Parts = std::initializer_list<std::string_view>;
+
+  bool refuse(std::string_view method, Parts parts) {
+    problem_ = method;
+    if (!method.empty()) problem_ += ": ";
+    for (const std::string_view part : parts) problem_ += part;
+    return false;
+  }
+
+  void nameInputs() {
+    for (std::uint32_t i = 0; i < graph_.inputCount(); ++i)
+      inputs_.push_back(graph_.input(i).label);
+    for (const auto& [number, text] : options_.inputs) inputs_[number] = text;
+    for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
+      if (const auto image = graph_.input(i).image)
+        inputs_[i] = filled(dialect_.imageSize, {inputs_[*image]});
+    }
+  }
+
+  void nameOutputs() {
+    if (options_.results.empty()) outputs_ = module_.outputs;
+    for (const auto& [number, text] : options_.results) {
+      outputs_.push_back(module_.outputs[number]);
+      outputs_.back().name = text;
+    }
+  }
+
+  bool checkInputs() {
+    for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
+      if (graph_.input(i).image) continue;
+      if (const std::string why = inputProblem(dialect_, inputs_[i]); !why.empty())
+        return refuse(module_.methods[i],
+                      {quotedShort(inputs_[i]), " cannot be read in a shader: ", why, "."});
+    }
+    return std::all_of(options_.inputs.begin(), options_.inputs.end(),
+                       [&](const Naming& naming) { return isNewName(naming.number); });
+  }
+
+  // What the host calls it now must not be what another input is called.
+  bool isNewName(std::uint32_t input) {
+    if (inputs_[input] == graph_.input(input).label) return true;
+    const Label label = readLabel(inputs_[input]);
+    for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
+      if (i == input || graph_.input(i).image || !mayMeet(readLabel(inputs_[i]), label)) continue;
+      return refuse(module_.methods[input],
+                    {quotedShort(inputs_[input]), " is the name of another input already (",
+                     quotedShort(inputs_[i]),
+                     "), but was not when the function was compiled; "
+                     "rename one, or compile it with these names."});
+    }
+    return true;
+  }
+
+  // Those of ours have no sources.
+  bool checkFunctions() {
+    for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
+      const Function& function = graph_.function(i);
+      if (function.isOurs()) continue;
+      const std::string key(dialect_.sourceKey);
+      if (!sourceOf(i))
+        return refuse("fn", {"the option \"source\" of ", function.name, " must be a text of ",
+                             dialect_.family, " for the target ", dialect_.name,
+                             ", or an object { ", key, ": … } with one."});
+      if (const std::string why = functionProblem(dialect_, function.name); !why.empty())
+        return refuse("fn", {quotedShort(function.name), " cannot name a function: ", why, "."});
+      if (!hasCall(sourceOf(i)->text, function.name))
+        return refuse("fn", {quotedShort(function.name),
+                             " is not in the source, which must define "
+                             "a function of that name."});
+    }
+    return true;
+  }
+
+  const HostText* sourceOf(std::uint32_t function) const {
+    const auto& sources = module_.sources[function];
+    const auto found = std::find_if(sources.begin(), sources.end(), [&](const HostText& source) {
+      return source.family == dialect_.sourceKey;
+    });
+    return found != sources.end() ? &*found : nullptr;
+  }
+
+  bool checkOutputs() {
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      const auto& [name, shape, components, method] = outputs_[i];
+      if (const std::string why = outputProblem(dialect_, name); !why.empty())
+        return refuse(method, {quotedShort(name), " cannot name a result: ", why, "."});
+      if (!outputNames_.insert(name).second)
+        return refuse(method, {"there are two results named ", quotedShort(name), "; rename one."});
+      if (dialect_.typeName(ops::Type::Float, shape).empty())
+        return refuse(method, {"the result ", quotedShort(name), " is ", shapeName(shape), ", but ",
+                               dialect_.lacks, "."});
+    }
+    return true;
+  }
+
+  // In operations that the language has; what it lacks is lowered in a copy.
+  Text compose() {
+    Library library = module_.library.fresh();
+    Text text;
+    if (lacksAny(graph_, dialect_.language)) {
+      Graph graph = graph_.copy();
+      Comments comments = module_.comments;
+      lowerOutputs(graph, comments);
+      text.emitted = emit(graph, dialect_, outputs_, options_.emit, comments, inputs_);
+      declare(text, graph, library);
+    } else {
+      text.emitted = emit(graph_, dialect_, outputs_, options_.emit, module_.comments, inputs_);
+      declare(text, graph_, library);
+    }
+    for (const std::uint32_t i : text.emitted.inputs) {
+      if (!graph_.input(i).image || isPlainVariable(inputs_[i]))
+        text.inputs.push_back({i, inputs_[i]});
+    }
+    return text;
+  }
+
+  void lowerOutputs(Graph& graph, Comments& comments) {
+    std::vector<NodeId> roots;
+    for (const Output& output : outputs_)
+      roots.insert(roots.end(), output.components.begin(), output.components.end());
+    const std::vector<NodeId> nodes = lower(graph, roots, dialect_.language, comments);
+    auto node = nodes.begin();
+    for (Output& output : outputs_) {
+      for (NodeId& component : output.components) component = *node++;
+    }
+  }
+
+  void declare(Text& text, const Graph& graph, Library& library) {
+    for (const std::uint32_t i : text.emitted.functions)
+      text.declarations += sourceOf(i)->text + '\n';
+    Declarations declarations(dialect_, library);
+    declarations.add(graph, text.emitted);
+    text.declarations += declarations.text();
+    isFull_ = (&graph != &graph_ && graph.full()) || library.isFull();
+  }
+
+  // A result named like a variable or function that the text reads would hide it, and a variable
+  // cannot have the name of a function.
+  bool hidesWhatIsRead(const Text& text) {
+    const auto refusesResult = [&](std::string_view name, std::string_view read) {
+      if (!outputNames_.contains(name)) return false;
+      refuse({}, {"The result ", quotedShort(name),
+                  " has the name of a variable or function that is read for it (",
+                  quotedShort(read), "); rename the result."});
+      return true;
+    };
+    std::set<std::string_view> variables;
+    for (const std::uint32_t i : text.emitted.inputs) {
+      for (const std::string_view word : identifiers(inputs_[i])) {
+        if (refusesResult(word, inputs_[i])) return true;
+        if (!isCalled(inputs_[i], word)) variables.insert(word);
+      }
+    }
+    std::vector<std::string_view> functions;
+    for (const std::uint32_t i : text.emitted.functions)
+      functions.push_back(graph_.function(i).name);
+    for (const std::string_view word : identifiers(text.declarations)) {
+      if (word.starts_with(ourPrefix)) functions.push_back(word);
+    }
+    for (const std::string_view name : functions) {
+      if (refusesResult(name, name)) return true;
+      if (!variables.contains(name)) continue;
+      refuse({}, {quotedShort(name), " is both a variable and a function; rename one."});
+      return true;
+    }
+    return false;
+  }
+
+  const Module& module_;
+  const Graph& graph_;
+  const Dialect& dialect_;
+  const TextOptions& options_;
+  std::vector<std::string> inputs_;  // by number, the host's text
+  std::vector<Output> outputs_;
+  std::set<std::string, std::less<>> outputNames_;
+  bool isFull_ = false;
+  std::string problem_;
+};
+
+}  // namespace
+
+Written write(const Module& module, const Dialect& dialect, const TextOptions& options) {
+  return TextWriter(module, dialect, options).run();
+}
+
+}  // namespace warpjet

@@ -1,0 +1,218 @@
+#include <algorithm>
+#include <array>
+
+#include "graph/reachable.hpp"
+#include "module/module.hpp"
+#include "module/word_stream.hpp"
+#include "noise/noise.hpp"
+#include "texture/texture.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// Who makes functions of ours, by number. A room that makes others stands here too.
+constexpr std::array<Definition::Maker, 2> makers{noiseFrom, samplingFrom};
+
+std::size_t numberOf(Definition::Maker maker) {
+  return static_cast<std::size_t>(std::find(makers.begin(), makers.end(), maker) - makers.begin());
+}
+
+class Saver {
+ public:
+  explicit Saver(const Module& module)
+      : module_(module), graph_(module.graph), kept_(reachable(graph_, module.roots())) {
+    places_.resize(graph_.size() + 1);
+    for (const NodeId id : kept_) places_[index(id) + 1] = 1;
+    for (std::size_t i = 1; i < places_.size(); ++i) places_[i] += places_[i - 1];
+  }
+
+  std::vector<std::uint32_t> run() {
+    nodes();
+    inputs();
+    functions();
+    outputs();
+    comments();
+    return words_.take();
+  }
+
+ private:
+  void nodes() {
+    words_.number(kept_.size());
+    for (const NodeId id : kept_) {
+      const auto& [operands, op] = graph_.node(id);
+      words_.number(index(op));
+      const int arity = graph_.arity(id);
+      for (int i = 0; i < ops::maxArity; ++i)
+        words_.number(i < arity ? places_[operands[i]] : operands[i]);
+    }
+  }
+
+  void shape(Shape shape) {
+    words_.number(shape.columns);
+    words_.number(shape.rows);
+  }
+
+  void inputs() {
+    words_.number(graph_.inputCount());
+    for (std::uint32_t i = 0; i < graph_.inputCount(); ++i) {
+      const Input& input = graph_.input(i);
+      words_.text(input.label);
+      shape(input.shape);
+      words_.number(input.image ? *input.image + 1 : 0);
+      words_.text(module_.methods[i]);
+    }
+  }
+
+  void functions() {
+    words_.number(graph_.functionCount());
+    for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
+      const Function& function = graph_.function(i);
+      words_.number(function.isOurs());
+      if (function.isOurs()) {
+        const Definition& definition = module_.library.definition(function.name);
+        words_.number(numberOf(definition.maker));
+        words_.number(definition.settings);
+        continue;
+      }
+      words_.text(function.name);
+      words_.number(static_cast<std::size_t>(function.arity));
+      words_.number(module_.sources[i].size());
+      for (const auto& [family, text] : module_.sources[i]) {
+        words_.text(family);
+        words_.text(text);
+      }
+    }
+  }
+
+  void outputs() {
+    words_.number(module_.outputs.size());
+    for (const Output& output : module_.outputs) {
+      words_.text(output.name);
+      words_.text(output.method);
+      shape(output.shape);
+      for (const NodeId id : output.components) words_.number(places_[index(id)]);
+    }
+  }
+
+  void comments() {
+    words_.number(module_.comments.texts.size());
+    for (const std::string& text : module_.comments.texts) words_.text(text);
+    words_.number(module_.comments.ranges.size());
+    for (const auto& [first, end, text] : module_.comments.ranges) {
+      words_.number(places_[index(first)]);
+      words_.number(places_[index(end)]);
+      words_.number(text);
+    }
+  }
+
+  const Module& module_;
+  const Graph& graph_;
+  std::vector<NodeId> kept_;
+  std::vector<std::uint32_t> places_;  // by node, how many before it are kept
+  WordWriter words_;
+};
+
+class Loader {
+ public:
+  explicit Loader(std::span<const std::uint32_t> words) : words_(words) {}
+
+  Module run() {
+    Module module;
+    std::vector<Node> made = nodes();
+    std::vector<Input> given = inputs(module);
+    std::vector<Function> called = functions(module);
+    module.graph = Graph(std::move(made), std::move(given), std::move(called));
+    outputs(module);
+    comments(module);
+    return module;
+  }
+
+ private:
+  NodeId node() { return NodeId{words_.number()}; }
+
+  std::vector<Node> nodes() {
+    std::vector<Node> all(words_.number());
+    for (Node& node : all) {
+      node.op = Op{static_cast<std::uint8_t>(words_.number())};
+      for (std::uint32_t& operand : node.operands) operand = words_.number();
+    }
+    return all;
+  }
+
+  Shape shape() {
+    const auto columns = static_cast<std::uint8_t>(words_.number());
+    return {columns, static_cast<std::uint8_t>(words_.number())};
+  }
+
+  std::vector<Input> inputs(Module& module) {
+    std::vector<Input> all(words_.number());
+    for (Input& input : all) {
+      input.label = words_.text();
+      input.shape = shape();
+      if (const std::uint32_t image = words_.number()) input.image = image - 1;
+      module.methods.push_back(words_.text());
+    }
+    return all;
+  }
+
+  std::vector<Function> functions(Module& module) {
+    std::vector<Function> all(words_.number());
+    module.sources.resize(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (words_.number()) {
+        const Definition::Maker maker = makers[words_.number()];
+        const Definition definition = maker(words_.number());
+        module.library.add(definition);
+        all[i] = definition.function;
+        continue;
+      }
+      all[i].name = words_.text();
+      all[i].arity = static_cast<int>(words_.number());
+      module.sources[i].resize(words_.number());
+      for (auto& [family, text] : module.sources[i]) {
+        family = words_.text();
+        text = words_.text();
+      }
+    }
+    return all;
+  }
+
+  void outputs(Module& module) {
+    module.outputs.resize(words_.number());
+    for (Output& output : module.outputs) {
+      output.name = words_.text();
+      output.method = words_.text();
+      output.shape = shape();
+      for (int i = 0; i < output.shape.size(); ++i) output.components.push_back(node());
+    }
+  }
+
+  void comments(Module& module) {
+    module.comments.texts.resize(words_.number());
+    for (std::string& text : module.comments.texts) text = words_.text();
+    module.comments.ranges.resize(words_.number());
+    for (auto& [first, end, text] : module.comments.ranges) {
+      first = node();
+      end = node();
+      text = words_.number();
+    }
+  }
+
+  WordReader words_;
+};
+
+}  // namespace
+
+std::vector<NodeId> Module::roots() const {
+  std::vector<NodeId> nodes;
+  for (const Output& output : outputs)
+    nodes.insert(nodes.end(), output.components.begin(), output.components.end());
+  return nodes;
+}
+
+std::vector<std::uint32_t> save(const Module& module) { return Saver(module).run(); }
+
+Module load(std::span<const std::uint32_t> words) { return Loader(words).run(); }
+
+}  // namespace warpjet

@@ -1,0 +1,75 @@
+// A host's expressions: what stands for the same, and for a part of the same.
+#include "module/label.hpp"
+
+#include <gtest/gtest.h>
+
+namespace warpjet {
+namespace {
+
+TEST(Labels, SpacesAndIdleParenthesesMeanNothing) {
+  for (const char* text : {" p", "p ", "(p)", "( ( p ) )"}) EXPECT_EQ(readLabel(text).text, "p");
+  for (const char* text : {"p . x", "(p).x", "((p)) . x", "(p.x)", " p.x "})
+    EXPECT_EQ(readLabel(text).text, "p.x") << text;
+  EXPECT_EQ(readLabel("m [ 0 ] . x").text, "m[0].x");
+  EXPECT_EQ(readLabel("( a+b )").root, readLabel("a + b").root);
+  EXPECT_EQ(readLabel("(m*vec4( p , 1.0 )).xyz").root,
+            readLabel("( m * vec4((p), 1.0) ) . xyz").root);
+}
+
+TEST(Labels, ParenthesesThatMeanSomethingStay) {
+  EXPECT_NE(readLabel("(a + b) * c").root, readLabel("a + b * c").root);
+  EXPECT_NE(readLabel("f(a)").root, readLabel("f").root);
+  EXPECT_NE(readLabel("a - -b").root, readLabel("a - b").root);
+  // A selector at the end of a sum is of its last term.
+  EXPECT_FALSE(isWithin(readLabel("a + b.x"), readLabel("a + b")));
+  EXPECT_TRUE(isWithin(readLabel("(a + b).x"), readLabel("a + b")));
+}
+
+using Parts = std::optional<std::vector<int>>;
+
+TEST(Labels, PartsOfVectors) {
+  const auto of = [](const char* part) {
+    return partOf(readLabel("a.p"), vectorOf(3), readLabel(part));
+  };
+  EXPECT_EQ(of("a.p"), (Parts{{0, 1, 2}}));
+  EXPECT_EQ(of("a.p.y"), Parts{{1}});
+  EXPECT_EQ(of("(a.p) [2]"), Parts{{2}});
+  EXPECT_EQ(of("a.p.zx"), (Parts{{2, 0}}));
+  EXPECT_EQ(of("a.p.bgr.yx"), (Parts{{1, 2}}));
+  for (const char* other : {"a.p.w", "a.p[3]", "a.q.x", "b.p.x", "a.p.length", "a.p.x.y", "a"})
+    EXPECT_EQ(of(other), Parts{}) << other;
+}
+
+TEST(Labels, PartsOfMatrices) {
+  const auto of = [](const char* part) {
+    return partOf(readLabel("m"), matrixOf(2, 3), readLabel(part));
+  };
+  EXPECT_EQ(of("m[1]"), (Parts{{3, 4, 5}}));
+  EXPECT_EQ(of("m[0].x"), Parts{{0}});
+  EXPECT_EQ(of("m[1][2]"), Parts{{5}});
+  EXPECT_EQ(of("m[1].zy"), (Parts{{5, 4}}));
+  for (const char* other : {"m[2]", "m.x", "m[0].w", "m[i]"})
+    EXPECT_EQ(of(other), Parts{}) << other;
+}
+
+TEST(Labels, PartsOfASelection) {
+  const Label zx = readLabel("p.zx");
+  EXPECT_EQ(partOf(zx, vectorOf(2), readLabel("p.x")), Parts{{1}});
+  EXPECT_EQ(partOf(zx, vectorOf(2), readLabel("p[2]")), Parts{{0}});
+  EXPECT_EQ(partOf(zx, vectorOf(2), readLabel("p.y")), Parts{});
+}
+
+TEST(Labels, WhatMayBeTheSameNumber) {
+  const auto meet = [](const char* a, const char* b) {
+    return mayMeet(readLabel(a), readLabel(b));
+  };
+  EXPECT_TRUE(meet("p.xy", "p.yz"));
+  EXPECT_TRUE(meet("p.x", "p.r"));
+  EXPECT_TRUE(meet("p", "p.x"));
+  EXPECT_FALSE(meet("p.x", "p.y"));
+  EXPECT_FALSE(meet("p.x", "q.x"));
+  EXPECT_FALSE(meet("inputs.uv", "inputs.position.x"));
+}
+
+}  // namespace
+}  // namespace warpjet

@@ -1,0 +1,100 @@
+// A module: what it keeps, and that whoever reads it leaves it as it is.
+#include "module/module.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bench.hpp"
+#include "eval/program.hpp"
+#include "noise/noise.hpp"
+#include "texture/texture.hpp"
+#include "warp/warp.hpp"
+
+namespace warpjet {
+namespace {
+
+class ModuleTest : public testing::Test, protected Bench {
+ protected:
+  static std::string textOf(const Module& module, const Dialect& dialect) {
+    const Written made = write(module, dialect);
+    if (!made.text) return made.problem;
+    return made.text->declarations + "---\n" + made.text->emitted.code;
+  }
+
+  // One of everything.
+  void fill() {
+    const int inner = call("sin", {call("mult", {v3, x})});
+    builder.comment("let inner = sin(v3 * x)");
+    const int bump = builder.addFunction("bump",
+                                         {{"glsl", "float bump(float a) { return a; }"},
+                                          {"wgsl", "fn bump(a: f32) -> f32 { return a; }"}},
+                                         1);
+    const int truncated = call("trunc", {own(bump, {inner})});
+    builder.push(v3);
+    builder.push(number(3));
+    const int noise = builder.callNoise({NoiseKind::Gradient}, true);
+    builder.push(v2);
+    const int image = builder.callTexture({Filter::Bicubic, Wrap::Mirror}, "picture");
+    call("cos", {number(0.25)});
+    builder.output("gen", "a", truncated);
+    builder.output("gen", "b", call("gradient", {noise, v3}));
+    builder.output("gen", "c", image);
+    builder.output("gen", "d", call("mod", {m3, number(2)}) == Builder::failed ? m3 : x);
+  }
+};
+
+TEST_F(ModuleTest, WhatIsKeptSaysTheSameInEveryLanguage) {
+  fill();
+  ASSERT_TRUE(builder.finish()) << builder.problem();
+  const Module kept = load(save(builder.module()));
+  EXPECT_LT(kept.graph.size(), builder.graph().size()) << "what no result needs is gone";
+  for (const Dialect* dialect : dialects()) {
+    const std::string text = textOf(builder.module(), *dialect);
+    EXPECT_NE(text.find("---"), text.npos) << text;
+    EXPECT_EQ(textOf(kept, *dialect), text);
+    EXPECT_EQ(textOf(load(save(kept)), *dialect), text);
+  }
+}
+
+TEST_F(ModuleTest, NobodyChangesIt) {
+  fill();
+  const Module kept = load(save(builder.module()));
+  const std::vector<std::uint32_t> before = save(kept);
+  const std::string first = textOf(kept, glsl300);
+  textOf(kept, glsl100);  // lowers trunc
+  textOf(kept, wgsl);
+  const std::uint32_t b = 1;
+  EXPECT_TRUE(program(kept, {&b, 1}).program) << "inlines the noise";
+  EXPECT_EQ(save(kept), before);
+  EXPECT_EQ(textOf(kept, glsl300), first);
+}
+
+TEST_F(ModuleTest, ItsNamesAreTheHosts) {
+  builder.output("gen", "first", call("mult", {v2, x}));
+  builder.output("gen", "second", call("sin", {x}));
+  const Module kept = load(save(builder.module()));
+  const Written made =
+      write(kept, glsl300, {.results = {{1, "y"}}, .inputs = {{0, "uTime"}, {1, "inputs.uv"}}});
+  ASSERT_TRUE(made.text) << made.problem;
+  EXPECT_EQ(made.text->emitted.code, "float y;\n{\n  y = sin(uTime);\n}\n");
+  ASSERT_EQ(made.text->inputs.size(), 1u);
+  EXPECT_EQ(made.text->inputs[0].number, 0u);
+  EXPECT_EQ(made.text->inputs[0].text, "uTime");
+}
+
+TEST_F(ModuleTest, AProgramOfItSkipsImagesThatItDoesNotRead) {
+  builder.push(v2);
+  builder.callTexture({Filter::Bilinear, Wrap::Clamp}, "picture");
+  const int last = input("last");
+  builder.output("gen", "y", call("mult", {last, number(2)}));
+  const std::uint32_t only = 0;
+  const auto made = program(load(save(builder.module())), {&only, 1}).program;
+  ASSERT_TRUE(made);
+  // x, v2, v3, v4, m2, m3, m23, the image's size, and `last`.
+  std::vector<double> numbers(1 + 2 + 3 + 4 + 4 + 9 + 6 + 2 + 1), results(1);
+  numbers.back() = 21;
+  evaluate(made->words, made->instructions, numbers, results);
+  EXPECT_EQ(results[0], 42);
+}
+
+}  // namespace
+}  // namespace warpjet

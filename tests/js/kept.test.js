@@ -1,0 +1,179 @@
+// The sketch's function is called once; what is kept of it is written again in any language, for any host.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { compile, compileWarp, memoryInUse, targets, WarpError } from 'warpjet'
+
+const bumpy = ({ glsl, position, normal, uv, millis }) =>
+  normal.mult(glsl.noise(position.mult(3)).add(millis.sin()).mult(0.1)).add(glsl.vec3(uv, 0))
+
+function refuses(work, pattern) {
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof WarpError, String(error))
+    assert.match(error.message, pattern)
+    assert.doesNotMatch(error.message, /\n/)
+    return true
+  })
+}
+
+describe('emit', () => {
+  for (const options of [{}, { tangents: true }, { surfaceVariation: true }, { normals: false }])
+    test(`gives what compileWarp gives: ${JSON.stringify(options)}`, () => {
+      const warp = compileWarp(bumpy, { surfaceVariation: false, ...options })
+      for (const target of targets) {
+        const whole = compileWarp(bumpy, { surfaceVariation: false, ...options, target })
+        for (const key of ['code', 'declarations', 'uniforms', 'attributes', 'stats'])
+          assert.deepEqual(warp.emit(target)[key], whole[key], `${key} ${target}`)
+      }
+    })
+
+  test('a function that takes its chance is called once', () => {
+    let calls = 0
+    const warp = compileWarp(({ glsl, position }) => {
+      calls++
+      return glsl.vec3(position.x().mult(Math.random()).sin(), 0, 0)
+    })
+    const number = (text) => text.match(/\* (\d+\.\d+)/)[1]
+    for (const target of targets)
+      assert.equal(number(warp.emit(target).code), number(warp.code), target)
+    const [moved] = warp.evaluateAt([2, 0, 0]).position
+    assert.ok(Math.abs(moved - 2 - Math.sin(2 * Number(number(warp.code)))) < 1e-6)
+    assert.equal(calls, 1)
+  })
+
+  test('names of inputs and results are given anew', () => {
+    const warp = compileWarp(bumpy, {
+      names: { position: 'aPosition' },
+      outputs: { position: 'moved' },
+      surfaceVariation: false,
+    })
+    const { code, attributes } = warp.emit('wgsl', {
+      names: { position: 'in.place', millis: 'u.time' },
+      outputs: { normal: 'turned' },
+    })
+    assert.match(code, /var moved: vec3f;\nvar turned: vec3f;/)
+    assert.match(code, /moved = in\.place \+ offset;/)
+    assert.match(code, /u\.time/)
+    assert.doesNotMatch(code, /aPosition|millis/)
+    assert.deepEqual(attributes[0], { name: 'position', type: 'vec3' })
+  })
+
+  test('what is refused', () => {
+    const warp = compileWarp(({ glsl, position }) => position.mult(glsl.param('aPlace')))
+    refuses(() => warp.emit('hlsl'), /"target" must be one of glsl300, glsl100, wgsl/)
+    refuses(() => warp.emit('wgsl', { name: {} }), /emit: there is no option "name"/)
+    refuses(() => warp.emit('wgsl', { names: { place: 'p' } }), /emit names: .* no option "place"/)
+    refuses(
+      () => warp.emit('wgsl', { outputs: { offset: 3 } }),
+      /must be a text, but is the number/,
+    )
+    refuses(() => warp.emit('wgsl', { names: { position: 'fn' } }), /"fn" is a word of WGSL/)
+    refuses(
+      () => warp.emit('glsl300', { names: { position: 'aPlace' } }),
+      /names\.position: "aPlace" is the name of another input already/,
+    )
+    const call = compileWarp(({ glsl, position }) =>
+      glsl.fn({ name: 'f', source: 'float f(float x) { return x; }', arity: 1, derivatives: [1] })(
+        position,
+      ),
+    )
+    refuses(() => call.emit('wgsl'), /"source" of f must be a text of WGSL for the target wgsl/)
+    assert.match(call.emit('glsl100').declarations, /float f\(float x\)/)
+  })
+
+  test('one name for two inputs makes them one, and cannot be taken back', () => {
+    const warp = compileWarp(({ normal }) => normal.mult(0.1), {
+      names: { position: 'p', normal: 'p' },
+    })
+    assert.match(warp.emit('glsl100').code, /warpedPosition = p \+ offset/)
+    assert.match(
+      warp.emit('wgsl', { names: { position: 'q', normal: 'q' } }).code,
+      /warpedPosition = q \+ offset/,
+    )
+    refuses(
+      () => warp.emit('wgsl', { names: { position: 'q' } }),
+      /emit: position and normal were one input, "p", when the offset was compiled/,
+    )
+  })
+
+  test('leaves nothing in the memory', () => {
+    const warp = compileWarp(bumpy, { surfaceVariation: false })
+    warp.emit('wgsl')
+    const before = memoryInUse()
+    for (let i = 0; i < 200; i++) warp.emit(targets[i % 3])
+    assert.equal(memoryInUse(), before)
+  })
+})
+
+test('both languages of a function are kept', () => {
+  const f = {
+    name: 'f',
+    source: { glsl: 'float f(float x) { return x; }', wgsl: 'fn f(x: f32) -> f32 { return x; }' },
+    arity: 1,
+    derivatives: [1],
+  }
+  const warp = compileWarp(({ glsl, position }) => glsl.fn(f)(position))
+  assert.match(warp.declarations, /^float f/)
+  assert.match(warp.emit('wgsl').declarations, /^fn f/)
+})
+
+describe('a label is recognised however it is written', () => {
+  /** 2 p.x, since both are the same number. */
+  const slope = (make, by) => {
+    const { code } = compile((glsl) => {
+      const [first, second] = make(glsl)
+      return { d: glsl.derivative(first.mult(second), by?.(glsl) ?? first) }
+    })
+    return code.match(/d = (.*);/)[1]
+  }
+
+  test('spaces behind a vector', () => {
+    assert.equal(
+      slope((glsl) => [glsl.vec3Param('p').x(), glsl.param('p .x')]),
+      'p.x + p.x',
+    )
+  })
+  test('spaces around a number', () => {
+    assert.equal(
+      slope((glsl) => [glsl.param(' p'), glsl.param('p')]),
+      'p + p',
+    )
+  })
+  test('parentheses', () => {
+    assert.equal(
+      slope((glsl) => [glsl.vec3Param('p').x(), glsl.param('(p).x')]),
+      'p.x + p.x',
+    )
+    assert.equal(
+      slope((glsl) => [glsl.param('p.x'), glsl.param('(p).x')]),
+      'p.x + p.x',
+    )
+  })
+  test('parts of a matrix', () => {
+    for (const part of ['m[0].x', 'm[0][0]', '( m ) [0].r'])
+      assert.equal(
+        slope((glsl) => [glsl.mat3Param('m').column(0).x(), glsl.param(part)]),
+        'm[0].x + m[0].x',
+      )
+    assert.equal(
+      slope((glsl) => [glsl.mat3Param('m').column(1).y(), glsl.vec3Param('m[1]').y()]),
+      'm[1].y + m[1].y',
+    )
+  })
+  test('what cannot be told is refused', () => {
+    const both = (first, second) => () => compile((glsl) => ({ a: first(glsl), b: second(glsl) }))
+    refuses(
+      both(
+        (glsl) => glsl.vec2Param('p.xy'),
+        (glsl) => glsl.vec2Param('p.yz'),
+      ),
+      /vec2Param: "p\.xy" was read before "p\.yz" and may be a part of it; read the vector of both first/,
+    )
+    refuses(
+      both(
+        (glsl) => glsl.param('m[0].x'),
+        (glsl) => glsl.mat3Param('m'),
+      ),
+      /"m\[0\]\.x" was read before "m", whose part it is; read the matrix first/,
+    )
+  })
+})
