@@ -59,7 +59,8 @@ std::optional<std::optional<Value>> Builder::knownInput(std::string_view method,
     const Shape known = graph_.input(i).shape;
     const auto part = partOf(labels_[i], known, label);
     if (part && static_cast<int>(part->size()) == shape.size()) return components(i, *part);
-    if (isWithin(label, labels_[i]) && !known.isNumber()) return std::nullopt;
+    // What it has no such part for is a matter of the host.
+    if (isWithin(label, labels_[i]) && !isWithin(labels_[i], label)) return std::nullopt;
   }
   for (const std::uint32_t i : beside) {
     const Label& known = labels_[i];
