@@ -52,8 +52,12 @@ vec3 offset, warpedPosition, warpedNormal;
   float t48 = (t32 * t35 - t30 * t33) * normal.z;
   float t49 = t41 + t42 + t47;
   float t50 = t43 + t44 + t48;
-  float t51 = t46 * t46 + t49 * t49 + t50 * t50;
-  float t52 = t51 > 0.0 ? inversesqrt(t51) : 0.0;
-  warpedNormal = vec3(t46 * t52, t49 * t52, t50 * t52);
+  float t51 = abs(t46) + abs(t49) + abs(t50);
+  float t52 = t46 / t51;
+  float t53 = t49 / t51;
+  float t54 = t50 / t51;
+  bool t55 = t51 > 0.0 && t51 < 1e38;
+  float t56 = inversesqrt(t52 * t52 + t53 * t53 + t54 * t54);
+  warpedNormal = vec3(t55 ? t52 * t56 : 0.0, t55 ? t53 * t56 : 0.0, t55 ? t54 * t56 : 0.0);
   warpedPosition = position + offset;
 }

@@ -34,8 +34,12 @@ vec3 offset, warpedPosition, warpedNormal;
   float t30 = (t14 * t17 - t12 * t15) * normal.z;
   float t31 = t23 + t24 + t29;
   float t32 = t25 + t26 + t30;
-  float t33 = t28 * t28 + t31 * t31 + t32 * t32;
-  float t34 = t33 > 0.0 ? inversesqrt(t33) : 0.0;
-  warpedNormal = vec3(t28 * t34, t31 * t34, t32 * t34);
+  float t33 = abs(t28) + abs(t31) + abs(t32);
+  float t34 = t28 / t33;
+  float t35 = t31 / t33;
+  float t36 = t32 / t33;
+  bool t37 = t33 > 0.0 && t33 < 1e38;
+  float t38 = inversesqrt(t34 * t34 + t35 * t35 + t36 * t36);
+  warpedNormal = vec3(t37 ? t34 * t38 : 0.0, t37 ? t35 * t38 : 0.0, t37 ? t36 * t38 : 0.0);
   warpedPosition = position + offset;
 }

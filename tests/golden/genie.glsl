@@ -62,8 +62,12 @@ vec3 offset, warpedPosition, warpedNormal;
   float t58 = (t40 * t45 - t41 * t43) * normal.z;
   float t59 = t51 + t52 + t57;
   float t60 = t53 + t54 + t58;
-  float t61 = t56 * t56 + t59 * t59 + t60 * t60;
-  float t62 = t61 > 0.0 ? inversesqrt(t61) : 0.0;
-  warpedNormal = vec3(t56 * t62, t59 * t62, t60 * t62);
+  float t61 = abs(t56) + abs(t59) + abs(t60);
+  float t62 = t56 / t61;
+  float t63 = t59 / t61;
+  float t64 = t60 / t61;
+  bool t65 = t61 > 0.0 && t61 < 1e38;
+  float t66 = inversesqrt(t62 * t62 + t63 * t63 + t64 * t64);
+  warpedNormal = vec3(t65 ? t62 * t66 : 0.0, t65 ? t63 * t66 : 0.0, t65 ? t64 * t66 : 0.0);
   warpedPosition = position + offset;
 }

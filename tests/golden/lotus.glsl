@@ -22,8 +22,12 @@ vec3 offset, warpedPosition, warpedNormal;
   float t18 = (t13 * t10 - t15 * t9) * normal.y;
   float t19 = (-t9 * t12 - t10 * t11) * normal.z;
   float t20 = t17 + t18 + t19;
-  float t21 = t20 * t20 + t16 * t16 + t14 * t14;
-  float t22 = t21 > 0.0 ? inversesqrt(t21) : 0.0;
-  warpedNormal = vec3(t20 * t22, t16 * t22, t14 * t22);
+  float t21 = abs(t20) + abs(t16) + abs(t14);
+  float t22 = t20 / t21;
+  float t23 = t16 / t21;
+  float t24 = t14 / t21;
+  bool t25 = t21 > 0.0 && t21 < 1e38;
+  float t26 = inversesqrt(t22 * t22 + t23 * t23 + t24 * t24);
+  warpedNormal = vec3(t25 ? t22 * t26 : 0.0, t25 ? t23 * t26 : 0.0, t25 ? t24 * t26 : 0.0);
   warpedPosition = position + offset;
 }

@@ -307,7 +307,10 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     assert.match(stderr, /\nSubdivided: [\d,]+ triangles/)
     assert.ok((await load('fine.glb')).indices.length > 2 * model.indices.length)
     const limited = await works(...args, '--max-triangles', '300')
-    assert.match(limited.stderr, /\nNote: With 300 triangles the warped surface is still up to [\d.]+ away from them, above the tolerance of 0\.001; raise maxTriangles/)
+    assert.match(
+      limited.stderr,
+      /\nNote: With 300 triangles the warped surface is still up to [\d.]+ away from them, above the tolerance of 0\.001; raise maxTriangles/,
+    )
     assert.ok((await load('fine.glb')).indices.length <= 3 * 300)
   })
 
