@@ -168,7 +168,7 @@ void Refiner::measureInsides() {
   std::vector<Scrutiny> scrutinies;
   for (std::size_t i = 0; i < surface_.triangles().size(); ++i) {
     const Triangle& triangle = surface_.triangles()[i];
-    if (triangle.isMeasured || hasWantedSide(triangle)) continue;
+    if (triangle.isMeasured || hasWantedSide(triangle) || isTorn(triangle)) continue;
     const double area = surface_.areaOf(triangle.corners);
     if (area == 0) continue;
     const auto& [a, b] = surface_.sides()[triangle.sides[triangle.longest]].ends;
@@ -191,6 +191,13 @@ void Refiner::measureInsides() {
 bool Refiner::hasWantedSide(const Triangle& triangle) const {
   return std::any_of(triangle.sides.begin(), triangle.sides.end(), [&](std::uint32_t side) {
     return needs_[surface_.sides()[side].edge].isWanted();
+  });
+}
+
+// Nothing inside gets better by splitting what is left to split.
+bool Refiner::isTorn(const Triangle& triangle) const {
+  return std::any_of(triangle.sides.begin(), triangle.sides.end(), [&](std::uint32_t side) {
+    return !needs_[surface_.sides()[side].edge].canSplit;
   });
 }
 

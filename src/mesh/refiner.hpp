@@ -56,6 +56,7 @@ class Refiner {
   std::vector<std::uint32_t> worst(std::vector<std::uint32_t> edges, std::size_t room);
 
   bool hasWantedSide(const Triangle& triangle) const;
+  bool isTorn(const Triangle& triangle) const;
   bool hasRoom(const Edge& edge) const;
 
   Refinement refinement_;

@@ -99,7 +99,7 @@ inline constexpr std::tuple table{
         [](auto, auto y, auto v, auto d) {
           // A quotient may be 0 by its numerator, and turns there; sinh / cosh has huge parts that
           // count.
-          return countedWhere(logicalOr(lt(abs(y), most), gt(abs(v), least)), d, -(v * d) / y);
+          return countedWhere(logicalOr(lt(abs(y), 1 / least), gt(abs(v), least)), d, -(v * d) / y);
         }),
 
     // powers
