@@ -13,10 +13,10 @@ const read = (path) => readFile(new URL(path, root))
 const libraries = [
   'dist/p5.warpjet.min.js',
   'dist/warpjet.deformers.min.js',
+  // What the script fetches from beside it, for the sketches that make it do so.
+  'dist/mesh.min.js',
   'node_modules/p5/lib/p5.min.js',
 ]
-/** What the script fetches from beside it, for the sketches that make it do so. */
-const fetched = /^dist\/(mesh|shared-[\w-]+)\.js$/
 const fonts = {
   'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',
 }
@@ -45,7 +45,7 @@ const framedPage = (html) =>
 
 /** The content of the file at `path` below the gallery; undefined where there is none. */
 async function contentOf(path) {
-  if (libraries.includes(path) || fetched.test(path)) return read(path)
+  if (libraries.includes(path)) return read(path)
   if (path === 'recorder.js') return read(recorder)
 
   const [, example, file] = /^examples\/([\w-]+)\/([\w.-]*)$/.exec(path) ?? []
@@ -59,8 +59,7 @@ async function contentOf(path) {
 
 /** Everything that a built gallery needs: for each example its pages, its sketch, and what the sketch loads. */
 async function allPaths() {
-  const beside = (await readdir(new URL('dist/', root))).map((name) => `dist/${name}`)
-  const paths = [...libraries, 'recorder.js', ...beside.filter((path) => fetched.test(path))]
+  const paths = [...libraries, 'recorder.js']
   const folders = await readdir(new URL('examples/', root))
   for (const name of folders.sort()) {
     const sketch = String(await read(`examples/${name}/sketch.js`))
