@@ -15,6 +15,7 @@ export async function openPage(browser, url) {
   const messages = []
   page.on('console', (message) => messages.push(message.text()))
   page.on('pageerror', (error) => messages.push(`uncaught: ${error.message}`))
-  await page.goto(url)
+  // A server may make a model first, while other tests keep the machine busy.
+  await page.goto(url, { timeout: 180_000 })
   return { page, messages }
 }
