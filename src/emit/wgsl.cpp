@@ -41,8 +41,10 @@ const Dialect wgsl{
         "texture_depth_2d texture_depth_2d_array texture_depth_cube texture_depth_cube_array "
         "texture_depth_multisampled_2d texture_external texture_multisampled_2d "
         "texture_storage_1d texture_storage_2d texture_storage_2d_array texture_storage_3d ",
+    // And what the declarations of a host say, as in `var<storage, read_write>`.
     .functions =
-        " abs acos acosh all any arrayLength asin asinh atan atan2 atanh ceil clamp cos cosh "
+        " read write read_write storage uniform workgroup private function "
+        "abs acos acosh all any arrayLength asin asinh atan atan2 atanh ceil clamp cos cosh "
         "countLeadingZeros countOneBits countTrailingZeros cross degrees determinant distance "
         "dot dot4I8Packed dot4U8Packed exp exp2 extractBits faceForward firstLeadingBit "
         "firstTrailingBit floor fma fract frexp insertBits inverseSqrt ldexp length log log2 max "

@@ -9,22 +9,23 @@ let pipelines
 before(async () => (pipelines = await openPipelines()))
 after(() => pipelines?.close())
 
-const inputs = [{ name: 'place', shape: 2 }]
+// Not a name of the pipelines' own.
+const inputs = [{ name: 'given', shape: 2 }]
 const outputs = [{ name: 'total', shape: 1 }]
 
 /** The sum of calls of a function of each of these names, beside noise, which calls functions of ours. */
 const callsOf = (names, target) =>
   compile(
     (glsl) => {
-      const place = glsl.vec2Param('place')
+      const given = glsl.vec2Param('given')
       const called = names.map((name) => {
         const source = {
           glsl: `float ${name}(float x) { return x; }`,
           wgsl: `fn ${name}(x: f32) -> f32 { return x; }`,
         }
-        return glsl.fn({ name, arity: 1, source })(place.x())
+        return glsl.fn({ name, arity: 1, source })(given.x())
       })
-      return { total: called.reduce((sum, x) => sum.add(x), glsl.noise(place).mult(0)) }
+      return { total: called.reduce((sum, x) => sum.add(x), glsl.noise(given).mult(0)) }
     },
     { target },
   )
