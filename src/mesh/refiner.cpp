@@ -40,7 +40,7 @@ constexpr float creaseTolerances = 8, creasePart = 1 / 64.0f, shortestPart = 1 /
 // warp jumps, no number of triangles would be enough.
 constexpr double mostStretch = 256;
 
-void addIfFinite(double& sum, float term) {
+void addIfFinite(double& sum, double term) {
   if (std::isfinite(term)) sum += term;
 }
 

@@ -45,10 +45,11 @@ std::uint32_t Surface::findSide(std::uint32_t a, std::uint32_t b) {
   return side;
 }
 
-float Surface::areaOf(const Three& corners) const {
-  const auto& [a, b, c] = corners;
-  const auto& positions = mesh_.positions;
-  return glm::length(areaVector(at(positions, a), at(positions, b), at(positions, c))) / 2;
+// In double, since the product of two floats may overflow theirs.
+double Surface::areaOf(const Three& corners) const {
+  const auto corner = [&](int i) { return glm::dvec3(at(mesh_.positions, corners[i])); };
+  const glm::dvec3 a = corner(0);
+  return glm::length(glm::cross(corner(1) - a, corner(2) - a)) / 2;
 }
 
 void Surface::add(const Three& corners, const Three& sides) {
@@ -56,7 +57,8 @@ void Surface::add(const Three& corners, const Three& sides) {
   for (int i = 0; i < 3; ++i)
     lengths[i] = distance(mesh_.positions, corners[i], corners[(i + 1) % 3]);
   const auto longest = std::max_element(lengths.begin(), lengths.end());
-  const bool isSliver = 2 * areaOf(corners) < sliver * *longest * *longest;
+  const double length = *longest;
+  const bool isSliver = 2 * areaOf(corners) < sliver * length * length;
   triangles_.push_back({corners, sides, static_cast<int>(longest - lengths.begin()), isSliver});
   for (const std::uint32_t side : sides) ++edges_[sides_[side].edge].uses;
 }

@@ -52,7 +52,7 @@ class Surface {
   std::uint32_t edgeNumber(const Triangle& triangle, int side) const {
     return sides_[triangle.sides[side]].edge;
   }
-  float areaOf(const std::array<std::uint32_t, 3>& corners) const;
+  double areaOf(const std::array<std::uint32_t, 3>& corners) const;
   const Position& endOf(const Edge& edge, int end) const {
     return welder_.position(edge.ends[end]);
   }

@@ -61,5 +61,19 @@ TEST_F(SubdivideCost, OneSliverLeadsToTheNext) {
   EXPECT_GE(result.mesh.triangleCount(), 2u * spokes);
 }
 
+// Areas that no float holds have their share of the samples, and no more.
+TEST_F(SubdivideCost, LargeTrianglesAreNotEachSampledAsTheWhole) {
+  Mesh mesh;
+  for (const float size : {1e15f, 1e30f, 1e30f, 1e30f, 1e30f})
+    append(mesh.positions, {0, 0, 0, size, 0, 0, 0, size, 0});
+  std::size_t asked = 0;
+  const Refined result = subdivide(mesh, {1, infinity}, [&](const Mesh& vertices) {
+    asked += vertices.vertexCount();
+    return Moved{vertices.positions, {}};
+  });
+  EXPECT_EQ(result.mesh.triangleCount(), 5u);
+  EXPECT_LT(asked, std::size_t{3} << 19);
+}
+
 }  // namespace
 }  // namespace warpjet
