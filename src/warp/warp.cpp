@@ -49,8 +49,8 @@ double mostOf(const Value& v) {
 // What is no number stays so in it, as not in a maximum.
 Expression sizeOf(const Value& v) { return sum(byComponent(ops::find("abs"), std::array{v})); }
 
-// float32 has the squares of smaller numbers, and sums of a few.
-constexpr double mostSquared = 1e18;
+// float32 has the squares of smaller numbers, or their cubes, and sums of a few.
+constexpr double mostSquared = 1e18, mostCubed = 1e12;
 
 // Length 1 in the same direction, or zero for zero and for what is infinite or no number. Scaled
 // before it is squared, unless `most` says that it is small: how large its components are, about.
@@ -61,6 +61,15 @@ Value unit(const Value& v, double most) {
   const Value turned = scaled * inversesqrt(dot(scaled, scaled));
   const Expression hasDirection = logicalAnd(gt(size, 0.0), lt(size, 1e38));
   return fill(v.graph(), v.shape(), [&](int i) { return ifElse(hasDirection, turned[i], 0.0); });
+}
+
+// M, or the positive multiple of it whose entries add up to `limit`, if M is known to be larger
+// somewhere: its directions and sides are those of M. Near a pole, where nothing is known of the
+// size, M stays.
+Value sized(const Value& m, double limit) {
+  const double most = mostOf(m);
+  if (most <= limit || most == Interval::infinity) return m;
+  return m * Value(min(limit / sizeOf(m), 1.0));
 }
 
 std::array<Expression, 5> varying(const WarpInputs& inputs) {
@@ -84,7 +93,7 @@ Turned turn(const Value& m, const WarpInputs& inputs) {
   const Value along = fill(graph, vectorOf(3), [&](int i) { return t[i]; });
   const Value normal = turnedNormal(m, inputs.normal), turned = turnedTangent(m, along, normal);
   const Value tangent = fill(graph, vectorOf(4), [&](int i) { return i < 3 ? turned[i] : t[3]; });
-  return {normal, tangent, multiply(m, along), determinant(sized(m))};
+  return {normal, tangent, multiply(m, along), determinant(sized(m, mostCubed))};
 }
 
 }  // namespace
@@ -130,14 +139,8 @@ Value varied(Differentiator& differentiator, const Value& m, const Value& offset
   return fill(m.graph(), m.shape(), [&](int i) { return m[i] + slope[i % 3] * gradient[i / 3]; });
 }
 
-Value sized(const Value& m) {
-  const double most = mostOf(m);
-  if (most <= mostSquared || most == Interval::infinity) return m;
-  return m * Value(min(mostSquared / sizeOf(m), 1.0));
-}
-
 Value turnedNormal(const Value& given, const Value& normal) {
-  const Value m = sized(given);
+  const Value m = sized(given, mostSquared);
   const Value a = cross(m.column(1), m.column(2)), b = cross(m.column(2), m.column(0)),
               c = cross(m.column(0), m.column(1));
   const double most = mostOf(given);
@@ -145,7 +148,7 @@ Value turnedNormal(const Value& given, const Value& normal) {
 }
 
 Value turnedTangent(const Value& given, const Value& tangent, const Value& normal) {
-  const Value m = sized(given), moved = multiply(m, tangent);
+  const Value m = sized(given, mostSquared), moved = multiply(m, tangent);
   return unit(moved - normal * dot(normal, moved), mostOf(given));
 }
 

@@ -62,11 +62,6 @@ Value deformation(Differentiator& differentiator, const Value& offset, const Val
 Value varied(Differentiator& differentiator, const Value& m, const Value& offset, Expression input,
              const Value& gradient);
 
-// M, or the positive multiple of it whose products of entries float32 has, if M is known to be
-// larger than that somewhere: its directions and sides are those of M. Near a pole, where nothing
-// is known of the size, M stays.
-Value sized(const Value& m);
-
 // The unit normal of the surface whose tangents M turns, or zero where M collapses the surface so
 // that it has none, or is not finite. Where M is known to stay moderate, a cof(M) n below 1e-19
 // counts as collapsed, since float32 cannot hold its square; else it is scaled first.

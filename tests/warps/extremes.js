@@ -59,19 +59,19 @@ export const extremes = [
       expected: unit([y / (x * x + y * y), -x / (x * x + y * y), 1]),
     })),
   },
-  ...[1e8, 1e10].map((factor) => ({
+  ...[1e8, 1e10, 1e20, 1e30].map((factor) => ({
     name: `position times ${factor}`,
     offset: ({ position }) => position.mult(factor),
     points: [keeps([1, 2, 3], [0, 0.6, 0.8]), keeps([1, 2, 3], [1, 0, 0])],
   })),
-  {
-    name: 'a shear by 1e10',
-    offset: ({ glsl, position }) => glsl.vec3(position.y().mult(1e10), 0, 0),
+  ...[1e10, 1e20, 1e30].map((factor) => ({
+    name: `a shear by ${factor}`,
+    offset: ({ glsl, position }) => glsl.vec3(position.y().mult(factor), 0, 0),
     points: [
       keeps([1, 2, 3], [0, 1, 0]),
       { position: [1, 2, 3], normal: [1, 0, 0], expected: [0, -1, 0] },
     ],
-  },
+  })),
   {
     name: 'the unit vector from the axis',
     offset: ({ glsl, position }) => {
