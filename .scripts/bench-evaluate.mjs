@@ -34,7 +34,7 @@ await main(async () => {
     const times = { evaluate: [], byHand: [], native: [] }
     let moved
     for (let round = -1; round < rounds; round++) {
-      const evaluate = seconds(() => (moved = warp.evaluate({ ...mesh, uniforms })))
+      const evaluate = seconds(() => (moved = warp.evaluate(mesh, { uniforms })))
       const hand = seconds(() => byHand(mesh, 1234, results))
       const compiled = native.seconds()
       if (round < 0) continue // warm-up

@@ -17,6 +17,7 @@ import {
   checkUniforms,
   checkVertices,
   readRanges,
+  uniformsOf,
 } from './vertices.js'
 import { type WarpProgram, warpProgram } from './warp-program.js'
 
@@ -30,12 +31,14 @@ export interface WarpedVertices {
   tangents?: Float32Array
 }
 
-/** What the warp is to know of one vertex; the numbers of each as in `Vertices`. */
-export interface PointInputs extends Partial<
-  Record<Exclude<VertexInput, 'position'>, ArrayLike<number>>
-> {
-  uniforms?: Uniforms
+export interface EvaluationOptions {
+  /** Those that are not given have their values of the option `uniforms` of `compileWarp`, a function being asked then. */
+  uniforms?: Uniforms | undefined
 }
+
+/** What the warp is to know of one vertex; the numbers of each as in `Vertices`. */
+export interface PointInputs
+  extends Partial<Record<Exclude<VertexInput, 'position'>, ArrayLike<number>>>, EvaluationOptions {}
 
 export interface WarpedPoint {
   position: number[]
@@ -57,13 +60,12 @@ export interface Foldover {
 /**
  * All throw a `WarpError` for arrays that do not fit, numbers that are not finite, a uniform or an attribute that the warp
  * reads and does not get, a uniform that it does not know, and a warp that calls a `glsl.fn` or `glsl.texture`, which only the GPU can run.
- * A uniform that is not given has its value of the option `uniforms`, a function being asked then.
  * They compute in float32, as the GPU does, and change nothing that comes in. Where the offset function has no finite
  * value, such as the logarithm of a negative number, neither have the results.
  */
 export interface CpuWarp {
   /** Moves vertices, any number of them, none too: it needs the results' memory and a few megabytes. */
-  evaluate(mesh: Vertices & { uniforms?: Uniforms }): WarpedVertices
+  evaluate(mesh: Vertices, options?: EvaluationOptions): WarpedVertices
   /** Moves one vertex. */
   evaluateAt(position: ArrayLike<number>, inputs?: PointInputs): WarpedPoint
   /**
@@ -72,9 +74,9 @@ export interface CpuWarp {
    * from a tenth of a millisecond to some tens, for warps that are hard to bound. Where the offset depends on them, normals count as any numbers from -1 to 1, colors from 0 to 1, and texture coordinates from 0 to 1
    * unless `box.uvs` says otherwise. A side is infinite if the offset may be.
    */
-  bounds(box: Box, uniforms?: Uniforms): { min: number[]; max: number[] }
+  bounds(box: Box, options?: EvaluationOptions): { min: number[]; max: number[] }
   /** Where the warp turns the surface inside out. */
-  foldover(mesh: Vertices, uniforms?: Uniforms): Foldover
+  foldover(mesh: Vertices, options?: EvaluationOptions): Foldover
   /** @internal */
   readonly [warpProgram]: WarpProgram
 }
@@ -130,7 +132,8 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
   return {
     [warpProgram]: warp,
 
-    evaluate: (mesh) => run('evaluate', mesh, mesh?.uniforms, turned(mesh)),
+    evaluate: (mesh, options) =>
+      run('evaluate', mesh, uniformsOf('evaluate', options), turned(mesh)),
 
     evaluateAt(position, inputs = {}) {
       const known = Object.keys(vertexInputs).filter((name) => name !== 'position')
@@ -158,7 +161,8 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       }
     },
 
-    bounds(box, uniforms) {
+    bounds(box, options) {
+      const uniforms = uniformsOf('bounds', options)
       const program = programOf('bounds', warp)
       const ranges: Partial<Record<VertexInput, Range[]>> = {
         position: readRanges('bounds', 'box', box, 3),
@@ -175,7 +179,8 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       return { min: found.map(([low]) => low), max: found.map(([, high]) => high) }
     },
 
-    foldover(mesh, uniforms) {
+    foldover(mesh, options) {
+      const uniforms = uniformsOf('foldover', options)
       if (!warp.hasNormals)
         throw new WarpError(
           'foldover: the warp was compiled with "normals: false", which leaves out its derivatives; compile it without.',

@@ -4,7 +4,14 @@ export type { CompiledExpressions, GenSettings } from './compile.js'
 export { compileWarp } from './compile-warp.js'
 export type { CompiledWarp } from './compile-warp.js'
 export type { Compiled, CompileOptions, Declared, Stats } from './compiled.js'
-export type { CpuWarp, Foldover, PointInputs, WarpedPoint, WarpedVertices } from './cpu-warp.js'
+export type {
+  CpuWarp,
+  EvaluationOptions,
+  Foldover,
+  PointInputs,
+  WarpedPoint,
+  WarpedVertices,
+} from './cpu-warp.js'
 export { targets, type Target } from './kept-module.js'
 export type { TypeName } from './shapes.js'
 export type { Numbers } from './evaluate.js'

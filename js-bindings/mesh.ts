@@ -8,7 +8,7 @@ export { loadMesh, type LoadOptions } from './mesh/load.js'
 export type { Material, Mesh, MeshInput, Picture } from './mesh/mesh.js'
 /** @internal */
 export { meshMemoryInUse } from './mesh/module.js'
-export { subdivide, type AdaptiveOptions, type UniformOptions } from './mesh/subdivide.js'
+export { subdivide, type AdaptiveOptions, type LevelsOptions } from './mesh/subdivide.js'
 /** @internal */
 export { varyGeometry } from './mesh/vary-geometry.js'
 export { surfaceVariation, type SurfaceVariation } from './mesh/variation.js'

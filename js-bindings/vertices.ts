@@ -2,7 +2,7 @@
 import { WarpError, describe } from './errors.js'
 import { type VertexInput, drawInputs, vertexInputs } from './inputs.js'
 import { finiteFloat, firstWrong, inWords, readNumbers } from './numbers.js'
-import { isList } from './options.js'
+import { checkOptions, isList } from './options.js'
 
 /** Flat arrays, so many numbers a vertex. */
 export interface Vertices {
@@ -56,6 +56,10 @@ export function checkVertices(method: string, mesh: unknown): number {
     throw new WarpError(
       `${method}: a mesh with an array of positions was expected, but ${describe(mesh)} came.`,
     )
+  if ('uniforms' in mesh)
+    throw new WarpError(
+      `${method}: uniforms stand beside the mesh, not in it, as in ${method}(mesh, { uniforms: { millis: 1200 } }).`,
+    )
   const arrays = mesh as Record<string, unknown>
   let vertices = 0
   for (const [input, name] of Object.entries(arrayNames)) {
@@ -84,16 +88,25 @@ export function checkVertices(method: string, mesh: unknown): number {
   return vertices
 }
 
+/** Of options that hold nothing else. */
+export function uniformsOf(method: string, options: unknown): Uniforms | undefined {
+  if (typeof options === 'object' && options !== null && !isList(options)) {
+    const other = Object.keys(options).find((name) => name !== 'uniforms')
+    if (other !== undefined)
+      throw new WarpError(
+        `${method}: there is no option "${other}"; if it is a uniform, write { uniforms: { ${other}: … } }.`,
+      )
+  }
+  checkOptions(method, options, ['uniforms'])
+  return (options as { uniforms?: Uniforms } | undefined)?.uniforms
+}
+
 /** Refuses a uniform that is none of the inputs of a draw call and no parameter of the warp. */
 export function checkUniforms(method: string, uniforms: unknown, parameters: Iterable<string>) {
   if (uniforms === undefined) return
   if (typeof uniforms !== 'object' || uniforms === null || isList(uniforms))
     throw new WarpError(
       `${method}: uniforms must be an object, such as { millis: 1200 }, but is ${describe(uniforms)}.`,
-    )
-  if ('uniforms' in uniforms)
-    throw new WarpError(
-      `${method}: the uniforms are to be given by themselves, as in { millis: 1200 }, not as { uniforms: … }.`,
     )
   const known = new Set([...Object.keys(drawInputs), ...parameters])
   for (const name of Object.keys(uniforms))

@@ -52,7 +52,7 @@ export async function bake(args: string[]): Promise<void> {
     for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
     progress.step(`Subdivided: ${sizeOf(mesh)}`)
   }
-  const bytes = exportGLB(bakeWarp(mesh, warp, uniforms))
+  const bytes = exportGLB(bakeWarp(mesh, warp, { uniforms }))
   await writing(output, () => writeFile(output, bytes))
   progress.step(`${output}: ${count(bytes.length, 'byte')}`)
 }
@@ -85,10 +85,10 @@ function watched(warp: CompiledWarp, progress: Progress): CompiledWarp {
   let vertices = 0
   return {
     ...warp,
-    evaluate(mesh) {
+    evaluate(mesh, options) {
       vertices += mesh.positions.length / 3
       progress.update(`Subdividing: ${count(vertices, 'vertex', 'vertices')} tried`)
-      return warp.evaluate(mesh)
+      return warp.evaluate(mesh, options)
     },
   }
 }

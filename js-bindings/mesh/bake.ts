@@ -1,12 +1,12 @@
 // `bakeWarp`: a mesh as a warp leaves it.
-import type { CpuWarp, WarpedVertices } from '../cpu-warp.js'
+import type { CpuWarp, EvaluationOptions, WarpedVertices } from '../cpu-warp.js'
 import { WarpError, describe } from '../errors.js'
 import { anyNumber, finiteFloat, firstWrong } from '../numbers.js'
 import { isList } from '../options.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
 import { withJob } from './module.js'
 import { takeVariation } from './variation.js'
-import type { Uniforms, Vertices } from '../vertices.js'
+import { type Uniforms, type Vertices, uniformsOf } from '../vertices.js'
 import { type WarpProgram, warpProgram } from '../warp-program.js'
 
 /** What of `compileWarp`'s result is used here. */
@@ -24,8 +24,9 @@ export const asksForVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?
  * a `WarpError` if arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex, or the
  * mesh is too large for the memory of the module (such as 40 million triangles).
  */
-export function bakeWarp(mesh: MeshInput, warp: Evaluates, uniforms?: Uniforms): Mesh {
+export function bakeWarp(mesh: MeshInput, warp: Evaluates, options?: EvaluationOptions): Mesh {
   checkWarp('bakeWarp', warp)
+  const uniforms = uniformsOf('bakeWarp', options)
   const { copy, variation } = withJob('bakeWarp', (job) => {
     putMesh(job, mesh)
     job.act('addNormals')
@@ -60,7 +61,7 @@ export function evaluateFor(
 ) {
   let warped: WarpedVertices
   try {
-    warped = warp.evaluate({ ...vertices, uniforms })
+    warped = warp.evaluate(vertices, { uniforms })
   } catch (error) {
     if (!(error instanceof WarpError)) throw error
     throw new WarpError(error.message.replace(/^evaluate: /, `${method}: `))

@@ -27,7 +27,7 @@ export interface AdaptiveOptions extends Limit {
   angle?: number
 }
 
-export interface UniformOptions extends Limit {
+export interface LevelsOptions extends Limit {
   /** How often each triangle becomes four. */
   levels: number
 }
@@ -42,7 +42,7 @@ export const mostTriangles = 2 ** 28
  * without triangles comes back as it is. Throws a `WarpError` for wrong options, arrays that do not fit together, and a
  * result that does not fit into the 4 GB of the module.
  */
-export function subdivide(mesh: MeshInput, options: AdaptiveOptions | UniformOptions): Mesh {
+export function subdivide(mesh: MeshInput, options: AdaptiveOptions | LevelsOptions): Mesh {
   if (typeof options !== 'object' || options === null)
     throw new WarpError(
       `subdivide: options such as { warp, tolerance: 0.01 } or { levels: 2 } were expected, but ${describe(options)} came.`,
@@ -64,7 +64,7 @@ export function subdivide(mesh: MeshInput, options: AdaptiveOptions | UniformOpt
 
 const isCount = (value: number) => Number.isInteger(value) && value >= 1 && value <= mostTriangles
 
-function uniformly({ levels }: UniformOptions, maxTriangles: number) {
+function uniformly({ levels }: LevelsOptions, maxTriangles: number) {
   checkNumber(
     'levels',
     levels,

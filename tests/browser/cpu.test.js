@@ -65,9 +65,7 @@ for (const [i, warp] of cases.entries()) {
         const builtIn = await run(compiled)
         const exact = best === compiled ? builtIn : await run(best)
         const arrays = arraysOf(points, compiled.attributes)
-        const baked = draws.map((uniforms) =>
-          interleaved(compiled.evaluate({ ...arrays, uniforms })),
-        )
+        const baked = draws.map((uniforms) => interleaved(compiled.evaluate(arrays, { uniforms })))
         const worst = compareBaked(warp, points, draws, baked, { builtIn, exact })
         table.push({ warp: name, mesh: model, ...worst })
         assertBaked(worst, warp.degrees)

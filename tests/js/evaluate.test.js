@@ -18,7 +18,7 @@ describe('evaluate', () => {
       positions: new Float32Array(plane.positions),
       normals: Object.freeze([...plane.normals]),
     }
-    const { positions, normals } = wave.evaluate({ ...mesh, uniforms })
+    const { positions, normals } = wave.evaluate(mesh, { uniforms })
     assert.ok(positions instanceof Float32Array && normals instanceof Float32Array)
     assert.deepEqual([...mesh.positions], plane.positions)
     assert.ok(Math.abs(positions[4] - 0.2 * Math.sin(3.5)) < 1e-7)
@@ -26,7 +26,7 @@ describe('evaluate', () => {
   })
 
   test('takes any number of vertices, none too', () => {
-    assert.deepEqual(wave.evaluate({ positions: [], normals: [], uniforms }), {
+    assert.deepEqual(wave.evaluate({ positions: [], normals: [] }, { uniforms }), {
       positions: new Float32Array(0),
       normals: new Float32Array(0),
     })
@@ -35,7 +35,7 @@ describe('evaluate', () => {
       const xs = Float32Array.from({ length: count }, (_, i) => Math.sin(i))
       const positions = Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 ? 0 : xs[i / 3]))
       const normals = Float32Array.from({ length: 3 * count }, (_, i) => Number(i % 3 === 1))
-      const moved = wave.evaluate({ positions, normals, uniforms })
+      const moved = wave.evaluate({ positions, normals }, { uniforms })
       assert.equal(moved.positions.length, 3 * count)
       for (let i = 0; i < count; i += 97) {
         const one = wave.evaluateAt([xs[i], 0, 0], { normal: [0, 1, 0], uniforms })
@@ -50,7 +50,7 @@ describe('evaluate', () => {
   })
 
   test('gives normals only where normals came, tangents where both came', () => {
-    const keys = (mesh) => Object.keys(wave.evaluate({ ...mesh, uniforms }))
+    const keys = (mesh) => Object.keys(wave.evaluate(mesh, { uniforms }))
     const { positions, normals } = plane
     const tangents = [1, 0, 0, 1, 1, 0, 0, -1]
     assert.deepEqual(keys({ positions }), ['positions'])
@@ -62,11 +62,10 @@ describe('evaluate', () => {
   })
 
   test('turns tangents with the surface: y = 0.2 sin(3x + t) has the slope 0.6 cos(3x + t)', () => {
-    const { normals, tangents } = wave.evaluate({
-      ...plane,
-      tangents: [1, 0, 0, 1, 0, 0, 2, -1],
-      uniforms,
-    })
+    const { normals, tangents } = wave.evaluate(
+      { ...plane, tangents: [1, 0, 0, 1, 0, 0, 2, -1] },
+      { uniforms },
+    )
     const slope = 0.6 * Math.cos(0.5)
     const length = Math.hypot(1, slope)
     const expected = [1 / length, slope / length, 0, 1, 0, 0, 1, -1]
@@ -102,7 +101,7 @@ describe('evaluate', () => {
   test('leaves nothing behind: a thousand times is like once', () => {
     const before = process.memoryUsage().arrayBuffers
     const positions = new Float32Array(3 * 5000)
-    for (let i = 0; i < 1000; i++) wave.evaluate({ positions, uniforms })
+    for (let i = 0; i < 1000; i++) wave.evaluate({ positions }, { uniforms })
     global.gc?.()
     assert.ok(process.memoryUsage().arrayBuffers - before < 100e6)
   })
@@ -135,7 +134,7 @@ describe('foldover', () => {
       count(({ glsl }) => glsl.vec3(1, 2, 3)),
       0,
     )
-    assert.equal(wave.foldover({ positions: [] }, uniforms).count, 0)
+    assert.equal(wave.foldover({ positions: [] }, { uniforms }).count, 0)
   })
 })
 
@@ -171,7 +170,7 @@ describe('bounds', () => {
     test(`hold all that becomes of a box, and in the gallery at most twice as much: ${name}`, () => {
       for (const moment of moments) {
         const all = { ...moment, ...params }
-        const bounds = warp.bounds(box(size), all)
+        const bounds = warp.bounds(box(size), { uniforms: all })
         const truth = sampled(offset, size, all)
         assert.ok(holds(bounds, truth), `${JSON.stringify([bounds, truth])}`)
         for (let axis = 0; kept && axis < 3; axis++) {
@@ -188,7 +187,7 @@ describe('bounds', () => {
     const moment = moments[1]
     const refused = warps.filter(({ compile, offset, size, params }) => {
       const inputs = { ...moment, ...params }
-      const bounds = compile('glsl300').bounds?.(box(size), inputs)
+      const bounds = compile('glsl300').bounds?.(box(size), { uniforms: inputs })
       if (!bounds) return false
       const { min, max } = bounds
       const inwards = (ends, others) => ends.map((x, i) => x + 0.05 * (others[i] - x))
@@ -257,11 +256,11 @@ describe('one sentence for', () => {
       /normals must have 3 numbers a vertex, 3 for these positions, but has 1/,
     )
     refuses(
-      () => wave.evaluate({ positions: [1, 2, 3, 4, NaN, 6], uniforms }),
+      () => wave.evaluate({ positions: [1, 2, 3, 4, NaN, 6] }, { uniforms }),
       /positions\[4\], of vertex 1, must be a finite number, but is NaN/,
     )
     refuses(
-      () => wave.evaluate({ positions: [1, 2, Infinity], uniforms }),
+      () => wave.evaluate({ positions: [1, 2, Infinity] }, { uniforms }),
       /positions\[2\], of vertex 0, must be a finite number, but is Infinity/,
     )
     refuses(
@@ -280,22 +279,33 @@ describe('one sentence for', () => {
       /the warp reads "millis"; give it a value in the uniforms, as in \{ "millis": 0 \}/,
     )
     refuses(
-      () => wave.evaluate({ positions, uniforms: { milis: 3 } }),
+      () => wave.evaluate({ positions }, { uniforms: { milis: 3 } }),
       /the warp has no uniform "milis"; there are millis, mouse, size, pixelDensity/,
     )
     refuses(
-      () => wave.evaluate({ positions, uniforms: { millis: '3' } }),
+      () => wave.evaluate({ positions }, { uniforms: { millis: '3' } }),
       /the uniform "millis" must be a finite number, but is the text "3"/,
     )
     refuses(
-      () => wave.evaluate({ positions, uniforms: 3 }),
+      () => wave.evaluate({ positions }, { uniforms: 3 }),
       /uniforms must be an object, such as \{ millis: 1200 \}, but is the number 3/,
     )
     const follows = compileWarp(({ glsl, mouse }) => glsl.vec3(mouse, glsl.param('amount')))
-    refuses(() => follows.evaluate({ positions, uniforms: { mouse: [1, 2] } }), /reads "amount"/)
-    refuses(() => follows.evaluate({ positions, uniforms: { amount: 1 } }), /"mouse": \[0,0\]/)
     refuses(
-      () => follows.evaluate({ positions, uniforms: { amount: 1, mouse: [1] } }),
+      () => wave.evaluate({ positions, uniforms }),
+      /uniforms stand beside the mesh, not in it, as in evaluate\(mesh, \{ uniforms/,
+    )
+    refuses(
+      () => wave.bounds({ min: [0, 0, 0], max: [1, 1, 1] }, { millis: 1 }),
+      /write \{ uniforms: \{ millis: … \} \}/,
+    )
+    refuses(
+      () => follows.evaluate({ positions }, { uniforms: { mouse: [1, 2] } }),
+      /reads "amount"/,
+    )
+    refuses(() => follows.evaluate({ positions }, { uniforms: { amount: 1 } }), /"mouse": \[0,0\]/)
+    refuses(
+      () => follows.evaluate({ positions }, { uniforms: { amount: 1, mouse: [1] } }),
       /"mouse" must be an array of 2 finite numbers, but is an array of 1/,
     )
   })
@@ -323,7 +333,7 @@ describe('one sentence for', () => {
       /bounds: box\.max must be an array of 3 finite numbers, but is undefined/,
     )
     refuses(
-      () => wave.bounds({ min: [0, 2, 0], max: [1, 1, 1] }, uniforms),
+      () => wave.bounds({ min: [0, 2, 0], max: [1, 1, 1] }, { uniforms }),
       /bounds: box\.min\[1\] is 2, above box\.max\[1\], which is 1/,
     )
     refuses(

@@ -373,11 +373,11 @@ describe('bakeWarp', () => {
   })
 
   test('uniforms', () => {
-    const baked = bakeWarp(triangle(), rise, { millis: 5 })
+    const baked = bakeWarp(triangle(), rise, { uniforms: { millis: 5 } })
     assert.deepEqual([...baked.positions], [0, 5, 0, 1, 5, 0, 0, 6, 0])
     refuses(() => bakeWarp(triangle(), rise), /^bakeWarp: the warp reads "millis"/)
     refuses(
-      () => bakeWarp(triangle(), rise, { milis: 5 }),
+      () => bakeWarp(triangle(), rise, { uniforms: { milis: 5 } }),
       /^bakeWarp: the warp has no uniform "milis"/,
     )
   })
@@ -385,7 +385,7 @@ describe('bakeWarp', () => {
   test('missing normals are computed before', () => {
     const { positions } = triangle()
     assert.deepEqual(
-      [...bakeWarp({ positions }, rise, { millis: 1 }).normals],
+      [...bakeWarp({ positions }, rise, { uniforms: { millis: 1 } }).normals],
       [0, 0, 1, 0, 0, 1, 0, 0, 1],
     )
   })

@@ -258,7 +258,7 @@ describe('a warp of noise on the CPU', () => {
         offset: glsl.vec3(p.fbm(), p.simplex({ seed: 1 }), glsl.vec4(p, time).noise()).mult(20),
       }
     })
-    const moved = warp.evaluate({ positions, normals, uniforms: { millis: 700 } })
+    const moved = warp.evaluate({ positions, normals }, { uniforms: { millis: 700 } })
     for (let i = 0; i < positions.length; i += 3) {
       const position = [...positions.subarray(i, i + 3)]
       const { offset } = evaluate({ position, millis: 700 })
@@ -271,7 +271,7 @@ describe('a warp of noise on the CPU', () => {
   test('has bounds that know how far noise goes', () => {
     const { min, max } = warp.bounds(
       { min: [-100, -100, -100], max: [100, 100, 100] },
-      { millis: 0 },
+      { uniforms: { millis: 0 } },
     )
     assert.ok(
       [...max, ...min].every((x) => Math.abs(x) <= 120.01 && Math.abs(x) > 100),

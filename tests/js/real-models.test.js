@@ -49,7 +49,7 @@ for (const [name, make] of Object.entries(models))
     })
 
     test('warped, it is a file as good', async () => {
-      const baked = bakeWarp(model, twist, uniforms)
+      const baked = bakeWarp(model, twist, { uniforms })
       await assertValid(exportGLB(baked))
       const radius = (mesh, i) => Math.hypot(mesh.positions[3 * i], mesh.positions[3 * i + 2])
       for (let i = 0; i < positions.length / 3; i++) {
@@ -58,6 +58,6 @@ for (const [name, make] of Object.entries(models))
       }
       const fine = subdivide(model, { warp: twist, uniforms, tolerance: 0.5 })
       assert.ok(fine.indices.length >= indices.length)
-      await assertValid(exportGLB(bakeWarp(fine, twist, uniforms)))
+      await assertValid(exportGLB(bakeWarp(fine, twist, { uniforms })))
     })
   })

@@ -124,13 +124,15 @@ describe('on the CPU', () => {
     const twice = [2, 0, 0, 0, 2, 0, 0, 0, 4]
     const thrice = [3, 0, 0, 0, 3, 0, 0, 0, 6]
     assert.deepEqual([...warp.evaluate(mesh).positions], twice)
-    assert.deepEqual([...warp.evaluate({ ...mesh, uniforms: { grow: 2 } }).positions], thrice)
-    const [x, grown] = [warp.bounds(box), warp.bounds(box, { grow: 2 })].map(({ max }) => max[0])
+    assert.deepEqual([...warp.evaluate(mesh, { uniforms: { grow: 2 } }).positions], thrice)
+    const [x, grown] = [warp.bounds(box), warp.bounds(box, { uniforms: { grow: 2 } })].map(
+      ({ max }) => max[0],
+    )
     assert.ok(x >= 2 && x < 2.001 && grown >= 3 && grown < 3.001, `${x}, ${grown}`)
     assert.equal(warp.foldover(mesh).count, 0)
-    assert.equal(warp.foldover(mesh, { grow: -3 }).count, 3)
+    assert.equal(warp.foldover(mesh, { uniforms: { grow: -3 } }).count, 3)
     assert.deepEqual([...bakeWarp(mesh, warp).positions], twice)
-    assert.deepEqual([...bakeWarp(mesh, warp, { grow: 2 }).positions], thrice)
+    assert.deepEqual([...bakeWarp(mesh, warp, { uniforms: { grow: 2 } }).positions], thrice)
   })
 
   test('a function is called once for its type, then at every use, but not where a value is given', () => {

@@ -19,7 +19,9 @@ export async function use(file: File) {
   await loadMesh(new URL('https://a.b/c.glb'), { resolve: async () => new ArrayBuffer(1) })
   const [first]: number[] = [...mesh.positions, ...(mesh.uvs ?? []), ...(mesh.indices ?? [])]
   const color: number[] | undefined = mesh.material?.baseColor
-  const bytes: Uint8Array = exportGLB(bakeWarp(mesh, warp, { millis: 1200, wind: [1, 0] }))
+  const bytes: Uint8Array = exportGLB(
+    bakeWarp(mesh, warp, { uniforms: { millis: 1200, wind: [1, 0] } }),
+  )
   const fine: Mesh = subdivide(mesh, { warp, tolerance: 0.01, uniforms: { millis: 0 }, angle: 0.1 })
   const finer: Mesh = subdivide(fine, { levels: 2, maxTriangles: 1e6 })
   exportGLB({ positions: [0, 0, 0], indices: new Uint16Array(3) })
@@ -37,7 +39,7 @@ export async function use(file: File) {
   // @ts-expect-error no warp
   bakeWarp(mesh, { millis: 1200 })
   // @ts-expect-error a uniform is numbers
-  bakeWarp(mesh, warp, { millis: '1200' })
+  bakeWarp(mesh, warp, { uniforms: { millis: '1200' } })
   // @ts-expect-error neither a tolerance nor levels
   subdivide(mesh, { warp })
   // @ts-expect-error a mesh has positions

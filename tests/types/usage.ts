@@ -260,19 +260,23 @@ compile((glsl) => {
 {
   const warp = compileWarp(({ position }) => position, { tangents: true })
   const positions = new Float32Array(3)
-  const moved = warp.evaluate({
-    positions,
-    normals: [0, 1, 0],
-    uniforms: { millis: 3, at: [1, 2] },
-  })
+  const moved = warp.evaluate(
+    { positions, normals: [0, 1, 0] },
+    { uniforms: { millis: 3, at: [1, 2] } },
+  )
   const all: [Float32Array, Float32Array | undefined] = [moved.positions, moved.tangents]
   const at: number[] = warp.evaluateAt([1, 2, 3], { normal: [0, 1, 0], uniforms: {} }).position
   const box: { min: number[]; max: number[] } = warp.bounds({ min: [0, 0, 0], max: [1, 1, 1] })
-  const folded: { mask: Uint8Array; count: number } = warp.foldover({ positions }, { millis: 0 })
+  const folded: { mask: Uint8Array; count: number } = warp.foldover(
+    { positions },
+    { uniforms: { millis: 0 } },
+  )
   // @ts-expect-error positions must be there
   warp.evaluate({ normals: [0, 1, 0] })
   // @ts-expect-error no text
-  warp.evaluate({ positions, uniforms: { millis: '3' } })
+  warp.evaluate({ positions }, { uniforms: { millis: '3' } })
+  // @ts-expect-error beside the mesh
+  warp.evaluate({ positions, uniforms: { millis: 3 } })
   // @ts-expect-error a box has two corners
   warp.bounds({ min: [0, 0, 0] })
   void [all, at, box, folded]
@@ -342,7 +346,7 @@ compile((glsl) => {
       },
     },
   )
-  warp.evaluate({ positions: list, uniforms: { amount: 2, wind: [0, 1] } })
+  warp.evaluate({ positions: list }, { uniforms: { amount: 2, wind: [0, 1] } })
   // @ts-expect-error a text is no value of a uniform
   compileWarp(({ position }) => position, { uniforms: { name: 'red' } })
   // @ts-expect-error without the option there are none

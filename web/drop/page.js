@@ -146,7 +146,10 @@ function countFolded() {
 function showCounts() {
   const start = performance.now()
   const { positions, normals, uvs, colors } = fine
-  const { count } = warp.compiled.foldover({ positions, normals, uvs, colors }, uniforms())
+  const { count } = warp.compiled.foldover(
+    { positions, normals, uvs, colors },
+    { uniforms: uniforms() },
+  )
   const folded = find('.folded')
   folded.textContent = `${whole.format(count)} of ${whole.format(positions.length / 3)}`
   folded.classList.toggle('some', count > 0)
@@ -158,7 +161,8 @@ function showCounts() {
   counted = { at: performance.now(), took: performance.now() - start }
 }
 
-const bounds = () => warp.compiled.bounds({ min: model.low, max: model.high }, uniforms())
+const bounds = () =>
+  warp.compiled.bounds({ min: model.low, max: model.high }, { uniforms: uniforms() })
 
 const chosenOf = (name) => find(`[name=${name}]:checked`).value
 
@@ -186,7 +190,7 @@ const chooseSample = (name) =>
 
 const download = () =>
   during('Writing the file…', () => {
-    const bytes = exportGLB(bakeWarp(fine, warp.compiled, uniforms()))
+    const bytes = exportGLB(bakeWarp(fine, warp.compiled, { uniforms: uniforms() }))
     const href = URL.createObjectURL(new Blob([bytes], { type: 'model/gltf-binary' }))
     make('a', { href, download: `${model.name}-${warp.name.toLowerCase()}.glb` }).click()
     setTimeout(() => URL.revokeObjectURL(href), 60_000)

@@ -8,7 +8,8 @@
 export function deviation(mesh, warp, uniforms, spacing) {
   // No warp that is measured reads normals, but each wants some.
   const moved = (positions) =>
-    warp.evaluate({ positions, normals: new Float32Array(positions.length), uniforms }).positions
+    warp.evaluate({ positions, normals: new Float32Array(positions.length) }, { uniforms })
+      .positions
   const corners = moved(mesh.positions)
   let most = 0
   let batch = []

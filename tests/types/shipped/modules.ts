@@ -25,7 +25,7 @@ distort({ by: [3, 2, 1] })
 
 export async function baked(): Promise<Mesh> {
   const mesh = await loadMesh(new Uint8Array(8))
-  return bakeWarp(subdivide(mesh, { warp, tolerance: 0.1 }), warp, { millis: 3 })
+  return bakeWarp(subdivide(mesh, { warp, tolerance: 0.1 }), warp, { uniforms: { millis: 3 } })
 }
 
 // One class and one kind of vector, whichever entry they come from.
