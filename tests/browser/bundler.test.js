@@ -4,7 +4,7 @@ import { mkdirSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { build } from 'vite'
-import { launchBrowser, openPage } from './support/browser.js'
+import { launchBrowser, leavePage, openPage } from './support/browser.js'
 import { servePages } from './support/server.js'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
@@ -68,6 +68,6 @@ for (const version of ['p5', 'p5-v1']) {
     const { page, messages } = await openPage(browser, pages.page(html))
     await page.waitForFunction(() => document.title === 'drawn')
     assert.deepEqual(messages, [])
-    await page.close()
+    await leavePage(page)
   })
 }

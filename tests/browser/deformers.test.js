@@ -1,7 +1,7 @@
 // The deformers in a page: by a second script tag in p5 sketches, and through a bundler.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { launchBrowser } from './support/browser.js'
+import { launchBrowser, leavePage } from './support/browser.js'
 import { colorAt } from './support/pixels.js'
 import { servePages } from './support/server.js'
 import { drawScenes, p5InThisRun, runSketch } from './support/sketch.js'
@@ -64,7 +64,7 @@ for (const [version, p5] of p5InThisRun)
       )
       assert.equal(await page.evaluate('same'), true)
       assert.match(await page.evaluate('sentence'), /^twist: the option "angle" must be a number/)
-      await page.close()
+      await leavePage(page)
       assert.deepEqual(messages, [])
     })
   })
@@ -76,7 +76,7 @@ test('the second script says that it needs the first', async () => {
     scripts.slice(1),
     'window.done = true',
   )
-  await page.close()
+  await leavePage(page)
   assert.deepEqual(messages, [
     'uncaught: warpjet.deformers.min.js needs the script p5.warpjet.min.js in a tag before it.',
   ])

@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { domainWarp, plainDomainWarp } from '../js/support/domain-warp.js'
-import { launchBrowser } from './support/browser.js'
+import { launchBrowser, leavePage } from './support/browser.js'
 import { differingPixels, readPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
 import { drawScenes, p5InThisRun, p5Versions, runSketch } from './support/sketch.js'
@@ -85,7 +85,7 @@ window.setup = () => { begin(); noLoop() }
 window.draw = () => { paint(); window.done = true }`,
   )
   const image = await readPixels(page)
-  await page.close()
+  await leavePage(page)
   assert.deepEqual(messages, [])
   return image
 }

@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { exportGLB } from '../../dist/mesh.js'
 import { bunny } from '../../web/models/bunny.js'
-import { launchBrowser } from './support/browser.js'
+import { launchBrowser, leavePage } from './support/browser.js'
 import { colorAt, litPixels, readPixels } from './support/pixels.js'
 import { png } from './support/png.js'
 import { servePages } from './support/server.js'
@@ -123,7 +123,7 @@ for (const [version, p5] of p5InThisRun) {
         .join('\n')}`,
     )
     const result = await page.evaluate('reports')
-    await page.close()
+    await leavePage(page)
     assert.deepEqual(messages, [])
     return result
   }
@@ -131,7 +131,7 @@ for (const [version, p5] of p5InThisRun) {
   async function picture(loading, drawing, scripts) {
     const { page, messages } = await sketch(loading, drawing, scripts)
     const image = await readPixels(page)
-    await page.close()
+    await leavePage(page)
     assert.deepEqual(messages, [])
     return image
   }
@@ -231,7 +231,7 @@ for (const [version, p5] of p5InThisRun) {
       await page.screenshot({ path: path(`/.build/screenshots/model-${version}.png`) })
       const image = await readPixels(page)
       const covered = litPixels(image).filter(({ color }) => color[0] > 60).length
-      await page.close()
+      await leavePage(page)
       assert.deepEqual(messages, [])
       assert.ok(covered > 8000 && covered < 40_000, `${covered} pixels`)
     })
@@ -252,7 +252,7 @@ for (const [version, p5] of p5InThisRun) {
         await attempt(base + 'plain.glb', true)`,
       )
       const errors = await page.evaluate('errors')
-      await page.close()
+      await leavePage(page)
       assert.ok(errors.every(([isWarpError]) => isWarpError))
       const url = `${server.url}${folder}`
       assert.deepEqual(
@@ -277,7 +277,7 @@ for (const [version, p5] of p5InThisRun) {
         [p5, alone],
       )
       const problem = await page.evaluate('problem')
-      await page.close()
+      await leavePage(page)
       assert.equal(
         problem,
         `loadWarpModel: it needs ${server.url}${folder}/alone/mesh.min.js, which cannot be loaded; copy it there, from the package's folder dist.`,
@@ -314,7 +314,7 @@ describe('loadWarpModel in preload, on p5 1.11', () => {
       )
       const image = await readPixels(page)
       assert.deepEqual(await page.evaluate('report'), [3, true, false, 3674])
-      await page.close()
+      await leavePage(page)
       assert.deepEqual(messages, [])
       assert.deepEqual(colorAt(image, size / 2, size / 2), red)
     })
@@ -357,7 +357,7 @@ describe('loadWarpModel from elsewhere', () => {
       function setup() { window.isSetUp = true }`,
     )
     assert.equal(await page.evaluate('window.isSetUp'), undefined)
-    await page.close()
+    await leavePage(page)
     assert.equal(messages.length, 1)
     assert.match(messages[0], /^uncaught: loadWarpModel: /)
   })
@@ -382,6 +382,6 @@ test("'warpjet/p5' as a module fetches mesh.js when it is first used", async () 
     'module',
   )
   assert.deepEqual(await page.evaluate('report'), [false, true, 3])
-  await page.close()
+  await leavePage(page)
   assert.deepEqual(messages, [])
 })

@@ -1,7 +1,7 @@
 // How createWarp comes into a page, what it follows there, and what it says when something is wrong.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { launchBrowser } from './support/browser.js'
+import { launchBrowser, leavePage } from './support/browser.js'
 import { colorAt, readPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
 import { drawScenes, p5InThisRun, runSketch } from './support/sketch.js'
@@ -59,7 +59,7 @@ for (const [version, p5] of p5InThisRun) {
         })`,
       )
       const image = await readPixels(page)
-      await page.close()
+      await leavePage(page)
       assert.deepEqual(messages, [])
       assertRedAt(image, 0, 30)
       assertRedAt(image, 40, 0)
@@ -129,7 +129,7 @@ for (const [version, p5] of p5InThisRun) {
         assert.equal(error?.name, 'WarpError', code)
         assert.match(error.message, message)
       }
-      await page.close()
+      await leavePage(page)
       assert.deepEqual(messages, [])
     })
 
@@ -174,7 +174,7 @@ describe('the modules', () => {
       'module',
     )
     const image = await readPixels(page)
-    await page.close()
+    await leavePage(page)
     assert.deepEqual(messages, [])
     assertRedAt(image, 40, 0)
     assertRedAt(image, 40, 30)

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
 import { randomImage, sample } from '../operations/textures.js'
-import { launchBrowser } from './support/browser.js'
+import { launchBrowser, leavePage } from './support/browser.js'
 import { normalize } from './support/matrix.js'
 import { colorAt, differingPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
@@ -258,7 +258,7 @@ void main() {
         assert.equal(error?.name, 'WarpError', code)
         assert.match(error.message, message)
       }
-      await page.close()
+      await leavePage(page)
       assert.deepEqual(messages, [])
     })
   })

@@ -1,7 +1,7 @@
 // The option `uniforms` of createWarp, on each p5 and on both WebGLs: judged by where the picture is.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { launchBrowser } from './support/browser.js'
+import { launchBrowser, leavePage } from './support/browser.js'
 import { litPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
 import { drawScenes, p5InThisRun, runSketch } from './support/sketch.js'
@@ -217,6 +217,6 @@ for (const [version, p5] of p5InThisRun)
       assert.match(error.message, message)
     }
     await page.evaluate('redraw()')
-    await page.close()
+    await leavePage(page)
     assert.deepEqual(messages, [])
   })

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { fileURLToPath, pathToFileURL } from 'node:url'
-import { launchBrowser, openPage } from './support/browser.js'
+import { launchBrowser, leavePage, openPage } from './support/browser.js'
 import { servePages } from './support/server.js'
 import { p5InThisRun, p5Versions, runSketch } from './support/sketch.js'
 
@@ -55,7 +55,7 @@ async function loadedBy(context, src) {
   )
   const result = await page.evaluate('result')
   const isForeign = await page.evaluate('!!window.isForeign')
-  await page.close()
+  await leavePage(page)
   return { result, isForeign, messages }
 }
 
@@ -137,14 +137,14 @@ describe('the order of scripts', () => {
       test(`p5 ${name} may come after it: ${file}`, async () => {
         const { page, messages } = await runSketch(browser, server, [script, file], setup)
         assert.equal(await page.evaluate('window.kind'), 'function')
-        await page.close()
+        await leavePage(page)
         assert.deepEqual(messages, [])
       })
 
       test(`p5 ${name} may come when the page has loaded: ${file}`, async () => {
         const { page, messages } = await runSketch(browser, server, [script], later(file))
         assert.equal(await page.evaluate('window.kind'), 'function')
-        await page.close()
+        await leavePage(page)
         const others = messages.filter(
           (message) => !message.includes('there is no p5 on this page'),
         )
@@ -159,7 +159,7 @@ describe('the order of scripts', () => {
       [script],
       `addEventListener('load', () => setTimeout(() => (window.done = true), 50))`,
     )
-    await page.close()
+    await leavePage(page)
     assert.equal(messages.length, 1)
     assert.match(
       messages[0],
@@ -182,7 +182,7 @@ describe('the order of scripts', () => {
     )
     assert.equal(await page.evaluate('kind'), 'function')
     assert.equal(await page.evaluate('isOurs'), true)
-    await page.close()
+    await leavePage(page)
     assert.deepEqual(messages, [])
   })
 
@@ -197,7 +197,7 @@ describe('the order of scripts', () => {
       `window.version = warpjet.version; window.done = true`,
     )
     assert.equal(await page.evaluate('window.version'), version)
-    await page.close()
+    await leavePage(page)
     assert.equal(messages.length, 1)
     assert.match(messages[0], new RegExp(`two versions, ${version} and then 9\\.8\\.7; the first`))
   })
@@ -226,7 +226,7 @@ describe('a page whose policy is script-src self', () => {
         await tried(() => loadMesh(model)),
       ]
     }, triangle)
-    await page.close()
+    await leavePage(page)
     return { results, messages }
   }
 

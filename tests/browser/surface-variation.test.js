@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
-import { launchBrowser } from './support/browser.js'
+import { launchBrowser, leavePage } from './support/browser.js'
 import * as m from './support/matrix.js'
 import { directions, geometryCode, sphereMesh } from './support/mesh.js'
 import { colorAt, differingPixels, litPixels, readPixels } from './support/pixels.js'
@@ -157,7 +157,7 @@ describe('createWarp on p5 2.x, along the normal', () => {
       assert.ok(Math.max(...off(exact)) <= 3, `${name}: ${Math.max(...off(exact))} levels off`)
       assert.ok(Math.max(...off(rough)) >= 10, `${name}: ${Math.max(...off(rough))} without it`)
     }
-    await page.close()
+    await leavePage(page)
     assert.deepEqual(messages, [])
   })
 })
@@ -184,7 +184,7 @@ describe('a note that normals are approximate', () => {
         if (frameCount > 6) window.done = true
       }`,
     )
-    await page.close()
+    await leavePage(page)
     return messages
   }
   const told = `shape = await addSurfaceVariation(buildGeometry(() => sphere(20)))`

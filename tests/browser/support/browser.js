@@ -2,20 +2,50 @@
 import { chromium } from 'playwright-core'
 import { softwareFlags } from '../../../.scripts/lib/flags.mjs'
 
-/** The Chromium that WARPJET_CHROMIUM names, or Debian's. `moreFlags` are added to its command line. */
+/**
+ * The Chromium that WARPJET_CHROMIUM names, or Debian's. `moreFlags` are added to its command line. Pages are put together on
+ * the CPU: through a WebGL that is one itself, that would cost as much again as what the canvases show.
+ */
 export const launchBrowser = (moreFlags = []) =>
   chromium.launch({
     executablePath: process.env.WARPJET_CHROMIUM ?? '/usr/bin/chromium',
-    args: [...softwareFlags, ...moreFlags],
+    args: [...softwareFlags, '--disable-gpu-compositing', ...moreFlags],
   })
+
+/** What the driver says of a page that is put together on the CPU, and so reads its canvas. */
+const isOfDriver = (text) => /GL Driver Message .*: GPU stall due to ReadPixels/.test(text)
+
+/** Of each page what it has printed, and who opened it. */
+const opened = new WeakMap()
+/** Pages that were left, by who opened them. */
+const left = new WeakMap()
 
 /** Opens `url` → { page, messages }; `messages` collects console lines and uncaught errors, in order. */
 export async function openPage(browser, url) {
-  const page = await browser.newPage()
+  const page = left.get(browser) ?? (await newPage(browser))
+  left.delete(browser)
   const messages = []
-  page.on('console', (message) => messages.push(message.text()))
-  page.on('pageerror', (error) => messages.push(`uncaught: ${error.message}`))
+  opened.set(page, { browser, messages })
   // A server may make a model first, while other tests keep the machine busy.
   await page.goto(url, { timeout: 180_000 })
   return { page, messages }
+}
+
+async function newPage(browser) {
+  const page = await browser.newPage()
+  const print = (text) => isOfDriver(text) || opened.get(page).messages.push(text)
+  page.on('console', (message) => print(message.text()))
+  page.on('pageerror', (error) => print(`uncaught: ${error.message}`))
+  return page
+}
+
+/**
+ * Leaves a page of `servePages` to the next that `openPage` opens: a new one is a new process, which compiles all of p5 anew.
+ * So would be one that was at about:blank meanwhile.
+ */
+export async function leavePage(page) {
+  const { browser } = opened.get(page)
+  await page.mouse.move(0, 0)
+  await page.goto(new URL('/', page.url()).href)
+  left.set(browser, page)
 }

@@ -14,8 +14,8 @@ const types = {
 }
 
 /**
- * Starts a server → { url, page(html), close() }. `page` gives the address of a page with that text; every other path
- * is a file of the repository, `/dist/p5.js` for one.
+ * Starts a server → { url, page(html), close() }. `page` gives the address of a page with that text; `/` is an
+ * empty one, and every other path is a file of the repository, `/dist/p5.js` for one.
  */
 export async function servePages() {
   const pages = []
@@ -23,9 +23,10 @@ export async function servePages() {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, 'http://localhost')
     try {
-      const page = pages[/^\/page\/(\d+)$/.exec(pathname)?.[1]]
+      const page = pathname === '/' ? '' : pages[/^\/page\/(\d+)$/.exec(pathname)?.[1]]
       const body = page ?? (await readFile(fileURLToPath(new URL(`.${pathname}`, root))))
-      const type = page ? 'text/html' : (types[extname(pathname)] ?? 'application/octet-stream')
+      const type =
+        page !== undefined ? 'text/html' : (types[extname(pathname)] ?? 'application/octet-stream')
       response.writeHead(200, { 'content-type': `${type}; charset=utf-8` }).end(body)
     } catch {
       // Browsers ask for an icon on their own, and would print that there is none.

@@ -1,7 +1,7 @@
 // p5 sketches as pages, drawn frame by frame.
 import assert from 'node:assert/strict'
 import { isRun } from '../../../.scripts/lib/tiers.mjs'
-import { openPage } from './browser.js'
+import { leavePage, openPage } from './browser.js'
 import { readPixels } from './pixels.js'
 
 /** The p5 versions that the addon promises to work with; the full files, which have p5's friendly errors in them. */
@@ -71,7 +71,7 @@ function draw() {
     await page.evaluate(`scene = scenes[${JSON.stringify(name)}]; redraw()`)
     images[name] = await readPixels(page)
   }
-  await page.close()
+  await leavePage(page)
   assert.deepEqual(messages, [])
   return images
 }
