@@ -18,8 +18,8 @@ set_source_files_properties(
 
 # The same for meshes: what runs once per file or name in it.
 set_source_files_properties(
-  src/mesh/container.cpp src/mesh/export.cpp src/mesh/gltf.cpp src/mesh/json_text.cpp src/mesh/load.cpp src/mesh/look.cpp
-  src/mesh/scene.cpp src/mesh/schema.cpp src/mesh/sentences.cpp src/mesh/tinygltf.cpp src/mesh/uri.cpp
+  src/mesh/gltf/container.cpp src/mesh/gltf/export.cpp src/mesh/gltf/gltf.cpp src/mesh/gltf/json_text.cpp src/mesh/load.cpp src/mesh/gltf/look.cpp
+  src/mesh/gltf/scene.cpp src/mesh/gltf/schema.cpp src/mesh/sentences.cpp src/mesh/gltf/tinygltf.cpp src/mesh/gltf/uri.cpp
   TARGET_DIRECTORY warpjet_mesh PROPERTIES COMPILE_OPTIONS -Oz)
 
 # Or clang would make exp2 of pow(2, x), which JavaScript's Math lacks.

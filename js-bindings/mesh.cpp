@@ -18,13 +18,13 @@
 #include <vector>
 
 #include "mesh/check.hpp"
-#include "mesh/export.hpp"
+#include "mesh/gltf/export.hpp"
 #include "mesh/load.hpp"
-#include "mesh/normals.hpp"
+#include "mesh/surface/normals.hpp"
 #include "mesh/sentences.hpp"
-#include "mesh/shortfall.hpp"
-#include "mesh/subdivide.hpp"
-#include "mesh/variation.hpp"
+#include "mesh/refine/shortfall.hpp"
+#include "mesh/refine/subdivide.hpp"
+#include "mesh/surface/variation.hpp"
 
 using namespace warpjet;
 

@@ -56,11 +56,14 @@ function wayFrom(start, end, edges, seen = new Set()) {
   }
 }
 
-const roomOf = (file) => file.split('/')[0]
-
 /** Of whole rooms too: arrows between them go one way. */
 function includeProblems() {
   const files = walk('src', /\.[ch]pp$/).map((file) => file.replace('src/', ''))
+  const folders = new Set(files.map((file) => dirname(file)))
+  const isDivided = (folder) => [...folders].some((other) => dirname(other) === folder)
+  // What stands beside sub-rooms is below them or their façade, each file by itself.
+  const roomOf = (file) =>
+    isDivided(dirname(file)) ? file.replace(/\.[ch]pp$/, '') : dirname(file)
   const edges = new Map(files.map((file) => [file, includesOf(read(`src/${file}`))]))
   const rooms = new Map()
   for (const [file, included] of edges)

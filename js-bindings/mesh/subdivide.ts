@@ -32,7 +32,7 @@ export interface LevelsOptions extends Limit {
   levels: number
 }
 
-/** Of src/mesh/refiner.hpp. */
+/** Of src/mesh/refine/refiner.hpp. */
 export const mostTriangles = 2 ** 28
 
 /**

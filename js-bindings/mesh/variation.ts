@@ -20,7 +20,7 @@ export interface SurfaceVariation {
  * How normals and uvs vary over a mesh: what a warp that depends on them needs for right normals, as arrays for
  * `evaluate({ ...mesh, ...surfaceVariation(mesh) }, { uniforms })` and as attributes of a shader. `bakeWarp` and `subdivide`
  * find it out by themselves. Missing normals are computed before. It comes from the triangles around each vertex
- * (src/mesh/variation.hpp has the sources), so a finer mesh gives a better one; vertices at one place share it unless a hard
+ * (src/mesh/surface/variation.hpp has the sources), so a finer mesh gives a better one; vertices at one place share it unless a hard
  * edge or a seam of the uvs parts them. Triangles without area add nothing. Throws a `WarpError` if arrays do not fit
  * together or the mesh is too large for the memory of the module.
  */

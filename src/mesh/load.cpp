@@ -6,13 +6,13 @@
 #include <stdexcept>
 
 #include "mesh/check.hpp"
-#include "mesh/container.hpp"
-#include "mesh/gltf.hpp"
-#include "mesh/look.hpp"
-#include "mesh/merge.hpp"
-#include "mesh/obj.hpp"
+#include "mesh/gltf/container.hpp"
+#include "mesh/gltf/gltf.hpp"
+#include "mesh/gltf/look.hpp"
+#include "mesh/gltf/merge.hpp"
+#include "mesh/gltf/uri.hpp"
+#include "mesh/obj/obj.hpp"
 #include "mesh/sentences.hpp"
-#include "mesh/uri.hpp"
 
 namespace warpjet {
 

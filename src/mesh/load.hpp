@@ -3,21 +3,15 @@
 // is checked before it is believed, and no exception leaves. Pictures are handed on encoded.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "mesh/files.hpp"
 #include "mesh/mesh.hpp"
 
 namespace warpjet {
-
-// The files that a .gltf names, by their URIs as it writes them ("my%20buffer.bin").
-using Files = std::map<std::string, std::vector<std::uint8_t>>;
 
 // `problem` is a sentence that starts with "loadMesh: ", and is there exactly if `mesh` is not.
 // `warnings` are sentences about what was left out.
@@ -27,18 +21,10 @@ struct Loaded {
   std::string problem;
 };
 
-// All the arrays of a mesh together may take so much: 10 million triangles without indices, with
-// positions, normals and uvs, fit. A file that says more is refused before its arrays are
-// allocated, as are 2^20 parts (primitives times the nodes that show them), 2^22 elements without
-// bytes of their own, and descriptions of 2^20 JSON objects, 2^23 values or 64 levels. A program
-// may define a limit of its own in place of that in limits.cpp, as tests/fuzz, which must reach it,
-// does.
-extern const std::size_t mostMeshBytes;
-
 // A file whose description is read once, for both questions about it. The bytes must outlive it.
 class ModelFile {
  public:
-  explicit ModelFile(std::span<const std::uint8_t> bytes);
+  explicit ModelFile(Bytes bytes);
   ~ModelFile();
 
   // See the functions below. A file is loaded once.
@@ -51,7 +37,7 @@ class ModelFile {
   Mesh read(const Files& files, std::vector<std::string>& warnings);
   Description& description();
 
-  std::span<const std::uint8_t> bytes_;
+  Bytes bytes_;
   std::unique_ptr<Description> description_;  // none yet, or none for an OBJ
 };
 
@@ -59,11 +45,11 @@ class ModelFile {
 // place that its nodes give it; attributes that only some have are filled (uvs 0, colors 1, normals
 // computed; tangents are left out), and unequal base colours move into `colors`. Positions, normals
 // and the rest are finite and the indices are in range: problemOf(mesh) is empty.
-Loaded loadMesh(std::span<const std::uint8_t> bytes, const Files& files = {});
+Loaded loadMesh(Bytes bytes, const Files& files = {});
 
 // The URIs of the files that loadMesh wants in `files`: buffers, without which a model cannot be
 // read, and pictures of base colours, which it warns about. Nothing where the bytes cannot be read
 // at all.
-std::vector<std::string> externalFiles(std::span<const std::uint8_t> bytes);
+std::vector<std::string> externalFiles(Bytes bytes);
 
 }  // namespace warpjet

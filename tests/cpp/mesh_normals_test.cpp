@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "mesh/check.hpp"
-#include "mesh/normals.hpp"
+#include "mesh/surface/normals.hpp"
 #include "shapes.hpp"
 
 namespace warpjet {

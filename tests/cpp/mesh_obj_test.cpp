@@ -7,7 +7,7 @@
 
 #include "mesh/check.hpp"
 #include "mesh/load.hpp"
-#include "mesh/obj_text.hpp"
+#include "mesh/obj/obj_text.hpp"
 
 namespace warpjet {
 namespace {

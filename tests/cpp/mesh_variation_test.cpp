@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "mesh/variation.hpp"
+#include "mesh/surface/variation.hpp"
 #include "shapes.hpp"
 
 namespace warpjet {

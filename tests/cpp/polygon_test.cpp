@@ -1,6 +1,6 @@
 // Polygons cut into triangles. Whatever the cut, areas add up and every edge is used both ways or
 // is a side of the polygon.
-#include "mesh/polygon.hpp"
+#include "mesh/obj/polygon.hpp"
 
 #include <gtest/gtest.h>
 

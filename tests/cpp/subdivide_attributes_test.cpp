@@ -5,7 +5,7 @@
 #include <set>
 
 #include "conformity.hpp"
-#include "mesh/subdivide.hpp"
+#include "mesh/refine/subdivide.hpp"
 #include "shapes.hpp"
 #include "warped.hpp"
 

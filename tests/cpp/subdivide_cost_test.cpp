@@ -4,7 +4,7 @@
 #include <ctime>
 #include <limits>
 
-#include "mesh/subdivide.hpp"
+#include "mesh/refine/subdivide.hpp"
 #include "shapes.hpp"
 #include "warped.hpp"
 

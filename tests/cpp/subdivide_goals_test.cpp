@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "mesh/shortfall.hpp"
-#include "mesh/subdivide.hpp"
+#include "mesh/refine/shortfall.hpp"
+#include "mesh/refine/subdivide.hpp"
 #include "shapes.hpp"
 #include "warped.hpp"
 

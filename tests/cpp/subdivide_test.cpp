@@ -1,6 +1,6 @@
 // Adaptive subdivision, judged from outside: triangles still meet, and the warped triangles are
 // near the warped surface, which is sampled densely in double.
-#include "mesh/subdivide.hpp"
+#include "mesh/refine/subdivide.hpp"
 
 #include <gtest/gtest.h>
 

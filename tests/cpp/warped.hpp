@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "mesh/mesh.hpp"
-#include "mesh/subdivide.hpp"
+#include "mesh/refine/subdivide.hpp"
 
 namespace warpjet {
 

@@ -7,10 +7,10 @@
 #include "fuzz/require.hpp"
 #include "fuzz/split_files.hpp"
 #include "mesh/check.hpp"
-#include "mesh/export.hpp"
+#include "mesh/gltf/export.hpp"
 #include "mesh/load.hpp"
-#include "mesh/normals.hpp"
-#include "mesh/subdivide.hpp"
+#include "mesh/surface/normals.hpp"
+#include "mesh/refine/subdivide.hpp"
 
 namespace warpjet {
 namespace {

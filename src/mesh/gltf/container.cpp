@@ -1,0 +1,80 @@
+#include "mesh/gltf/container.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "mesh/sentences.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr std::size_t headerSize = 12;
+constexpr std::size_t chunkHeaderSize = 8;
+constexpr std::uint32_t jsonChunk = 0x4E4F534A;
+constexpr std::uint32_t binaryChunk = 0x004E4942;
+
+std::uint32_t littleEndian(Bytes bytes, std::size_t at) {
+  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
+         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+}
+
+[[noreturn]] void failShort(std::uint64_t wanted, std::uint64_t came) {
+  throw FileProblem("the file ends in the middle of its data (it says " + grouped(wanted) +
+                    " bytes, " + grouped(came) + " came); export or download it again.");
+}
+
+// The content of the chunk that starts there.
+Bytes chunkAt(Bytes bytes, std::size_t start) {
+  const std::uint64_t length = littleEndian(bytes, start);
+  const std::uint64_t end = start + chunkHeaderSize + length;
+  if (end > bytes.size()) failShort(end, bytes.size());
+  return bytes.subspan(start + chunkHeaderSize, static_cast<std::size_t>(length));
+}
+
+}  // namespace
+
+std::string_view textOf(Bytes bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+Format formatOf(Bytes bytes) {
+  std::string_view text = textOf(bytes);
+  if (text.empty()) throw FileProblem("the file is empty; export or download it again.");
+  if (text.starts_with("glTF")) return Format::Glb;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with('{')) return Format::Gltf;
+  if (text.starts_with('<'))
+    throw FileProblem(
+        "this is a web page or XML, not a .glb, .gltf or .obj file; check the address of the "
+        "model.");
+  if (text.find('\0') != text.npos)
+    throw FileProblem("this is no .glb, .gltf or .obj file; export the model as .glb.");
+  return Format::Obj;
+}
+
+Chunks chunksOfGlb(Bytes bytes) {
+  if (bytes.size() < headerSize + chunkHeaderSize)
+    failShort(headerSize + chunkHeaderSize, bytes.size());
+  const std::uint32_t version = littleEndian(bytes, 4);
+  if (version != 2)
+    throw FileProblem("this .glb is of glTF version " + grouped(version) +
+                      ", but only version 2 is read; export the model as glTF 2.0.");
+  const std::uint32_t length = littleEndian(bytes, 8);
+  if (length > bytes.size()) failShort(length, bytes.size());
+  bytes = bytes.first(length);
+  if (length < headerSize + chunkHeaderSize || littleEndian(bytes, headerSize + 4) != jsonChunk)
+    throw FileProblem(
+        "this .glb does not start with its description (a JSON chunk); export the model again.");
+
+  const Bytes json = chunkAt(bytes, headerSize);
+  Chunks chunks{textOf(json), std::nullopt};
+  // The JSON's length need not be a multiple of 4, though it should.
+  const std::size_t next = headerSize + chunkHeaderSize + json.size();
+  if (next + chunkHeaderSize <= bytes.size() && littleEndian(bytes, next + 4) == binaryChunk)
+    chunks.binary = chunkAt(bytes, next);
+  return chunks;
+}
+
+}  // namespace warpjet

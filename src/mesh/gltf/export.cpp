@@ -1,0 +1,183 @@
+// The JSON and the frame are written here, not by tinygltf: its writer holds the arrays three times
+// (as its model, as the chunk, in the stream), prints through iostreams, and is 60 KB of
+// WebAssembly for what is 30 lines below.
+#include "mesh/gltf/export.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "mesh/gltf/unit.hpp"
+
+namespace warpjet {
+
+namespace {
+
+using nlohmann::json;
+
+// The numbers of the glTF 2.0 specification, sections 3.6, 3.11 and 4.4.
+constexpr int unsignedShort = 5123, unsignedInt = 5125, floatType = 5126;
+constexpr int arrayBuffer = 34962, elementArrayBuffer = 34963;
+constexpr std::uint32_t jsonChunk = 0x4E4F534A, binaryChunk = 0x004E4942;
+
+// 65535, the largest 16-bit index, restarts primitives and so names no vertex.
+constexpr std::size_t mostVerticesOf16Bits = 65535;
+
+// The document, and the bytes that its buffer views are of.
+class File {
+ public:
+  json document{{"asset", {{"version", "2.0"}, {"generator", "warpjet " WARPJET_VERSION}}}};
+
+  template <class T>
+  int addView(std::span<const T> values) {
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    const std::size_t offset = bytes_.size();
+    const auto* first = reinterpret_cast<const std::uint8_t*>(values.data());
+    bytes_.insert(bytes_.end(), first, first + values.size_bytes());
+    json& views = document["bufferViews"];
+    views.push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", values.size_bytes()}});
+    return static_cast<int>(views.size()) - 1;
+  }
+
+  // `size` numbers an element.
+  template <class T>
+  int addAccessor(std::span<const T> values, int size, int componentType, int target) {
+    const int view = addView(values);
+    document["bufferViews"][view]["target"] = target;
+    const char* type = size == 1 ? "SCALAR" : size == 2 ? "VEC2" : size == 3 ? "VEC3" : "VEC4";
+    json& accessors = document["accessors"];
+    accessors.push_back({{"bufferView", view},
+                         {"componentType", componentType},
+                         {"count", values.size() / size},
+                         {"type", type}});
+    addRange(accessors.back(), values, size);
+    return static_cast<int>(accessors.size()) - 1;
+  }
+
+  std::vector<std::uint8_t> glb();
+
+ private:
+  template <class T>
+  void addRange(json& accessor, std::span<const T> values, int size) {
+    std::vector<T> least(values.begin(), values.begin() + size), most = least;
+    for (std::size_t element = 0; element < values.size(); element += size) {
+      for (int i = 0; i < size; ++i) {
+        least[i] = std::min(least[i], values[element + i]);
+        most[i] = std::max(most[i], values[element + i]);
+      }
+    }
+    accessor["min"] = least;
+    accessor["max"] = most;
+  }
+
+  std::vector<std::uint8_t> bytes_;
+};
+
+void put(std::vector<std::uint8_t>& bytes, std::uint32_t word) {
+  for (int shift = 0; shift < 32; shift += 8)
+    bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+}
+
+// A chunk is filled up to a multiple of four bytes.
+template <class Bytes>
+void putChunk(std::vector<std::uint8_t>& file, std::uint32_t type, const Bytes& bytes,
+              std::uint8_t padding) {
+  put(file, static_cast<std::uint32_t>((bytes.size() + 3) / 4 * 4));
+  put(file, type);
+  file.insert(file.end(), bytes.begin(), bytes.end());
+  file.resize((file.size() + 3) / 4 * 4, padding);
+}
+
+std::vector<std::uint8_t> File::glb() {
+  document["buffers"] = json::array({{{"byteLength", bytes_.size()}}});
+  const std::string text = document.dump();
+  const std::uint64_t length = 12 + 8 + (text.size() + std::uint64_t{3}) / 4 * 4 + 8 +
+                               (bytes_.size() + std::uint64_t{3}) / 4 * 4;
+  if (length > UINT32_MAX) throw std::length_error("a GLB file holds at most 4 GB");
+
+  std::vector<std::uint8_t> file;
+  file.reserve(static_cast<std::size_t>(length));
+  put(file, 0x46546C67);  // "glTF"
+  put(file, 2);
+  put(file, static_cast<std::uint32_t>(length));
+  putChunk(file, jsonChunk, text, ' ');
+  putChunk(file, binaryChunk, bytes_, 0);
+  return file;
+}
+
+int addIndices(File& file, const Mesh& mesh) {
+  if (mesh.vertexCount() > mostVerticesOf16Bits)
+    return file.addAccessor<std::uint32_t>(mesh.indices, 1, unsignedInt, elementArrayBuffer);
+  const std::vector<std::uint16_t> narrow(mesh.indices.begin(), mesh.indices.end());
+  return file.addAccessor<std::uint16_t>(narrow, 1, unsignedShort, elementArrayBuffer);
+}
+
+json attributes(File& file, const Mesh& mesh) {
+  json attributes = json::object();
+  const auto add = [&](const char* name, const std::vector<float>& numbers, int size) {
+    if (!numbers.empty())
+      attributes[name] = file.addAccessor<float>(numbers, size, floatType, arrayBuffer);
+  };
+  const std::vector<float> normals = unitNormals(mesh);
+  std::vector<float> colors = mesh.colors;
+  for (float& number : colors) number = std::clamp(number, 0.0F, 1.0F);
+  add("POSITION", mesh.positions, 3);
+  add("NORMAL", normals, 3);
+  if (!normals.empty()) add("TANGENT", unitTangents(mesh.tangents, normals), 4);
+  add("TEXCOORD_0", mesh.uvs, 2);
+  add("COLOR_0", colors, 4);
+  return attributes;
+}
+
+// Not metallic, which is what glTF takes for granted: the mesh says nothing of metal.
+json material(const Material& material) {
+  std::array<float, 4> color = material.baseColor;
+  for (float& number : color) number = std::clamp(number, 0.0F, 1.0F);
+  json result{{"pbrMetallicRoughness", {{"baseColorFactor", color}, {"metallicFactor", 0}}}};
+  if (color[3] < 1) result["alphaMode"] = "BLEND";
+  return result;
+}
+
+void addTexture(File& file, const std::vector<std::uint8_t>& picture, json& material) {
+  const char* type = pictureType(picture);
+  if (!type) return;
+  const int view = file.addView<std::uint8_t>(picture);
+  file.document["images"] = json::array({{{"bufferView", view}, {"mimeType", type}}});
+  file.document["textures"] = json::array({{{"source", 0}}});
+  material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+}
+
+}  // namespace
+
+const char* pictureType(const std::vector<std::uint8_t>& bytes) {
+  const auto startsWith = [&](std::string_view start) {
+    return bytes.size() > start.size() &&
+           std::memcmp(bytes.data(), start.data(), start.size()) == 0;
+  };
+  if (startsWith("\x89PNG\r\n\x1a\n")) return "image/png";
+  if (startsWith("\xff\xd8\xff")) return "image/jpeg";
+  return nullptr;
+}
+
+std::vector<std::uint8_t> exportGlb(const Mesh& mesh) {
+  File file;
+  json primitive{{"attributes", attributes(file, mesh)}};
+  if (!mesh.indices.empty()) primitive["indices"] = addIndices(file, mesh);
+  if (mesh.material) {
+    json written = material(*mesh.material);
+    const auto& picture = mesh.material->baseColorTexture;
+    if (picture && !mesh.uvs.empty()) addTexture(file, picture->bytes, written);
+    file.document["materials"] = json::array({std::move(written)});
+    primitive["material"] = 0;
+  }
+  file.document["meshes"] = json::array({{{"primitives", json::array({std::move(primitive)})}}});
+  file.document["nodes"] = json::array({{{"mesh", 0}}});
+  file.document["scenes"] = json::array({{{"nodes", json::array({0})}}});
+  file.document["scene"] = 0;
+  return file.glb();
+}
+
+}  // namespace warpjet

@@ -1,0 +1,71 @@
+#include "mesh/gltf/json_text.hpp"
+
+#include <cstddef>
+
+#include "mesh/sentences.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// glTF itself nests about 8 deep; the rest is left to `extras`. A tinygltf::Node takes about 700
+// bytes.
+constexpr std::size_t deepest = 64;
+constexpr std::size_t mostValues = std::size_t{1} << 23;
+constexpr std::size_t mostObjects = std::size_t{1} << 20;
+
+void failUnlike(const std::string& what) {
+  throw FileProblem("the description of the model (its JSON) " + what +
+                    ", which no exporter writes; export the model again.");
+}
+
+// Counts brackets and commas outside of strings, without understanding the rest.
+void checkExtent(std::string_view text) {
+  std::size_t depth = 0, values = 1, objects = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    switch (text[i]) {
+      case '"':
+        for (++i; i < text.size() && text[i] != '"'; ++i) i += text[i] == '\\';
+        break;
+      case '{':
+        ++objects;
+        [[fallthrough]];
+      case '[':
+        ++values;
+        if (++depth > deepest) failUnlike("is nested more than 64 deep");
+        break;
+      case '}':
+      case ']':
+        depth -= depth > 0;
+        break;
+      case ',':
+        ++values;
+        break;
+      default:
+        break;
+    }
+  }
+  if (values > mostValues || objects > mostObjects)
+    failUnlike("has more than " + grouped(mostValues) + " values or " + grouped(mostObjects) +
+               " objects");
+}
+
+}  // namespace
+
+nlohmann::json parseJson(std::string_view text) {
+  // Some exporters pad with zero bytes where spaces belong.
+  text = text.substr(0, text.find_last_not_of(std::string_view("\0 \t\r\n", 5)) + 1);
+  checkExtent(text);
+  try {
+    return nlohmann::json::parse(text.begin(), text.end());
+  } catch (const nlohmann::json::parse_error& error) {
+    throw FileProblem("the description of the model is broken JSON at its byte " +
+                      grouped(error.byte) + " of " + grouped(text.size()) +
+                      "; export or download it again.");
+  } catch (const nlohmann::json::out_of_range&) {
+    throw FileProblem(
+        "the description of the model has a number too large to be one; export it again.");
+  }
+}
+
+}  // namespace warpjet

@@ -1,0 +1,103 @@
+#include "mesh/gltf/look.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "mesh/gltf/uri.hpp"
+#include "mesh/sentences.hpp"
+
+namespace warpjet {
+
+namespace {
+
+const tinygltf::Material& materialAt(const Gltf& gltf, int material) {
+  const auto& materials = gltf.model.materials;
+  return materials[checkedIndex("material", material, materials.size())];
+}
+
+// The picture of a texture, or noPlace where only an extension knows it.
+int pictureOfTexture(const Gltf& gltf, int texture) {
+  if (texture == noPlace) return noPlace;
+  const auto& textures = gltf.model.textures;
+  return textures[checkedIndex("texture", texture, textures.size())].source;
+}
+
+// By the first bytes, for pictures whose type nobody says.
+std::string sniffedType(const std::vector<std::uint8_t>& bytes) {
+  const std::string_view text = textOf(bytes);
+  if (text.starts_with("\x89PNG")) return "image/png";
+  if (text.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
+  if (text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP")) return "image/webp";
+  if (text.starts_with("\xABKTX 20")) return "image/ktx2";
+  return "application/octet-stream";
+}
+
+std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, const Files& files) {
+  if (image.bufferView != noPlace) {
+    const Bytes bytes = bytesOfView(gltf, image.bufferView);
+    return Image{{bytes.begin(), bytes.end()}, image.mimeType};
+  }
+  if (isDataUri(image.uri)) {
+    auto data = decodedDataUri(image.uri);
+    if (!data) return std::nullopt;
+    return Image{std::move(data->bytes), image.mimeType.empty() ? data->mimeType : image.mimeType};
+  }
+  if (const auto* file = fileOf(image.uri, files)) return Image{*file, image.mimeType};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Look lookOf(const Gltf& gltf, int material) {
+  Look look;
+  if (material == noPlace) return look;
+  const auto& info = materialAt(gltf, material).pbrMetallicRoughness;
+  for (std::size_t i = 0; i < 4; ++i)
+    look.baseColor[i] = std::clamp(info.baseColorFactor[i], 0.0, 1.0);
+  look.picture = pictureOfTexture(gltf, info.baseColorTexture.index);
+  return look;
+}
+
+void warnOfLook(Gltf& gltf, int material) {
+  if (material == noPlace) return;
+  const auto& roughness = materialAt(gltf, material).pbrMetallicRoughness;
+  const auto& color = roughness.baseColorFactor;
+  if (!std::equal(color.begin(), color.end(), lookOf(gltf, material).baseColor.begin()))
+    gltf.warn("Base colours that lie outside 0 to 1 are clamped to it.");
+  const auto& info = roughness.baseColorTexture;
+  if (info.index == noPlace) return;
+  if (pictureOfTexture(gltf, info.index) == noPlace)
+    gltf.warn("A base-colour texture has no PNG or JPEG picture; it is left out.");
+  if (info.extensions.count("KHR_texture_transform") != 0)
+    gltf.warn("A texture is moved or scaled by KHR_texture_transform, which is ignored.");
+  if (info.texCoord != 0)
+    gltf.warn("A texture uses other uvs than TEXCOORD_0, the only ones that are read.");
+}
+
+std::optional<Image> pictureOf(Gltf& gltf, int picture, const Files& files) {
+  if (picture == noPlace) return std::nullopt;
+  const auto& images = gltf.model.images;
+  const tinygltf::Image& image = images[checkedIndex("image", picture, images.size())];
+  std::optional<Image> found = bytesOf(gltf, image, files);
+  if (!found || found->bytes.empty()) {
+    gltf.warn("The picture of the base colour (image " + std::to_string(picture) + ", " +
+              quotedText(image.uri) + ") is missing or broken; it is left out.");
+    return std::nullopt;
+  }
+  if (found->mimeType.empty()) found->mimeType = sniffedType(found->bytes);
+  return found;
+}
+
+std::vector<std::string> picturesOf(const Gltf& gltf) {
+  std::vector<std::string> uris;
+  const auto& images = gltf.model.images;
+  for (std::size_t i = 0; i < gltf.model.materials.size(); ++i) {
+    const int picture = lookOf(gltf, static_cast<int>(i)).picture;
+    if (picture != noPlace)
+      uris.push_back(images[checkedIndex("image", picture, images.size())].uri);
+  }
+  return uris;
+}
+
+}  // namespace warpjet

@@ -1,0 +1,129 @@
+#include "mesh/obj/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <numeric>
+#include <utility>
+
+namespace warpjet {
+
+namespace {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+// Above 0 where a, b and c turn left.
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// Without the coordinate along which the plane faces most, so that the rest stay as exact as they
+// were; turning left all around.
+std::vector<glm::dvec2> flattened(const std::vector<glm::dvec3>& corners) {
+  // Twice the area's normal (Newell's): that of the mean plane where there is no one plane.
+  glm::dvec3 normal(0);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    normal += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  int most = 0;
+  for (const int axis : {1, 2})
+    if (std::abs(normal[axis]) > std::abs(normal[most])) most = axis;
+  int first = (most + 1) % 3, second = (most + 2) % 3;
+  if (normal[most] < 0) std::swap(first, second);
+  std::vector<glm::dvec2> flat;
+  for (const glm::dvec3& corner : corners) flat.emplace_back(corner[first], corner[second]);
+  return flat;
+}
+
+bool isConvex(const std::vector<glm::dvec2>& corners) {
+  const std::size_t count = corners.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (turn(corners[i], corners[(i + 1) % count], corners[(i + 2) % count]) < 0) return false;
+  return true;
+}
+
+Triangles fan(std::size_t corners) {
+  Triangles triangles;
+  for (std::uint32_t i = 2; i < corners; ++i) triangles.push_back({0, i - 1, i});
+  return triangles;
+}
+
+// What is left of a polygon while its ears are cut off.
+class Remainder {
+ public:
+  explicit Remainder(std::vector<glm::dvec2> corners)
+      : corners_(std::move(corners)),
+        count_(corners_.size()),
+        next_(count_),
+        previous_(count_),
+        isEar_(count_) {
+    std::iota(next_.begin(), next_.end(), 1u);
+    std::iota(previous_.begin() + 1, previous_.end(), 0u);
+    next_.back() = 0;
+    previous_.front() = static_cast<std::uint32_t>(count_ - 1);
+    for (std::uint32_t i = 0; i < count_; ++i) isEar_[i] = findsEar(i);
+  }
+
+  Triangles cut() {
+    Triangles triangles;
+    for (std::uint32_t corner = 0; count_ >= 3; --count_) {
+      corner = nextEar(corner);
+      const std::uint32_t before = previous_[corner], after = next_[corner];
+      triangles.push_back({before, corner, after});
+      next_[before] = after;
+      previous_[after] = before;
+      // No other corner becomes an ear or ceases to be one.
+      isEar_[before] = findsEar(before);
+      isEar_[after] = findsEar(after);
+      // Not the neighbour, or a fan of slivers would come.
+      corner = next_[after];
+    }
+    return triangles;
+  }
+
+ private:
+  double turnAt(std::uint32_t i) const {
+    return turn(corners_[previous_[i]], corners_[i], corners_[next_[i]]);
+  }
+
+  // Whether nothing lies in the triangle at the corner. If anything does, a corner does that turns
+  // right.
+  bool findsEar(std::uint32_t i) const {
+    const glm::dvec2 &a = corners_[previous_[i]], &b = corners_[i], &c = corners_[next_[i]];
+    if (turn(a, b, c) <= 0) return false;
+    for (std::uint32_t k = next_[next_[i]]; k != previous_[i]; k = next_[k]) {
+      const glm::dvec2& p = corners_[k];
+      if (turn(a, b, p) < 0 || turn(b, c, p) < 0 || turn(c, a, p) < 0) continue;
+      // Where a cut leads to a hole, corners stand on one another.
+      if (p == a || p == b || p == c) continue;
+      if (turnAt(k) <= 0) return false;
+    }
+    return true;
+  }
+
+  // From a corner on. Without ears, what is left is flat or crosses itself.
+  std::uint32_t nextEar(std::uint32_t from) const {
+    std::uint32_t straight = from;
+    for (std::size_t i = 0; i < count_; ++i, from = next_[from]) {
+      if (isEar_[from]) return from;
+      if (turnAt(from) == 0) straight = from;
+    }
+    return straight;
+  }
+
+  std::vector<glm::dvec2> corners_;
+  std::size_t count_;
+  std::vector<std::uint32_t> next_, previous_;
+  std::vector<bool> isEar_;
+};
+
+}  // namespace
+
+Triangles trianglesOfPolygon(const std::vector<glm::dvec3>& corners) {
+  if (corners.size() <= 3 || corners.size() > mostCutCorners) return fan(corners.size());
+  std::vector<glm::dvec2> flat = flattened(corners);
+  if (isConvex(flat)) return fan(corners.size());
+  return Remainder(std::move(flat)).cut();
+}
+
+}  // namespace warpjet

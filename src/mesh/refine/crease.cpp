@@ -1,0 +1,78 @@
+#include "mesh/refine/crease.hpp"
+
+#include <utility>
+
+#include "mesh/surface/blend.hpp"
+#include "mesh/surface/points.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// Then a thousandth of the way is left, of an edge that is short already.
+constexpr int mostHalvings = 10;
+
+Weights halfway(const Weights& a, const Weights& b) {
+  return {0.5f * (a[0] + b[0]), 0.5f * (a[1] + b[1]), 0.5f * (a[2] + b[2])};
+}
+
+struct Search {
+  std::size_t turn;
+  Weights from, to;
+  glm::vec3 normalFrom{}, normalTo{};
+};
+
+constexpr std::array<Weights, 3> cornerWeights{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+}  // namespace
+
+std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float angle,
+                            const WarpFunction& warp) {
+  Mesh vertices;
+  for (const Turn& turn : turns) {
+    appendBlend(vertices, mesh, {turn.corners, turn.where});
+    for (const Weights& corner : cornerWeights) appendBlend(vertices, mesh, {turn.corners, corner});
+  }
+  const auto normals = evaluate(vertices, warp, true).normals;
+  std::vector<Search> searches;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const glm::vec3 normal = at(normals, 4 * i);
+    const auto turnOf = [&](std::size_t corner) {
+      return angleBetween(normal, at(normals, 4 * i + 1 + corner));
+    };
+    std::size_t most = 0;
+    for (std::size_t corner = 1; corner < 3; ++corner) {
+      if (turnOf(corner) > turnOf(most)) most = corner;
+    }
+    searches.push_back(
+        {i, turns[i].where, cornerWeights[most], normal, at(normals, 4 * i + 1 + most)});
+  }
+  for (int halving = 0; halving < mostHalvings && !searches.empty(); ++halving) {
+    vertices = {};
+    for (const Search& search : searches)
+      appendBlend(vertices, mesh, {turns[search.turn].corners, halfway(search.from, search.to)});
+    const auto middles = evaluate(vertices, warp, true).normals;
+    std::vector<Search> left;
+    for (std::size_t i = 0; i < searches.size(); ++i) {
+      Search search = searches[i];
+      const Weights middle = halfway(search.from, search.to);
+      const glm::vec3 normal = at(middles, i);
+      const float before = angleBetween(search.normalFrom, normal);
+      const float after = angleBetween(normal, search.normalTo);
+      if (before > after) {
+        search.to = middle;
+        search.normalTo = normal;
+      } else {
+        search.from = middle;
+        search.normalFrom = normal;
+      }
+      if (std::max(before, after) > angle / 2) left.push_back(search);
+    }
+    searches = std::move(left);
+  }
+  std::vector<bool> hasJump(turns.size());
+  for (const Search& search : searches) hasJump[search.turn] = true;
+  return hasJump;
+}
+
+}  // namespace warpjet

@@ -1,0 +1,209 @@
+#include "mesh/refine/refiner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesh/surface/blend.hpp"
+#include "mesh/surface/points.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// Each pass halves edges, so floats run out of places between two positions long before.
+constexpr int maxPasses = 64;
+
+// Vertices that go to the warp at once.
+constexpr std::size_t batchSize = 1 << 14;
+
+// The first look: what is coarse is sampled more densely, so many samples for all edges that came,
+// and for all triangles, but no more than so many for one.
+constexpr double edgeSamples = 2048, triangleSamples = 8192;
+constexpr double fewestOfEdge = 3, mostOfEdge = 64, fewestOfTriangle = 1, mostOfTriangle = 512;
+
+// The closer look at what seems well. Triangles are sampled so densely that a bump as wide as a
+// 200th of the mesh is met, unless the mesh is so large that this takes more samples than that. And
+// where the samples were not those of a parabola, so that there may be more between them, there are
+// at least so many.
+constexpr double bumpSamplesAcross = 320, mostBumpSamples = 1 << 20;
+constexpr std::uint32_t doubtSamplesOfEdge = 15, doubtSamplesOfTriangle = 36;
+
+// Normals jump at a crease, however short the edges across it are: so many tolerances, or such a
+// part of the warped mesh, are short enough. Where they do not jump, edges shorter than the other
+// part, which nobody sees, are still not split for them, as the normals of what a warp collapses
+// are those of rounding errors.
+constexpr float creaseTolerances = 8, creasePart = 1 / 64.0f, shortestPart = 1 / 4096.0f;
+
+// An edge that is stretched so much more than the edges that came are on average is torn: where the
+// warp jumps, no number of triangles would be enough.
+constexpr double mostStretch = 256;
+
+void addIfFinite(double& sum, double term) {
+  if (std::isfinite(term)) sum += term;
+}
+
+std::uint32_t sampleCount(double wanted, double fewest, double most) {
+  // The order of the comparison also catches NaN.
+  return static_cast<std::uint32_t>(wanted > fewest ? std::min(std::ceil(wanted), most) : fewest);
+}
+
+// The longest side of a box around it.
+float sizeOf(const std::vector<float>& positions) {
+  std::array<float, 3> low, high;
+  low.fill(std::numeric_limits<float>::infinity());
+  high.fill(-std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (!std::isfinite(positions[i])) continue;
+    low[i % 3] = std::min(low[i % 3], positions[i]);
+    high[i % 3] = std::max(high[i % 3], positions[i]);
+  }
+  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 0.0f});
+}
+
+}  // namespace
+
+Refiner::Refiner(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp)
+    : refinement_(refinement), warp_(warp), surface_(mesh) {
+  refinement_.maxTriangles = std::min(refinement_.maxTriangles, mostTriangles);
+}
+
+Refined Refiner::run() && {
+  warpNewVertices();
+  findScale();
+  for (int pass = 0;; ++pass) {
+    measureSides();
+    measureInsides();
+    const auto edges = pass < maxPasses ? chooseEdges() : std::vector<std::uint32_t>{};
+    if (edges.empty()) break;
+    surface_.addMiddles(edges);
+    warpNewVertices();
+    surface_.divide(warped_.positions);
+  }
+  Off worst;
+  for (std::size_t i = 0; i < needs_.size(); ++i) {
+    if (surface_.edges()[i].uses > 0) worst.raise(needs_[i].off);
+  }
+  for (const Triangle& triangle : surface_.triangles())
+    worst.raise({triangle.distance, triangle.angle});
+  worst.distance = std::max(worst.distance, unresolved_);
+  return {std::move(surface_).takeMesh(),
+          worst.distance <= refinement_.tolerance,
+          worst.angle <= refinement_.angle,
+          worst.distance,
+          worst.angle,
+          isFull_,
+          isDefined_};
+}
+
+void Refiner::warpNewVertices() {
+  const Mesh& mesh = surface_.mesh();
+  while (warped_.positions.size() < mesh.positions.size()) {
+    const std::size_t first = warped_.positions.size() / 3;
+    const std::size_t end = std::min(first + batchSize, mesh.vertexCount());
+    // Whether the warp gives normals, its first call tells.
+    const bool mayHaveNormals = first == 0 && !std::isinf(refinement_.angle);
+    Moved moved = warp_(slice(mesh, first, end));
+    if (mayHaveNormals) hasNormals_ = !moved.normals.empty();
+    fit(moved, end - first, hasNormals_);
+    warped_.positions.insert(warped_.positions.end(), moved.positions.begin(),
+                             moved.positions.end());
+    warped_.normals.insert(warped_.normals.end(), moved.normals.begin(), moved.normals.end());
+  }
+}
+
+void Refiner::findScale() {
+  const Mesh& mesh = surface_.mesh();
+  double length = 0, warpedLength = 0, area = 0;
+  for (const Side& side : surface_.sides()) {
+    addIfFinite(length, distance(mesh.positions, side.ends[0], side.ends[1]));
+    addIfFinite(warpedLength, distance(warped_.positions, side.ends[0], side.ends[1]));
+  }
+  for (const Triangle& triangle : surface_.triangles())
+    addIfFinite(area, surface_.areaOf(triangle.corners));
+  const double across = bumpSamplesAcross / sizeOf(mesh.positions);
+  samplesOfLength_ = edgeSamples / length;
+  samplesOfArea_ = triangleSamples / area;
+  bumpSamplesOfArea_ = std::min(across * across, mostBumpSamples / area);
+  tear_ = mostStretch * std::max(1.0, warpedLength / length);
+  const float warpedSize = sizeOf(warped_.positions);
+  crease_ = std::min(creaseTolerances * refinement_.tolerance, creasePart * warpedSize);
+  shortest_ = shortestPart * warpedSize;
+}
+
+void Refiner::measureSides() {
+  const auto& sides = surface_.sides();
+  const auto& positions = surface_.mesh().positions;
+  std::vector<Piece> pieces;
+  std::vector<Scrutiny> scrutinies;
+  needs_.resize(surface_.edges().size());
+  middles_.positions.resize(3 * sides.size());
+  middles_.normals.resize(hasNormals_ ? 3 * sides.size() : 0);
+  for (std::uint32_t i = measuredSides_; i < sides.size(); ++i) {
+    const auto& [a, b] = sides[i].ends;
+    const float length = distance(positions, a, b);
+    if (length == 0) continue;  // as at the poles of many spheres
+    const float warpedLength = distance(warped_.positions, a, b);
+    pieces.push_back(
+        {{a, b, a}, {i, i, i}, sampleCount(length * samplesOfLength_, fewestOfEdge, mostOfEdge)});
+    scrutinies.push_back({doubtSamplesOfEdge, 0, warpedLength});
+    const bool isTorn = warpedLength > tear_ * length;
+    const std::uint32_t edge = sides[i].edge;
+    if (isTorn || !hasRoom(surface_.edges()[edge])) needs_[edge].canSplit = false;
+  }
+  measuredSides_ = static_cast<std::uint32_t>(sides.size());
+  const auto findings = look(pieces, scrutinies);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    Need& need = needs_[sides[pieces[i].sides[0]].edge];
+    need.score = std::max(need.score, findings[i].score);
+    need.off.raise(findings[i].off);
+  }
+}
+
+// What is off inside, although the sides are not, is split through the longest side.
+void Refiner::measureInsides() {
+  std::vector<std::size_t> triangles;
+  std::vector<Piece> pieces;
+  std::vector<Scrutiny> scrutinies;
+  for (std::size_t i = 0; i < surface_.triangles().size(); ++i) {
+    const Triangle& triangle = surface_.triangles()[i];
+    if (triangle.isMeasured || hasWantedSide(triangle) || isTorn(triangle)) continue;
+    const double area = surface_.areaOf(triangle.corners);
+    if (area == 0) continue;
+    const auto& [a, b] = surface_.sides()[triangle.sides[triangle.longest]].ends;
+    triangles.push_back(i);
+    pieces.push_back({triangle.corners, triangle.sides,
+                      sampleCount(area * samplesOfArea_, fewestOfTriangle, mostOfTriangle)});
+    scrutinies.push_back({doubtSamplesOfTriangle,
+                          sampleCount(area * bumpSamplesOfArea_, 0, mostBumpSamples),
+                          distance(warped_.positions, a, b)});
+  }
+  const auto findings = look(pieces, scrutinies);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Triangle& triangle = surface_.triangles()[triangles[i]];
+    Need& need = needs_[surface_.edgeNumber(triangle, triangle.longest)];
+    need.score = std::max(need.score, findings[i].score);
+    surface_.setMeasured(triangles[i], findings[i].off.distance, findings[i].off.angle);
+  }
+}
+
+bool Refiner::hasWantedSide(const Triangle& triangle) const {
+  return std::any_of(triangle.sides.begin(), triangle.sides.end(), [&](std::uint32_t side) {
+    return needs_[surface_.sides()[side].edge].isWanted();
+  });
+}
+
+// Nothing inside gets better by splitting what is left to split.
+bool Refiner::isTorn(const Triangle& triangle) const {
+  return std::any_of(triangle.sides.begin(), triangle.sides.end(), [&](std::uint32_t side) {
+    return !needs_[surface_.sides()[side].edge].canSplit;
+  });
+}
+
+bool Refiner::hasRoom(const Edge& edge) const {
+  const Position middle = surface_.middleOf(edge);
+  return middle != surface_.endOf(edge, 0) && middle != surface_.endOf(edge, 1);
+}
+
+}  // namespace warpjet

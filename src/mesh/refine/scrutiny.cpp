@@ -1,0 +1,95 @@
+// How the refiner judges pieces: a first look at all, and a closer one at those that seem well.
+#include <algorithm>
+#include <utility>
+
+#include "mesh/refine/crease.hpp"
+#include "mesh/refine/refiner.hpp"
+#include "mesh/surface/points.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// What the closer look may have missed, as a share of what still surprises.
+constexpr float doubtLeft = 0.25f;
+
+}  // namespace
+
+std::vector<Refiner::Finding> Refiner::look(std::span<const Piece> pieces,
+                                            std::span<const Scrutiny> scrutinies) {
+  auto deviations = measure(surface_.mesh(), warped_, middles_, pieces, warp_);
+  std::vector<Finding> findings(pieces.size());
+  findCreases(pieces, scrutinies, deviations, findings);
+
+  std::vector<Piece> closer;
+  std::vector<std::size_t> numbers;
+  std::vector<bool> isInDoubt;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (findings[i].score > 1) continue;
+    const float surprise = score(deviations[i].surprise, countsAngle(findings[i], scrutinies[i]));
+    const bool mayBeMore = findings[i].score + 4 * surprise > 1;
+    const std::uint32_t samples =
+        std::max(scrutinies[i].always, mayBeMore ? scrutinies[i].inDoubt : 0);
+    if (samples <= pieces[i].samples) continue;
+    // The others of an edge lie elsewhere when there are more.
+    const std::uint32_t known = pieces[i].isEdge() ? 1 : pieces[i].samples;
+    closer.push_back({pieces[i].corners, pieces[i].sides, samples, known});
+    numbers.push_back(i);
+    isInDoubt.push_back(mayBeMore);
+  }
+  const auto again = measure(surface_.mesh(), warped_, middles_, closer, warp_);
+  for (std::size_t i = 0; i < closer.size(); ++i) {
+    Deviation& deviation = deviations[numbers[i]];
+    if (again[i].most.angle > deviation.most.angle) deviation.where = again[i].where;
+    deviation.most.raise(again[i].most);
+    deviation.surprise.raise(again[i].surprise);
+    deviation.unresolved = std::max(deviation.unresolved, again[i].unresolved);
+    deviation.isDefined = deviation.isDefined && again[i].isDefined;
+  }
+  findCreases(pieces, scrutinies, deviations, findings);
+  for (std::size_t i = 0; i < closer.size(); ++i) {
+    Finding& finding = findings[numbers[i]];
+    if (isInDoubt[i])
+      finding.score += doubtLeft * score(deviations[numbers[i]].surprise,
+                                         countsAngle(finding, scrutinies[numbers[i]]));
+  }
+  for (const Deviation& deviation : deviations) note(deviation);
+  return findings;
+}
+
+// And the scores, in which the angle across a crease does not count.
+void Refiner::findCreases(std::span<const Piece> pieces, std::span<const Scrutiny> scrutinies,
+                          std::span<const Deviation> deviations,
+                          std::vector<Finding>& findings) const {
+  std::vector<Turn> turns;
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    findings[i].off = deviations[i].most;
+    if (!countsAngle(findings[i], scrutinies[i]) || scrutinies[i].warpedLength > crease_ ||
+        findings[i].off.angle <= refinement_.angle)
+      continue;
+    turns.push_back({pieces[i].corners, deviations[i].where});
+    numbers.push_back(i);
+  }
+  const auto hasJump = findJumps(surface_.mesh(), turns, refinement_.angle, warp_);
+  for (std::size_t i = 0; i < turns.size(); ++i) findings[numbers[i]].isCreased = hasJump[i];
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    findings[i].score = score(findings[i].off, countsAngle(findings[i], scrutinies[i]));
+}
+
+void Refiner::note(const Deviation& deviation) {
+  isDefined_ = isDefined_ && deviation.isDefined;
+  if (deviation.unresolved > refinement_.tolerance)
+    unresolved_ = std::max(unresolved_, deviation.unresolved);
+}
+
+bool Refiner::countsAngle(const Finding& finding, const Scrutiny& scrutiny) const {
+  return !finding.isCreased && scrutiny.warpedLength > shortest_;
+}
+
+float Refiner::score(const Off& off, bool countsAngle) const {
+  return std::max(off.distance / refinement_.tolerance,
+                  countsAngle ? off.angle / refinement_.angle : 0);
+}
+
+}  // namespace warpjet

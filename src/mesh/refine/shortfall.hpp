@@ -1,0 +1,13 @@
+// What a subdivision did not reach, in sentences.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/refine/subdivide.hpp"
+
+namespace warpjet {
+
+std::vector<std::string> shortfallOf(const Refined& refined, const Refinement& refinement);
+
+}  // namespace warpjet

@@ -1,3 +1,0 @@
-// The one place where tinygltf is compiled.
-#define TINYGLTF_IMPLEMENTATION
-#include "mesh/tinygltf.hpp"
