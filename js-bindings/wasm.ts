@@ -78,14 +78,16 @@ function refusal(cause: unknown): string | undefined {
 function decode({ letters, order, text }: Inlined): Uint8Array<ArrayBuffer> {
   const ranks = new Uint8Array(128)
   for (let i = 0; i < letters.length; i++) ranks[letters.charCodeAt(i)] = i
-  const single = letters.length - 2
-  const bytes = new Uint8Array(text.length)
+  const ordered = Uint8Array.from(order)
+  const count = letters.length
+  const single = count - 2
+  // In place, for there are no more bytes than letters; typed arrays take half as long as the text and an array would.
+  const bytes = new TextEncoder().encode(text)
   let size = 0
-  for (let i = 0; i < text.length; i++) {
-    let rank = ranks[text.charCodeAt(i)]!
-    if (rank >= single)
-      rank = single + (rank - single) * letters.length + ranks[text.charCodeAt(++i)]!
-    bytes[size++] = order[rank]!
+  for (let i = 0; i < bytes.length; i++) {
+    let rank = ranks[bytes[i]!]!
+    if (rank >= single) rank = single + (rank - single) * count + ranks[bytes[++i]!]!
+    bytes[size++] = ordered[rank]!
   }
   return bytes.subarray(0, size)
 }
