@@ -1,8 +1,7 @@
-# WebAssembly build: for each module NAME.wasm, which .scripts/build.mjs inlines, and but for the core NAME.mjs, a factory.
+# WebAssembly build: for each module NAME.wasm, which .scripts/build.mjs inlines, and for the mesh's mesh.mjs, a factory.
 #   core        the compiler; no SIMD, so that it runs wherever WebAssembly does
 #   evaluation  programs over many vertices
 #   mesh        files of meshes, and what is done to meshes
-# And unpack.wasm, which unpacks the others.
 
 # What runs once per warp, or per name in it, is compiled for size; what runs per node stays at -O3
 # (-Os everywhere made a warp of 3,000 nodes six times slower), but for what of it was no slower when it was small:
@@ -37,84 +36,59 @@ else()
   set(stack_setting STACK_SIZE)
 endif()
 
-# warpjet_module(NAME SOURCES... LINK_OPTIONS...)
-function(warpjet_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 module "" "" "SOURCES;LINK_OPTIONS")
+# warpjet_module(NAME SUFFIX SOURCE): what all three have in common.
+function(warpjet_module name suffix source)
   set(target warpjet_${name}_wasm)
-  add_executable(${target} ${module_SOURCES})
+  add_executable(${target} ${source})
   target_link_libraries(${target} PRIVATE warpjet_core)
-  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} SUFFIX .mjs)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} SUFFIX ${suffix})
   target_link_options(${target} PRIVATE
     -flto                                 # see CMakeLists.txt
     --no-entry                            # a library: there is no main()
-    -sMODULARIZE                          # a factory: nothing happens at import, nothing global
-    -sEXPORT_ES6                          # `export default factory`, for the bundler
-    -sENVIRONMENT=web                     # the glue for Node does not run as an ES module in 3.1.6; with the bytes handed in, this one runs in both
-    -sWASM_ASYNC_COMPILATION=0            # the factory returns the module itself, no promise: createWarp works in a plain setup()
-    -sDYNAMIC_EXECUTION=0                 # no `new Function`: pages with a strict Content-Security-Policy work
-    -sINCOMING_MODULE_JS_API=wasmBinary   # the only option that we pass; the code for the others goes away
     -sALLOW_MEMORY_GROWTH                 # graphs and meshes of any size
-    -sMALLOC=emmalloc                     # the smallest allocator that frees
-    -sTEXTDECODER=2                       # every browser has one
     -sSUPPORT_ERRNO=0                     # nothing reads it
-    -sFILESYSTEM=0                        # nothing reads files
-    -sASSERTIONS=0
-    ${module_LINK_OPTIONS})
+    -sFILESYSTEM=0)                       # nothing reads files
 endfunction()
 
-# Without Emscripten's JavaScript; js-bindings/core-module.ts has what is imported: C's mathematics, for folding constants
-# (16 KB less than musl's), and embind, for the few rich calls, without libembind and type_info, which know every type.
-add_executable(warpjet_core_wasm js-bindings/bindings.cpp .cmake/math.cpp)
-target_link_libraries(warpjet_core_wasm PRIVATE warpjet_core)
-set_target_properties(warpjet_core_wasm PROPERTIES OUTPUT_NAME core SUFFIX .wasm)
-target_compile_options(warpjet_core_wasm PRIVATE -fno-exceptions -fno-rtti)
-target_compile_options(warpjet_core PRIVATE -fno-rtti)
-target_compile_definitions(warpjet_core_wasm PRIVATE EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
-target_link_options(warpjet_core_wasm PRIVATE
-  -flto
-  --no-entry
-  -fno-exceptions                       # no exception crosses the border: a throw that is left in the code does not link
-  "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"  # not simd128: it does not link if it got in
-  -sALLOW_MEMORY_GROWTH
-  -sMALLOC=emmalloc
-  -sSUPPORT_ERRNO=0
-  -sFILESYSTEM=0
-  -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
-  -s${stack_setting}=262144
-  -sJS_MATH
-  -sWARN_ON_UNDEFINED_SYMBOLS=0         # embind's, which emcc does not know without --bind; a wrong one fails at the first warp
-  -sERROR_ON_UNDEFINED_SYMBOLS=0)
-
-warpjet_module(evaluation
-  SOURCES js-bindings/evaluation.cpp
-  LINK_OPTIONS
+# Two that need none of Emscripten's JavaScript: js-bindings/wasm.ts has the little that they import. No exception crosses
+# the border: a throw that is left in the code does not link.
+warpjet_module(core .wasm js-bindings/bindings.cpp)
+warpjet_module(evaluation .wasm js-bindings/evaluation.cpp)
+foreach(target warpjet_core_wasm warpjet_evaluation_wasm)
+  target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
+  target_link_options(${target} PRIVATE
     -fno-exceptions
-    -sINITIAL_MEMORY=2MB
+    -sMALLOC=emmalloc                     # the smallest allocator that frees
+    -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
     -s${stack_setting}=262144)
-target_compile_options(warpjet_evaluation_wasm PRIVATE -fno-exceptions)
+endforeach()
+target_compile_options(warpjet_core PRIVATE -fno-rtti)
+target_link_options(warpjet_core_wasm PRIVATE
+  "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"  # not simd128: it does not link if it got in
+  -sJS_MATH                               # C's mathematics, for folding constants, from JavaScript: 16 KB less than musl's
+  -sWARN_ON_UNDEFINED_SYMBOLS=0           # which that leaves
+  -sERROR_ON_UNDEFINED_SYMBOLS=0)
 
 # A file that lies may ask for any amount of memory and nest as deep as it likes. tinygltf and its JSON parser throw;
 # js-bindings/mesh.cpp catches everything.
-warpjet_module(mesh
-  SOURCES js-bindings/mesh.cpp
-  LINK_OPTIONS
-    --js-library ${PROJECT_SOURCE_DIR}/.cmake/mesh.js
-    -sMALLOC=dlmalloc                     # JSON is many small pieces, for which emmalloc takes half as long again
-    -fwasm-exceptions                     # every current browser has them; -fexceptions leaves C++ at each call that might throw
-    -sMAXIMUM_MEMORY=4GB
-    -sINITIAL_MEMORY=4MB
-    -s${stack_setting}=1048576
-    -Wl,--stack-first)                    # no more stack is a trap, not a write into what lies below it
+warpjet_module(mesh .mjs js-bindings/mesh.cpp)
 target_link_libraries(warpjet_mesh_wasm PRIVATE warpjet_mesh)
 set_target_properties(warpjet_mesh_wasm PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/mesh.js)
 target_compile_options(warpjet_mesh_wasm PRIVATE -fwasm-exceptions)
 target_compile_options(warpjet_mesh PRIVATE -fwasm-exceptions)
-
-# Alone and without JavaScript. A stack this small and a few models fit one page of memory.
-add_executable(warpjet_unpack_wasm js-bindings/unpack.cpp)
-set_target_properties(warpjet_unpack_wasm PROPERTIES OUTPUT_NAME unpack SUFFIX .wasm)
-set_source_files_properties(js-bindings/unpack.cpp PROPERTIES COMPILE_OPTIONS -Oz)
-target_compile_options(warpjet_unpack_wasm PRIVATE -fno-exceptions -fno-rtti)
-target_link_options(warpjet_unpack_wasm PRIVATE
-  -Oz -flto --no-entry -sSUPPORT_ERRNO=0 -sFILESYSTEM=0 -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=64KB -s${stack_setting}=1024
-  -Wl,--export=__heap_base)
+target_link_options(warpjet_mesh_wasm PRIVATE
+  --js-library ${PROJECT_SOURCE_DIR}/.cmake/mesh.js
+  -sMODULARIZE                            # a factory: nothing happens at import, nothing global
+  -sEXPORT_ES6                            # `export default factory`, for the bundler
+  -sENVIRONMENT=web                       # the glue for Node does not run as an ES module in 3.1.6; with the bytes handed in, this one runs in both
+  -sWASM_ASYNC_COMPILATION=0              # the factory returns the module itself, no promise
+  -sDYNAMIC_EXECUTION=0                   # no `new Function`: pages with a strict Content-Security-Policy work
+  -sINCOMING_MODULE_JS_API=wasmBinary     # the only option that we pass; the code for the others goes away
+  -sTEXTDECODER=2                         # every browser has one
+  -sASSERTIONS=0
+  -sMALLOC=dlmalloc                       # JSON is many small pieces, for which emmalloc takes half as long again
+  -fwasm-exceptions                       # every current browser has them; -fexceptions leaves C++ at each call that might throw
+  -sMAXIMUM_MEMORY=4GB
+  -sINITIAL_MEMORY=4MB
+  -s${stack_setting}=1048576
+  -Wl,--stack-first)                      # no more stack is a trap, not a write into what lies below it

@@ -1,6 +1,8 @@
-// npm run bench:generate: how long a warp takes to generate, by the number of builder nodes. The work is p5.warp's
-// "complex" stress test: sines of random coordinates with random constants, added up in random components.
+// npm run bench:generate: how long a warp takes to generate, by the number of builder nodes, and how long the first one
+// waits for warpjet itself. The work is p5.warp's "complex" stress test: sines of random coordinates with random constants,
+// added up in random components.
 import { performance } from 'node:perf_hooks'
+import { measureStartUp } from './bench/start-up.mjs'
 import { build } from './build.mjs'
 
 await build()
@@ -61,3 +63,10 @@ const report = (name, callback) =>
   console.log(name, medianMilliseconds(() => compile(callback), 5).toFixed(2), 'ms')
 report('v = v * v + v, 40 times:', square(40))
 report('a chain of 100,000 sines:', sineChain(100_000))
+
+console.log('\nstart-up, median ms of 15')
+for (const { where, stages } of await measureStartUp()) {
+  console.log(where)
+  for (const [stage, time] of Object.entries(stages))
+    console.log(`  ${stage.padEnd(16)} ${time.toFixed(1).padStart(6)}`)
+}

@@ -3,6 +3,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { declarations, declareTypes } from './lib/declarations.mjs'
 import { path, step, walk } from './lib/files.mjs'
+import { inline } from './lib/inline.mjs'
 import { locked } from './lib/lock.mjs'
 import { reportSizes } from './lib/sizes.mjs'
 import { Stop, isMain, main } from './lib/terminal.mjs'
@@ -15,15 +16,13 @@ const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
 // Of .cmake/wasm.cmake.
-const withGlue = ['evaluation', 'mesh']
-const packed = ['core', ...withGlue]
-const compiled = [
-  ...withGlue.map((name) => `.build/wasm/${name}.mjs`),
-  ...[...packed, 'unpack'].map((name) => `.build/wasm/${name}.wasm`),
-]
+const inlined = ['core', 'evaluation', 'mesh']
+const compiled = ['mesh.mjs', ...inlined.map((name) => `${name}.wasm`)].map(
+  (name) => `.build/wasm/${name}`,
+)
 
 const shared = ['text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
-const single = ['warpjet', 'mesh', 'p5.warpjet', 'warpjet.deformers']
+const single = ['warpjet', 'mesh', 'p5.warpjet', 'p5.warpjet.slim', 'warpjet.deformers']
 const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,
 )
@@ -42,7 +41,6 @@ async function buildAll() {
       'CMakePresets.json',
       '.cmake/wasm.cmake',
       '.cmake/mesh.js',
-      '.cmake/math.cpp',
       'src',
       ...sources(/\.[ch]pp$/),
     ],
@@ -52,11 +50,9 @@ async function buildAll() {
 
   await step('WebAssembly as JavaScript', {
     inputs: [...scripts, 'package.json', ...compiled],
-    outputs: [
-      ...withGlue.map((name) => `${name}.js`),
-      ...[...packed, 'unpack'].map((name) => `${name}-wasm.js`),
-      'version.ts',
-    ].map((name) => `${generated}/${name}`),
+    outputs: ['mesh.js', ...inlined.map((name) => `${name}-wasm.js`), 'version.ts'].map(
+      (name) => `${generated}/${name}`,
+    ),
     work: generateModules,
   })
 
@@ -76,39 +72,31 @@ async function buildAll() {
     work: declareTypes,
   })
 
-  reportSizes(walk('dist', /\.js$/), { 'dist/p5.warpjet.min.js': 150 * 1024 })
+  reportSizes(walk('dist', /\.js$/))
 }
 
-async function generateModules() {
+function generateModules() {
   mkdirSync(path(generated), { recursive: true })
-  withGlue.forEach(generateGlue)
-  // Base64 hides the repetitions from the server's gzip, so they are taken out before.
-  const { LZMA } = (await import('lzma')).default
-  for (const name of packed) writeBase64(name, LZMA().compress(readWasm(name), 9))
-  writeBase64('unpack', readWasm('unpack'))
+  // Any bundler takes it: the wasm is handed in, so its address never matters.
+  const glue = readFileSync(path('.build/wasm/mesh.mjs'), 'utf8')
+  writeGenerated('mesh.js', glue.replaceAll('import.meta.url', '"file:///"'))
+  writeGenerated(
+    'mesh.d.ts',
+    'export default function instantiate<Module>(options: { wasmBinary: Uint8Array }): Module\n',
+  )
+  for (const name of inlined) {
+    const text = JSON.stringify(inline(readFileSync(path(`.build/wasm/${name}.wasm`))))
+    writeGenerated(`${name}-wasm.js`, `export default ${text}\n`)
+    writeGenerated(
+      `${name}-wasm.d.ts`,
+      "declare const inlined: import('../wasm.js').Inlined\nexport default inlined\n",
+    )
+  }
   const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
   writeGenerated(
     'version.ts',
     `/** The version of this package. */\nexport const version: string = '${version}'\n`,
   )
-}
-
-const readWasm = (name) => readFileSync(path(`.build/wasm/${name}.wasm`))
-
-/** The compiler's output as a module that any bundler takes: the wasm is handed in, so its address never matters. */
-function generateGlue(name) {
-  const glue = readFileSync(path(`.build/wasm/${name}.mjs`), 'utf8')
-  writeGenerated(`${name}.js`, glue.replaceAll('import.meta.url', '"file:///"'))
-  writeGenerated(
-    `${name}.d.ts`,
-    'export default function instantiate<Module>(options: { wasmBinary: Uint8Array }): Module\n',
-  )
-}
-
-function writeBase64(name, bytes) {
-  const base64 = Buffer.from(bytes).toString('base64')
-  writeGenerated(`${name}-wasm.js`, `export default '${base64}'\n`)
-  writeGenerated(`${name}-wasm.d.ts`, 'declare const base64: string\nexport default base64\n')
 }
 
 const writeGenerated = (name, text) => writeFileSync(path(generated, name), text)

@@ -96,17 +96,26 @@ export const singleModules = [
   single('js-bindings/mesh.ts', 'mesh.min.js', 'es'),
 ]
 
-/** Files for <script> tags, when those modules are there; `alias` names modules that are others in them. */
-export const scripts = () => [
-  single('js-bindings/p5.global.ts', 'p5.warpjet.min.js', 'iife', {
+/** `alias` names modules that are others in it. */
+const p5Script = (fileName, alias = []) =>
+  single('js-bindings/p5.global.ts', fileName, 'iife', {
     // What reads models is fetched when it is needed.
     resolve: {
       alias: [
         { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
+        ...alias,
       ],
     },
     define: { meshIntegrity: JSON.stringify(integrityOf('dist/mesh.min.js')) },
-  }),
+  })
+
+/** Files for <script> tags, when those modules are there. */
+export const scripts = () => [
+  p5Script('p5.warpjet.min.js'),
+  // Without what runs warps on the CPU.
+  p5Script('p5.warpjet.slim.min.js', [
+    { find: './compile-warp.js', replacement: path('js-bindings/compile-warp-text.ts') },
+  ]),
   single('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js', 'iife', {
     resolve: {
       alias: [{ find: /^\.\.?\/errors\.js$/, replacement: path('js-bindings/errors.global.ts') }],

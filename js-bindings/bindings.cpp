@@ -1,8 +1,7 @@
-// The border to JavaScript. What happens once per operation is plain C with numbers only, since an
-// embind call with texts costs forty times as much; what happens once per warp or name goes through
-// embind. No exception crosses: a problem is a sentence, and the JavaScript side throws it.
+// The border to JavaScript: plain C. What happens once per operation has numbers only; texts, once
+// per warp or name, are strings that the JavaScript side makes before a call and releases after it.
+// No exception crosses: a problem is a sentence, and the JavaScript side throws it.
 #include <emscripten.h>
-#include <emscripten/bind.h>
 #include <emscripten/emmalloc.h>
 
 #include <cstdint>
@@ -41,9 +40,43 @@ struct Reading {
 
 NodeId toNode(int id) { return NodeId{static_cast<std::uint32_t>(id)}; }
 
+// Whoever asked releases it.
+const std::string* told(std::string text) { return new std::string(std::move(text)); }
+
+// Columns, rows, number and name.
+std::string line(Shape shape, std::uint32_t number, const std::string& name) {
+  return std::to_string(shape.columns) + ' ' + std::to_string(shape.rows) + ' ' +
+         std::to_string(number) + ' ' + name + '\n';
+}
+
 }  // namespace
 
 extern "C" {
+
+EMSCRIPTEN_KEEPALIVE std::string* makeText(int size) {
+  return new std::string(static_cast<std::size_t>(size), '\0');
+}
+
+EMSCRIPTEN_KEEPALIVE const char* textAddress(const std::string* text) { return text->data(); }
+
+EMSCRIPTEN_KEEPALIVE int textSize(const std::string* text) {
+  return static_cast<int>(text->size());
+}
+
+EMSCRIPTEN_KEEPALIVE void releaseText(const std::string* text) { delete text; }
+
+// The names of all operations in the order of their numbers; of constructors with a `+` before it.
+EMSCRIPTEN_KEEPALIVE const std::string* operationNames() {
+  std::string names;
+  for (const Operation& operation : operations) {
+    if (!names.empty()) names += ' ';
+    if (operation.isConstructor()) names += '+';
+    names += operation.name;
+  }
+  return told(names);
+}
+
+EMSCRIPTEN_KEEPALIVE Session* openSession() { return new Session; }
 
 EMSCRIPTEN_KEEPALIVE int constant(Session* session, double value) {
   return session->builder.constant(value);
@@ -67,6 +100,43 @@ EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int oct
 
 EMSCRIPTEN_KEEPALIVE int swizzle(Session* session, int handle, int count, int indices) {
   return session->builder.swizzle(handle, count, static_cast<unsigned>(indices));
+}
+
+EMSCRIPTEN_KEEPALIVE const std::string* problem(Session* session) {
+  return told(session->builder.problem());
+}
+
+EMSCRIPTEN_KEEPALIVE int input(Session* session, const std::string* method,
+                               const std::string* label, int columns, int rows) {
+  return session->builder.input(*method, *label, matrixOf(columns, rows));
+}
+
+EMSCRIPTEN_KEEPALIVE int callTexture(Session* session, const std::string* image, int filter,
+                                     int wrap) {
+  return session->builder.callTexture({Filter(filter), Wrap(wrap)}, *image);
+}
+
+EMSCRIPTEN_KEEPALIVE void addSource(Session* session, const std::string* family,
+                                    const std::string* text) {
+  session->sources.push_back({*family, *text});
+}
+
+EMSCRIPTEN_KEEPALIVE int addFunction(Session* session, const std::string* name, int arity) {
+  return session->builder.addFunction(*name, std::exchange(session->sources, {}), arity);
+}
+
+EMSCRIPTEN_KEEPALIVE void comment(Session* session, const std::string* text) {
+  session->builder.comment(*text);
+}
+
+EMSCRIPTEN_KEEPALIVE void output(Session* session, const std::string* method,
+                                 const std::string* name, int handle) {
+  session->builder.output(*method, *name, handle);
+}
+
+// Of the values pushed; see Builder::warp.
+EMSCRIPTEN_KEEPALIVE int warp(Session* session, const std::string* method, int turns, int isFlat) {
+  return session->builder.warp(*method, {turns != 0, isFlat != 0});
 }
 
 // The calls whose partial derivatives are needed, by their place.
@@ -124,6 +194,59 @@ EMSCRIPTEN_KEEPALIVE Reading* openReading(const std::uint32_t* words, int size) 
 }
 
 EMSCRIPTEN_KEEPALIVE void closeReading(Reading* reading) { delete reading; }
+
+EMSCRIPTEN_KEEPALIVE void nameInput(Reading* reading, int number, const std::string* text) {
+  reading->options.inputs.push_back({static_cast<std::uint32_t>(number), *text});
+}
+
+EMSCRIPTEN_KEEPALIVE void nameResult(Reading* reading, int number, const std::string* text) {
+  reading->options.results.push_back({static_cast<std::uint32_t>(number), *text});
+}
+
+// Whether there is a text. A depth of 0 leaves it to us.
+EMSCRIPTEN_KEEPALIVE int writeText(Reading* reading, const std::string* target, int maxDepth) {
+  if (maxDepth > 0) reading->options.emit = {maxDepth, EmitOptions::mostReads};
+  Written written = write(reading->module, *findDialect(*target), reading->options);
+  reading->problem = written.problem;
+  if (written.text) reading->text = std::move(*written.text);
+  return written.text.has_value();
+}
+
+EMSCRIPTEN_KEEPALIVE const std::string* readingProblem(Reading* reading) {
+  return told(reading->problem);
+}
+EMSCRIPTEN_KEEPALIVE const std::string* code(Reading* reading) {
+  return told(reading->text.emitted.code);
+}
+EMSCRIPTEN_KEEPALIVE const std::string* declarations(Reading* reading) {
+  return told(reading->text.declarations);
+}
+
+// The host's expressions that the text reads, a line each.
+EMSCRIPTEN_KEEPALIVE const std::string* inputLines(Reading* reading) {
+  std::string lines;
+  for (const auto& [number, text] : reading->text.inputs)
+    lines += line(reading->module.graph.input(number).shape, number, text);
+  return told(lines);
+}
+
+// All that there are, in the order in which a program wants their numbers.
+EMSCRIPTEN_KEEPALIVE const std::string* allInputLines(Reading* reading) {
+  const Graph& graph = reading->module.graph;
+  std::string lines;
+  for (std::uint32_t i = 0; i < graph.inputCount(); ++i)
+    lines += line(graph.input(i).shape, i, graph.input(i).label);
+  return told(lines);
+}
+
+EMSCRIPTEN_KEEPALIVE const std::string* outputLines(Reading* reading) {
+  std::string lines;
+  for (std::uint32_t i = 0; i < reading->module.outputs.size(); ++i) {
+    const Output& output = reading->module.outputs[i];
+    lines += line(output.shape, i, output.name);
+  }
+  return told(lines);
+}
 
 EMSCRIPTEN_KEEPALIVE int nodeCount(Reading* reading) {
   return static_cast<int>(reading->text.emitted.nodes);
@@ -183,149 +306,3 @@ EMSCRIPTEN_KEEPALIVE int memoryInUse() {
 }
 
 }  // extern "C"
-
-namespace {
-
-using Address = std::uintptr_t;
-
-Session& at(Address session) { return *reinterpret_cast<Session*>(session); }
-Reading& read(Address reading) { return *reinterpret_cast<Reading*>(reading); }
-
-// The names of all operations in the order of their numbers; of constructors with a `+` before it.
-std::string operationNames() {
-  std::string names;
-  for (const Operation& operation : operations) {
-    if (!names.empty()) names += ' ';
-    if (operation.isConstructor()) names += '+';
-    names += operation.name;
-  }
-  return names;
-}
-
-// The names of all languages, the one first that counts unless another is asked for, each with what
-// glsl.fn calls its sources.
-std::string languageNames() {
-  std::string names;
-  for (const Dialect* dialect : dialects()) {
-    names += dialect->name;
-    names += ' ';
-    names += dialect->sourceKey;
-    names += '\n';
-  }
-  return names;
-}
-
-Address open() { return reinterpret_cast<Address>(new Session); }
-
-std::string problem(Address session) { return at(session).builder.problem(); }
-
-int input(Address session, const std::string& method, const std::string& label, int columns,
-          int rows) {
-  return at(session).builder.input(method, label, matrixOf(columns, rows));
-}
-
-int callTexture(Address session, const std::string& image, int filter, int wrap) {
-  return at(session).builder.callTexture({Filter(filter), Wrap(wrap)}, image);
-}
-
-void addSource(Address session, const std::string& family, const std::string& text) {
-  at(session).sources.push_back({family, text});
-}
-
-int addFunction(Address session, const std::string& name, int arity) {
-  return at(session).builder.addFunction(name, std::exchange(at(session).sources, {}), arity);
-}
-
-void comment(Address session, const std::string& text) { at(session).builder.comment(text); }
-
-void output(Address session, const std::string& method, const std::string& name, int handle) {
-  at(session).builder.output(method, name, handle);
-}
-
-// Of the values pushed; see Builder::warp.
-int warp(Address session, const std::string& method, bool turns, bool isFlat) {
-  return at(session).builder.warp(method, {turns, isFlat});
-}
-
-void nameInput(Address reading, int number, const std::string& text) {
-  read(reading).options.inputs.push_back({static_cast<std::uint32_t>(number), text});
-}
-
-void nameResult(Address reading, int number, const std::string& text) {
-  read(reading).options.results.push_back({static_cast<std::uint32_t>(number), text});
-}
-
-// Whether there is a text. A depth of 0 leaves it to us.
-bool writeText(Address reading, const std::string& target, int maxDepth) {
-  Reading& to = read(reading);
-  if (maxDepth > 0) to.options.emit = {maxDepth, EmitOptions::mostReads};
-  Written written = write(to.module, *findDialect(target), to.options);
-  to.problem = written.problem;
-  if (written.text) to.text = std::move(*written.text);
-  return written.text.has_value();
-}
-
-std::string readingProblem(Address reading) { return read(reading).problem; }
-std::string code(Address reading) { return read(reading).text.emitted.code; }
-std::string declarations(Address reading) { return read(reading).text.declarations; }
-
-// Columns, rows, number and name.
-std::string line(Shape shape, std::uint32_t number, const std::string& name) {
-  return std::to_string(shape.columns) + ' ' + std::to_string(shape.rows) + ' ' +
-         std::to_string(number) + ' ' + name + '\n';
-}
-
-// The host's expressions that the text reads, a line each.
-std::string inputLines(Address reading) {
-  std::string lines;
-  for (const auto& [number, text] : read(reading).text.inputs)
-    lines += line(read(reading).module.graph.input(number).shape, number, text);
-  return lines;
-}
-
-// All that there are, in the order in which a program wants their numbers.
-std::string allInputLines(Address reading) {
-  const Graph& graph = read(reading).module.graph;
-  std::string lines;
-  for (std::uint32_t i = 0; i < graph.inputCount(); ++i)
-    lines += line(graph.input(i).shape, i, graph.input(i).label);
-  return lines;
-}
-
-std::string outputLines(Address reading) {
-  std::string lines;
-  for (std::uint32_t i = 0; i < read(reading).module.outputs.size(); ++i) {
-    const Output& output = read(reading).module.outputs[i];
-    lines += line(output.shape, i, output.name);
-  }
-  return lines;
-}
-
-}  // namespace
-
-EMSCRIPTEN_BINDINGS(warpjet) {
-  // The only type that needs a conversion, in core-module.ts. Without libembind nobody else tells
-  // of it.
-  emscripten::internal::_embind_register_std_string(
-      emscripten::internal::TypeID<std::string>::get(), "std::string");
-  emscripten::function("operationNames", &operationNames);
-  emscripten::function("languageNames", &languageNames);
-  emscripten::function("open", &open);
-  emscripten::function("problem", &problem);
-  emscripten::function("input", &input);
-  emscripten::function("callTexture", &callTexture);
-  emscripten::function("addSource", &addSource);
-  emscripten::function("addFunction", &addFunction);
-  emscripten::function("comment", &comment);
-  emscripten::function("output", &output);
-  emscripten::function("warp", &warp);
-  emscripten::function("nameInput", &nameInput);
-  emscripten::function("nameResult", &nameResult);
-  emscripten::function("write", &writeText);
-  emscripten::function("readingProblem", &readingProblem);
-  emscripten::function("code", &code);
-  emscripten::function("declarations", &declarations);
-  emscripten::function("inputLines", &inputLines);
-  emscripten::function("allInputLines", &allInputLines);
-  emscripten::function("outputLines", &outputLines);
-}

@@ -110,6 +110,12 @@ function* swizzles(): Generator<[name: string, indices: number[]]> {
   }
 }
 
+/**
+ * What every expression inherits. It begins as an object without a prototype, which is a mere dictionary to an engine: a
+ * thousand swizzles take a twentieth of what they take where `Expression.prototype` gets them one by one.
+ */
+const methods = Object.create(null) as object
+
 let installed = false
 
 function installMethods() {
@@ -132,6 +138,8 @@ function installMethods() {
       return callNoise(compilationOf(this), kind, [this, ...operands], true)
     })
   for (const [name, method] of Object.entries(results)) define(name, method)
+  Object.setPrototypeOf(methods, Object.prototype)
+  Object.setPrototypeOf(Expression.prototype, methods)
 }
 
 function expectNoMore(name: string, others: readonly unknown[]) {
@@ -144,5 +152,5 @@ function define(name: string, method: (this: Expression, ...operands: unknown[])
     if (this instanceof Expression) return method.apply(this, operands)
     throw new WarpError(`${name}: call it on an expression, as in x.${name}(…).`)
   }
-  Object.defineProperty(Expression.prototype, name, { value, configurable: true, writable: true })
+  Object.defineProperty(methods, name, { value, configurable: true, writable: true })
 }

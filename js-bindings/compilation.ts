@@ -34,7 +34,7 @@ export class Compilation {
     readonly target: Target,
     private readonly gen?: Gen,
   ) {
-    this.session = this.core.open()
+    this.session = this.core._openSession()
   }
 
   close() {

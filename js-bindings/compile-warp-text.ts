@@ -1,7 +1,6 @@
 // `compileWarp` for those who want its text alone.
 import { type Emits, compileOffset } from './compile-offset.js'
 import { WarpError } from './errors.js'
-import { version } from './generated/version.js'
 import type { OffsetFunction, UniformValues } from './types.js'
 import type { WarpOptions, WarpText } from './warp-text.js'
 
@@ -22,7 +21,7 @@ const elsewhere = Object.fromEntries(
     method,
     () => {
       throw new WarpError(
-        `${method}: this compileWarp makes text only; take the one that also runs on the CPU, from 'warpjet' or, in a page, by: const { compileWarp } = await import('https://cdn.jsdelivr.net/npm/warpjet@${version}/dist/warpjet.min.js').`,
+        `${method}: this compileWarp makes text only; the one that also runs on the CPU is that of the script p5.warpjet.min.js, and of 'warpjet'.`,
       )
     },
   ]),

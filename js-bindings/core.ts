@@ -12,6 +12,7 @@ export type Reading = number & { readonly reading: unique symbol }
  * of one that there cannot be, and then `problem` says why.
  */
 export interface Core {
+  _openSession(): Session
   _constant(session: Session, value: number): number
   _push(session: Session, handle: number): void
   _call(session: Session, operation: number, isMethod: boolean): number
@@ -59,7 +60,6 @@ export interface Core {
   _memoryInUse(): number
 
   operationNames(): string
-  open(): Session
   problem(session: Session): string
   input(session: Session, method: string, label: string, columns: number, rows: number): number
   callTexture(session: Session, image: string, filter: number, wrap: number): number
@@ -70,7 +70,7 @@ export interface Core {
   warp(session: Session, method: string, turns: boolean, isFlat: boolean): number
   nameInput(reading: Reading, number: number, text: string): void
   nameResult(reading: Reading, number: number, text: string): void
-  write(reading: Reading, target: string, maxDepth: number): boolean
+  writeText(reading: Reading, target: string, maxDepth: number): number
   readingProblem(reading: Reading): string
   code(reading: Reading): string
   declarations(reading: Reading): string

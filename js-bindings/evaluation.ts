@@ -2,10 +2,9 @@
 // the first warp is evaluated, and holds nothing between two calls.
 import { WarpError } from './errors.js'
 import type { Program } from './kept-module.js'
-import factory from './generated/evaluation.js'
-import base64 from './generated/evaluation-wasm.js'
+import inlined from './generated/evaluation-wasm.js'
 import type { Range } from './vertices.js'
-import { instantiate } from './wasm.js'
+import { start } from './wasm.js'
 
 /** js-bindings/evaluation.cpp. */
 interface Evaluation {
@@ -75,7 +74,7 @@ let evaluation: Evaluation | undefined
 
 function getEvaluation(): Evaluation {
   try {
-    return (evaluation ??= instantiate<Evaluation>(factory, base64))
+    return (evaluation ??= start<Evaluation>(inlined))
   } catch (error) {
     if (error instanceof WebAssembly.CompileError)
       throw new WarpError(

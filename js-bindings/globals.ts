@@ -4,7 +4,7 @@
  */
 import type * as deformers from './deformers.js'
 import type { CreateWarpOptions, Distort, LoadModelOptions, ModelOf } from './p5.js'
-import type * as compiler from './text.js'
+import type * as compiler from './index.js'
 
 type Compiler = Pick<typeof compiler, 'WarpError' | 'compile' | 'compileWarp' | 'gen' | 'version'>
 

@@ -52,7 +52,7 @@ export const writeText = (
   reading(module, (core, open) => {
     for (const [number, name] of inputs) core.nameInput(open, number, name)
     for (const [number, name] of results) core.nameResult(open, number, name)
-    if (!core.write(open, target, Math.min(maxDepth, 2 ** 30)))
+    if (!core.writeText(open, target, Math.min(maxDepth, 2 ** 30)))
       throw new WarpError(core.readingProblem(open))
     return {
       code: core.code(open),

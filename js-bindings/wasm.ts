@@ -1,73 +1,93 @@
-// How each wasm module starts: it is inlined, packed and in base64, and compiled synchronously, so that `createWarp`
-// works in a plain `setup()`. The one that unpacks the others is not packed.
+// How each wasm module starts: it is inlined as text, and compiled synchronously, so that `createWarp` works in a plain
+// `setup()`.
 import { WarpError } from './errors.js'
-import unpackModule from './generated/unpack-wasm.js'
 
-type Factory<Module> = (options: { wasmBinary: Uint8Array }) => Module
-
-/** A new instance, with a memory of its own. */
-export function instantiate<Module>(factory: Factory<Module>, base64: string): Module {
-  const wasmBinary = unpack(decode(base64))
-  return orTooLarge(() => factory({ wasmBinary }))
+/** By .scripts/lib/inline.mjs: frequent bytes are a letter each, the others two, which gzip packs as well as bytes. */
+export interface Inlined {
+  letters: string
+  /** All bytes, the most frequent one first. */
+  order: readonly number[]
+  text: string
 }
 
-export function open(base64: string): WebAssembly.Module {
-  const bytes = unpack(decode(base64))
-  return orTooLarge(() => new WebAssembly.Module(bytes))
+/**
+ * A new instance of a module that needs none of Emscripten's JavaScript: as that would, it has every function with a `_`
+ * before its name, and the memory as arrays.
+ */
+export function start<Module>(inlined: Inlined, imports: WebAssembly.ModuleImports = {}): Module {
+  const module = compiling(inlined, (bytes) => new WebAssembly.Module(bytes))
+  const { exports } = new WebAssembly.Instance(module, {
+    env: { emscripten_notify_memory_growth() {}, ...imports },
+    wasi_snapshot_preview1: { proc_exit },
+  })
+  const { memory, _initialize, ...functions } = exports as {
+    memory: WebAssembly.Memory
+    _initialize(): void
+  }
+  _initialize()
+  const named = Object.entries(functions).map(([name, call]) => [`_${name}`, call])
+  return Object.defineProperties(Object.fromEntries(named), {
+    HEAPU8: { get: () => new Uint8Array(memory.buffer) },
+    HEAPU32: { get: () => new Uint32Array(memory.buffer) },
+    HEAPF32: { get: () => new Float32Array(memory.buffer) },
+    HEAPF64: { get: () => new Float64Array(memory.buffer) },
+  }) as Module
 }
 
-/** js-bindings/unpack.cpp. */
-interface Unpacker {
-  memory: WebAssembly.Memory
-  /** Where memory is free. */
-  __heap_base: WebAssembly.Global
-  unpack(packed: number, output: number, outputSize: number): void
+/** How a C++ program ends, which ours does only where memory does. */
+function proc_exit(): never {
+  throw new WebAssembly.RuntimeError('warpjet has no more memory')
 }
 
-/** Of an .lzma file: the properties of the packing and two sizes. */
-const headerSize = 13
+/** What Emscripten's own `factory` makes of a module. */
+export const instantiate = <Module>(
+  factory: (options: { wasmBinary: Uint8Array }) => Module,
+  inlined: Inlined,
+): Module => compiling(inlined, (wasmBinary) => factory({ wasmBinary }))
 
-function unpack(packed: Uint8Array): Uint8Array<ArrayBuffer> {
-  const module = openUnpacker()
-  const unpacker = new WebAssembly.Instance(module).exports as unknown as Unpacker
-  const input = unpacker.__heap_base.value as number
-  const output = input + packed.length
-  const size = new DataView(packed.buffer).getUint32(5, true)
-  unpacker.memory.grow((output + size) >> 16)
-  new Uint8Array(unpacker.memory.buffer).set(packed, input)
-  unpacker.unpack(input + headerSize, output, size)
-  return new Uint8Array(unpacker.memory.buffer, output, size)
-}
-
-/** Small, and of the first WebAssembly there was: what refuses it refuses all of them. */
-function openUnpacker(): WebAssembly.Module {
+function compiling<Result>(
+  inlined: Inlined,
+  compile: (bytes: Uint8Array<ArrayBuffer>) => Result,
+): Result {
   if (typeof WebAssembly !== 'object')
     throw new WarpError(
       'warpjet needs WebAssembly, which this browser lacks or has switched off, as the Lockdown Mode of iOS does.',
     )
+  const bytes = decode(inlined)
   try {
-    return new WebAssembly.Module(decode(unpackModule))
+    return compile(bytes)
   } catch (cause) {
-    const error = new WarpError(
-      "warpjet needs WebAssembly, which the Content-Security-Policy of this page forbids; where the server's header or the page's <meta> tag sets that policy, add 'wasm-unsafe-eval' to its script-src, as in: script-src 'self' 'wasm-unsafe-eval'.",
-    )
-    throw Object.assign(error, { cause })
+    const why = refusal(cause)
+    throw why ? Object.assign(new WarpError(why), { cause }) : cause
   }
 }
 
-/** Chrome compiled no more than 4 KB in a page's own thread before version 114, and 8 MB since. */
-function orTooLarge<Result>(start: () => Result): Result {
+/** Why a browser that has WebAssembly compiles none of it, or none of this size. */
+function refusal(cause: unknown): string | undefined {
+  // Chrome compiled no more than 4 KB in a page's own thread before version 114, and 8 MB since.
+  if (cause instanceof RangeError && /main thread/.test(cause.message))
+    return 'warpjet needs a browser that compiles WebAssembly of any size at once; update it (Chrome and Edge do since version 114).'
   try {
-    return start()
-  } catch (cause) {
-    if (!(cause instanceof RangeError && /main thread/.test(cause.message))) throw cause
-    const error = new WarpError(
-      'warpjet needs a browser that compiles WebAssembly of any size at once; update it (Chrome and Edge do since version 114).',
-    )
-    throw Object.assign(error, { cause })
+    new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0))
+    return undefined
+  } catch {
+    return "warpjet needs WebAssembly, which the Content-Security-Policy of this page forbids; where the server's header or the page's <meta> tag sets that policy, add 'wasm-unsafe-eval' to its script-src, as in: script-src 'self' 'wasm-unsafe-eval'."
   }
 }
 
-function decode(text: string): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(atob(text), (character) => character.charCodeAt(0))
+function decode({ letters, order, text }: Inlined): Uint8Array<ArrayBuffer> {
+  const ranks = new Uint8Array(128)
+  for (let i = 0; i < letters.length; i++) ranks[letters.charCodeAt(i)] = i
+  const ordered = Uint8Array.from(order)
+  const count = letters.length
+  const single = count - 2
+  // In place, for there are no more bytes than letters; typed arrays take half as long as the text and an array would.
+  const bytes = new TextEncoder().encode(text)
+  let size = 0
+  for (let i = 0; i < bytes.length; i++) {
+    let rank = ranks[bytes[i]!]!
+    if (rank >= single) rank = single + (rank - single) * count + ranks[bytes[++i]!]!
+    bytes[size++] = ordered[rank]!
+  }
+  return bytes.subarray(0, size)
 }

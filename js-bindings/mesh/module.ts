@@ -2,7 +2,7 @@
 import { WarpError } from '../errors.js'
 import { type ByteArray, type FloatArray, byteArrays, floatArrays, indexArray } from './arrays.js'
 import factory from '../generated/mesh.js'
-import base64 from '../generated/mesh-wasm.js'
+import inlined from '../generated/mesh-wasm.js'
 import { anyNumber, firstWrong, inWords } from '../numbers.js'
 import { instantiate } from '../wasm.js'
 
@@ -49,7 +49,7 @@ const mostKeptBytes = 2 ** 26
 
 let present: MeshModule | undefined
 
-const getModule = () => (present ??= instantiate<MeshModule>(factory, base64))
+const getModule = () => (present ??= instantiate<MeshModule>(factory, inlined))
 
 /**
  * How many bytes the mesh module holds inside its wasm: between two calls always the same. For tests, not for users.

@@ -12,6 +12,7 @@ const path = (name) => fileURLToPath(new URL(`../..${name}`, import.meta.url))
 const dist = (name) => readFileSync(path(`/dist/${name}`), 'utf8')
 
 const script = '/dist/p5.warpjet.min.js'
+const slim = '/dist/p5.warpjet.slim.min.js'
 const deformers = '/dist/warpjet.deformers.min.js'
 const { version } = JSON.parse(readFileSync(path('/package.json'), 'utf8'))
 const cdn = 'https://cdn.jsdelivr.net'
@@ -117,6 +118,58 @@ test('a copy under another name loads the companion of its version', async () =>
   await context.close()
   assert.equal(result, 3)
   assert.deepEqual([...new Set(asked)], [ownMesh])
+})
+
+describe('one script with all, one without the CPU', () => {
+  /** Draws with createWarp, and says what evaluateAt gives of the same offset. */
+  async function evaluated(src) {
+    const { page, messages } = await runSketch(
+      browser,
+      server,
+      [p5Versions['2.x'], src],
+      `const offset = ({ glsl, position }) => glsl.vec3(position.y(), 0, 0)
+      function setup() {
+        createCanvas(50, 50, WEBGL)
+        const warp = createWarp(offset)
+        warp()
+        sphere(10)
+        noLoop()
+        try {
+          window.result = warpjet.compileWarp(offset).evaluateAt([1, 2, 3]).position
+        } catch ({ name, message }) {
+          window.result = name + ': ' + message
+        }
+        window.done = true
+      }`,
+    )
+    const result = await page.evaluate('window.result')
+    await page.close()
+    assert.deepEqual(messages, [])
+    return result
+  }
+
+  test('the full script runs a warp on the CPU', async () => {
+    assert.deepEqual(await evaluated(script), [3, 2, 3])
+  })
+
+  test('the slim one draws, and names the full one', async () => {
+    assert.match(
+      await evaluated(slim),
+      /^WarpError: evaluateAt: .* the script p5\.warpjet\.min\.js, [^.]*\.$/,
+    )
+  })
+
+  test('the slim one takes what lies beside it', async () => {
+    const folder = `${cdn}/npm/warpjet@0.1/dist`
+    const { context, asked } = await withHosts({
+      [`${folder}/p5.warpjet.slim.min.js`]: dist('p5.warpjet.slim.min.js'),
+      [`${folder}/mesh.min.js`]: dist('mesh.min.js'),
+    })
+    const { result } = await loadedBy(context, `${folder}/p5.warpjet.slim.min.js`)
+    await context.close()
+    assert.equal(result, 3)
+    assert.ok(asked.includes(`${folder}/mesh.min.js`))
+  })
 })
 
 describe('the order of scripts', () => {

@@ -39,7 +39,13 @@ test('the package holds what a user needs and nothing else', () => {
     'web/gallery.png',
   ])
   const modules = ['warpjet', 'text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
-  const single = ['warpjet.min', 'mesh.min', 'p5.warpjet.min', 'warpjet.deformers.min']
+  const single = [
+    'warpjet.min',
+    'mesh.min',
+    'p5.warpjet.min',
+    'p5.warpjet.slim.min',
+    'warpjet.deformers.min',
+  ]
   for (const file of [...modules, ...single])
     assert.ok(
       files.some(({ path }) => path === `dist/${file}.js`),

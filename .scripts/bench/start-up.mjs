@@ -1,0 +1,112 @@
+// How long a page waits for warpjet: until its script has run, and until the first createWarp returns; and the same in Node.
+import { execFileSync } from 'node:child_process'
+import { readFileSync } from 'node:fs'
+import { findBrowser } from '../lib/browser.mjs'
+import { path } from '../lib/files.mjs'
+import { softwareFlags } from '../lib/flags.mjs'
+
+const RUNS = 15
+
+/** By name: the milliseconds of `WebAssembly.Module` and `.Instance`, which both hosts run before warpjet. */
+const watchWebAssembly = `
+const inWasm = { compile: 0, instantiate: 0 }
+for (const [name, stage] of [['Module', 'compile'], ['Instance', 'instantiate']])
+  WebAssembly[name] = new Proxy(WebAssembly[name], {
+    construct(made, given) {
+      const start = performance.now()
+      const result = Reflect.construct(made, given)
+      inWasm[stage] += performance.now() - start
+      return result
+    },
+  })
+const offset = ({ glsl, position, millis }) => glsl.vec3(0, position.x().add(millis).sin(), 0)`
+
+const stages = (script, first, second) => `({
+  'script': ${script}, 'first warp': ${first}, '  compile': inWasm.compile, '  instantiate': inWasm.instantiate, 'second warp': ${second},
+})`
+
+const page = (script) => `<!doctype html>
+<meta charset="utf-8">
+<script src="/node_modules/p5/lib/p5.min.js"></script>
+<script>${watchWebAssembly}
+const start = performance.now()</script>
+<script src="/dist/${script}"></script>
+<script>
+const loaded = performance.now()
+function setup() {
+  createCanvas(50, 50, WEBGL)
+  noLoop()
+  const times = [performance.now()]
+  for (let i = 0; i < 2; i++) {
+    createWarp(offset)
+    times.push(performance.now())
+  }
+  window.stages = ${stages('loaded - start', 'times[1] - times[0]', 'times[2] - times[1]')}
+}
+</script>`
+
+async function inChromium(script) {
+  const { chromium } = await import('playwright-core')
+  const browser = await chromium.launch({
+    executablePath: await findBrowser(),
+    args: softwareFlags,
+  })
+  try {
+    const runs = []
+    for (let i = 0; i < RUNS; i++) {
+      // A context has no code that another one compiled.
+      const context = await browser.newContext()
+      await context.route('**/*', (route) => {
+        const { pathname } = new URL(route.request().url())
+        if (pathname === '/') return route.fulfill({ contentType: 'text/html', body: page(script) })
+        if (pathname === '/favicon.ico') return route.fulfill({ status: 204 })
+        return route.fulfill({
+          contentType: 'text/javascript; charset=utf-8',
+          body: readFileSync(path(`.${pathname}`)),
+        })
+      })
+      const opened = await context.newPage()
+      await opened.goto('http://localhost/')
+      runs.push(await (await opened.waitForFunction('window.stages')).jsonValue())
+      await context.close()
+    }
+    return runs
+  } finally {
+    await browser.close()
+  }
+}
+
+function inNode() {
+  const code = `${watchWebAssembly}
+    const times = [performance.now()]
+    const { compileWarp } = await import('./dist/warpjet.js')
+    times.push(performance.now())
+    for (let i = 0; i < 2; i++) {
+      compileWarp(offset)
+      times.push(performance.now())
+    }
+    console.log(JSON.stringify(${stages('times[1] - times[0]', 'times[2] - times[1]', 'times[3] - times[2]')}))`
+  const run = () =>
+    execFileSync(process.execPath, ['--input-type=module', '--eval', code], {
+      cwd: path('.'),
+      encoding: 'utf8',
+    })
+  return Array.from({ length: RUNS }, () => JSON.parse(run()))
+}
+
+const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
+
+/** The median milliseconds of each stage, [{ where, stages }]. */
+export async function measureStartUp() {
+  const measured = {
+    'Chromium, p5.warpjet.min.js': await inChromium('p5.warpjet.min.js'),
+    'Chromium, p5.warpjet.slim.min.js': await inChromium('p5.warpjet.slim.min.js'),
+    'Node, warpjet': inNode(),
+  }
+  return Object.entries(measured).map(([where, runs]) => ({
+    where,
+    stages: Object.fromEntries(
+      Object.keys(runs[0]).map((stage) => [stage, median(runs.map((run) => run[stage]))]),
+    ),
+  }))
+}
