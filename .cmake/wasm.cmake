@@ -3,19 +3,20 @@
 #   evaluation  programs over many vertices
 #   mesh        files of meshes, and what is done to meshes
 
-# What runs once per warp, or per name in it, is compiled for size; what runs per node stays at -O3
-# (-Os everywhere made a warp of 3,000 nodes six times slower), but for what of it was no slower when it was small:
-# emit.cpp, statements.cpp, schedule.cpp.
-set_source_files_properties(js-bindings/bindings.cpp js-bindings/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
-set_source_files_properties(
-  src/algebra/derivatives.cpp src/algebra/matrices.cpp src/algebra/vectors.cpp src/builder/builder.cpp src/builder/call.cpp src/builder/construct.cpp
-  src/builder/host.cpp src/builder/results.cpp src/module/sentences.cpp src/module/label.cpp src/module/save.cpp src/diff/partials.cpp src/emit/dialect.cpp src/emit/glsl300.cpp src/emit/glsl100.cpp src/emit/wgsl.cpp src/emit/text.cpp src/emit/sums.cpp src/emit/emit.cpp src/emit/literal.cpp src/emit/lower.cpp src/emit/bundle.cpp src/emit/names.cpp src/emit/statements.cpp src/functions/library.cpp src/functions/inline_calls.cpp
-  src/emit/functions.cpp src/builder/noise.cpp src/builder/texture.cpp src/texture/texture.cpp src/noise/curl.cpp src/noise/fractal.cpp src/noise/lattice.cpp src/noise/noise.cpp
-  src/noise/random.cpp src/noise/simplex.cpp src/noise/worley.cpp src/graph/functions.cpp src/graph/multi_index.cpp src/graph/schedule.cpp
-  src/module/syntax.cpp src/emit/writer.cpp src/eval/program.cpp src/ops/ops.cpp src/warp/warp.cpp
+# What runs once per warp, or per name in it, is compiled for size; what runs per node stays at -O3 (-Os everywhere made a
+# warp of 3,000 nodes six times slower), but for emit.cpp and schedule.cpp, which are no slower when they are small.
+file(GLOB small_sources CONFIGURE_DEPENDS
+  src/functions/*.cpp src/module/*.cpp src/noise/*.cpp src/ops/*.cpp src/texture/*.cpp src/warp/*.cpp)
+set_source_files_properties(${small_sources}
+  src/algebra/derivatives.cpp src/algebra/matrices.cpp src/algebra/vectors.cpp
+  src/builder/construct.cpp src/builder/host.cpp src/builder/noise.cpp src/builder/texture.cpp src/diff/partials.cpp
+  src/emit/bundle.cpp src/emit/dialect.cpp src/emit/emit.cpp src/emit/functions.cpp src/emit/glsl100.cpp src/emit/glsl300.cpp
+  src/emit/literal.cpp src/emit/lower.cpp src/emit/names.cpp src/emit/sums.cpp src/emit/text.cpp src/emit/wgsl.cpp
+  src/eval/bounds.cpp src/eval/program.cpp src/graph/functions.cpp src/graph/multi_index.cpp src/graph/ranges.cpp src/graph/schedule.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
+set_source_files_properties(js-bindings/bindings.cpp js-bindings/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
-# The same for meshes: what runs once per file or name in it.
+# Of meshes, what runs once per file or name in it.
 set_source_files_properties(
   src/mesh/gltf/container.cpp src/mesh/gltf/export.cpp src/mesh/gltf/gltf.cpp src/mesh/gltf/json_text.cpp src/mesh/load.cpp src/mesh/gltf/look.cpp
   src/mesh/gltf/scene.cpp src/mesh/gltf/schema.cpp src/mesh/sentences.cpp src/mesh/gltf/tinygltf.cpp src/mesh/gltf/uri.cpp

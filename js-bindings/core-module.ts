@@ -63,11 +63,12 @@ export function startCore<Core>(giveUp: () => void): Core {
     }
 
   const core: Record<string, unknown> = {}
+  // Seven places are enough for all of them, and take half the time of a list.
   const guarded =
     (call: Call): Call =>
-    (...given) => {
+    (a, b, c, d, e, f, g) => {
       try {
-        return call(...given)
+        return call(a, b, c, d, e, f, g)
       } catch (error) {
         if (!isTrap(error)) throw error
         if (!core.isBroken) giveUp()

@@ -16,12 +16,18 @@ std::nullopt_t Builder::refuse(std::string_view method, Parts parts) {
 
 int Builder::finish(std::optional<Value> value, std::size_t before, std::string_view method) {
   operands_.clear();
-  if (graph_.full() || values_.full()) value = refuse(method, {tooLarge});
-  if (const auto* why = value ? findImpossible(*value, before) : nullptr) {
-    wasImpossible_ = true;
-    value = refuse(method, {*why});
-  }
+  if (value && !isPossible(value->nodes(), before, method)) value.reset();
   return value ? values_.add(*value) : failed;
+}
+
+bool Builder::isPossible(std::span<const NodeId> results, std::size_t before,
+                         std::string_view method) {
+  const bool isFull = graph_.full() || values_.full();
+  const auto* why = isFull ? &tooLarge : findImpossible(results, before);
+  if (!why) return true;
+  wasImpossible_ |= !isFull;
+  refuse(method, {*why});
+  return false;
 }
 
 // What a shader cannot compute: an operation on constants that folding left alone, since its result
@@ -47,13 +53,14 @@ const std::string_view* Builder::impossible(NodeId id) const {
 }
 
 // Searches the nodes since `before`; those from earlier were searched when they were made.
-const std::string_view* Builder::findImpossible(const Value& value, std::size_t before) {
+const std::string_view* Builder::findImpossible(std::span<const NodeId> results,
+                                                std::size_t before) {
   needed_.assign(graph_.size() - before, false);
   const auto find = [&](NodeId id) {
     if (index(id) >= before) needed_[index(id) - before] = true;
     return index(id) < before ? impossible(id) : nullptr;
   };
-  for (const NodeId id : value.nodes()) {
+  for (const NodeId id : results) {
     if (const auto* why = find(id)) return why;
   }
   for (std::size_t i = needed_.size(); i-- > 0;) {

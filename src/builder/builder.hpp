@@ -119,8 +119,10 @@ class Builder {
 
   // The handle of a value, unless nodes made since `before` are not what a shader can hold.
   int finish(std::optional<Value> value, std::size_t before, std::string_view method);
+  bool isPossible(std::span<const NodeId> results, std::size_t before, std::string_view method);
   const std::string_view* impossible(NodeId id) const;
-  const std::string_view* findImpossible(const Value& value, std::size_t before);
+  const std::string_view* findImpossible(std::span<const NodeId> results, std::size_t before);
+  void addOutput(std::string_view method, std::string_view name, const Value& value);
 
   // The parts of a sentence, after the method. Sentences are made seldom and in many places.
   using Parts = std::initializer_list<std::string_view>;

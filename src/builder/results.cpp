@@ -1,5 +1,7 @@
 // What is asked for in the end: results by name, and the results of a warp.
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "builder/builder.hpp"
 #include "graph/reachable.hpp"
@@ -9,7 +11,10 @@
 namespace warpjet {
 
 void Builder::output(std::string_view method, std::string_view name, int handle) {
-  const Value value = values_.get(graph_, handle);
+  addOutput(method, name, values_.get(graph_, handle));
+}
+
+void Builder::addOutput(std::string_view method, std::string_view name, const Value& value) {
   const auto nodes = value.nodes();
   module_.outputs.push_back(
       {std::string(name), value.shape(), {nodes.begin(), nodes.end()}, std::string(method)});
@@ -30,25 +35,25 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
                           {operands_[5], operands_[6], operands_[7], operands_[8], operands_[9]}};
   const Warp warp = makeWarp(differentiator_, offset, inputs, options);
 
-  bool isFine = true;
-  const auto ask = [&](std::string_view name, const Value& value) {
-    const int handle = finish(value, before, method);
-    isFine &= handle != failed;
-    if (isFine) output(method, name, handle);
+  std::vector<std::pair<std::string_view, Value>> results{{"offset", warp.offset},
+                                                          {"position", warp.position}};
+  const auto addTurned = [&](const Turned& turned) {
+    results.insert(results.end(), {{"normal", turned.normal},
+                                   {"tangent", turned.tangent},
+                                   {"direction", turned.direction},
+                                   {"determinant", turned.determinant}});
   };
-  const auto askTurned = [&](const Turned& turned) {
-    ask("normal", turned.normal);
-    ask("tangent", turned.tangent);
-    ask("direction", turned.direction);
-    ask("determinant", turned.determinant);
-  };
-  ask("offset", warp.offset);
-  ask("position", warp.position);
   if (warp.surface) {
-    askTurned(warp.flat ? *warp.flat : *warp.surface);
-    askTurned(*warp.surface);
+    addTurned(warp.flat ? *warp.flat : *warp.surface);
+    addTurned(*warp.surface);
   }
-  return isFine ? warp.varies : failed;
+  std::vector<NodeId> nodes;
+  for (const auto& [name, value] : results)
+    nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
+  operands_.clear();
+  if (!isPossible(nodes, before, method)) return failed;
+  for (const auto& [name, value] : results) addOutput(method, name, value);
+  return warp.varies;
 }
 
 bool Builder::finish() {
