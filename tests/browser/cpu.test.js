@@ -8,9 +8,9 @@ import { models } from '../../web/models/index.js'
 import { warpsInThisRun as warps } from '../warps/index.js'
 import { normalGradients } from '../warps/normal-field.js'
 import { asAccurateAsCanBe, withAccurateSine } from './support/accurate.js'
-import { assertBaked, compareBaked, parts } from './support/baked.js'
+import { assertBaked, compareBaked } from './support/baked.js'
 import { launchBrowser } from './support/browser.js'
-import { degrees, moments } from './support/compare.js'
+import { degrees, moments, parts } from './support/compare.js'
 import { arraysOf, denseMesh, interleaved, layout, stride, vertices } from './support/dense-mesh.js'
 import { angleBetween } from './support/oracle.js'
 import { openPipeline, vertexShader } from './support/transform-feedback.js'
@@ -24,11 +24,14 @@ function modelMesh(name, size) {
   const { positions, normals, uvs } = made.get(name)
   const mesh = new Float32Array((positions.length / 3) * stride)
   for (let i = 0; i < positions.length / 3; i++) {
-    const position = [0, 1, 2].map((k) => (positions[3 * i + k] * size) / 100)
-    const normal = [0, 1, 2].map((k) => normals[3 * i + k])
-    const uv = uvs ? [uvs[2 * i], uvs[2 * i + 1]] : [0.25, 0.75]
-    const gradients = Object.values(normalGradients(normal, size)).flat()
-    mesh.set([...position, ...normal, ...uv, 0.5, 0.25, 1, 0.75, ...gradients], i * stride)
+    const [x, y, z] = [3 * i, 3 * i + 1, 3 * i + 2]
+    const normal = [normals[x], normals[y], normals[z]]
+    const [u, v] = uvs ? [uvs[2 * i], uvs[2 * i + 1]] : [0.25, 0.75]
+    let at = i * stride
+    for (const k of [x, y, z]) mesh[at++] = (positions[k] * size) / 100
+    for (const number of [...normal, u, v, 0.5, 0.25, 1, 0.75]) mesh[at++] = number
+    const gradients = normalGradients(normal, size)
+    for (const name in gradients) for (const number of gradients[name]) mesh[at++] = number
   }
   return mesh
 }
@@ -57,16 +60,15 @@ for (const [i, warp] of cases.entries()) {
     for (const model of isRun('every model') ? names : [names[i % names.length]])
       test(model, async () => {
         const mesh = modelMesh(model, size)
-        const points = vertices(mesh)
         const draws = moments.map((moment) => ({ ...moment, ...params }))
         await gpu.load(mesh)
         const run = (text) => gpu.run(vertexShader(text, 'glsl300', params), draws)
         const best = asAccurateAsCanBe(compiled)
         const builtIn = await run(compiled)
         const exact = best === compiled ? builtIn : await run(best)
-        const arrays = arraysOf(points, compiled.attributes)
+        const arrays = arraysOf(mesh, compiled.attributes)
         const baked = draws.map((uniforms) => interleaved(compiled.evaluate(arrays, { uniforms })))
-        const worst = compareBaked(warp, points, draws, baked, { builtIn, exact })
+        const worst = compareBaked(warp, mesh, draws, baked, { builtIn, exact })
         table.push({ warp: name, mesh: model, ...worst })
         assertBaked(worst, warp.degrees)
       })
@@ -96,7 +98,7 @@ test('tangents', async () => {
   const text = withAccurateSine({ code, declarations: warp.declarations })
   const [shown] = await gpu.run(vertexShader(text, 'glsl300'), [{}])
   const tangents = Float32Array.from(points.flatMap(({ tangent }) => tangent))
-  const baked = warp.evaluate({ ...arraysOf(points, warp.attributes), tangents }).tangents
+  const baked = warp.evaluate({ ...arraysOf(mesh, warp.attributes), tangents }).tangents
   points.forEach(({ tangent, normal }, i) => {
     const [direction, [side]] = parts(shown, i)
     assert.equal(side, tangent[3])

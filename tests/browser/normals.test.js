@@ -82,10 +82,10 @@ describe('positions and normals are right:', () => {
       // The text of `gen` that two sketches splice into their own shaders is no warp.
       if (!compiled.evaluate) return
       const baked = draws.map((uniforms) =>
-        interleaved(compiled.evaluate(arraysOf(points, compiled.attributes), { uniforms })),
+        interleaved(compiled.evaluate(arraysOf(mesh, compiled.attributes), { uniforms })),
       )
       assertOnCpu(warp, baked, expected, points)
-      const worst = compareBaked(warp, points, draws, baked, { builtIn, exact }, expected)
+      const worst = compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expected)
       assertBaked(worst, warp.degrees)
     })
 })

@@ -26,7 +26,13 @@ function asInSketch({ name, warp, options, text }) {
   const oracle = gallery[name]
   if (text) return { text, compile: () => asWarp(text), ...oracle }
   const { surfaceVariation = true } = options
-  const varying = (p, inputs) => oracle.offset(p, { ...inputs, normal: normalAt(p, inputs) })
+  // The oracle asks many times about a vertex.
+  let vertex, moved
+  const varying = (p, inputs) => {
+    if (inputs !== vertex) moved = { ...(vertex = inputs) }
+    moved.normal = normalAt(p, inputs)
+    return oracle.offset(p, moved)
+  }
   return {
     compile: (target) => compileWarp(warp, { target, surfaceVariation }),
     ...oracle,

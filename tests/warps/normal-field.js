@@ -13,10 +13,7 @@ export function normalGradients(normal, size) {
   const unit = normal.some(Boolean) ? normalize(normal) : [0, 0, 0]
   const scale = Math.hypot(...normal) / size
   const [normalXGradient, normalYGradient, normalZGradient] = axes.map((axis, i) =>
-    subtract(
-      axis,
-      unit.map((x) => unit[i] * x),
-    ).map((x) => scale * x),
+    axis.map((x, k) => scale * (x - unit[i] * unit[k])),
   )
   return { normalXGradient, normalYGradient, normalZGradient }
 }
@@ -26,8 +23,6 @@ export function normalAt(p, vertex) {
   const { position, normal, normalXGradient, normalYGradient, normalZGradient } = vertex
   if (!normalXGradient) return normal
   const step = subtract(p, position)
-  return add(
-    normal,
-    [normalXGradient, normalYGradient, normalZGradient].map((gradient) => dot(gradient, step)),
-  )
+  const turn = [dot(normalXGradient, step), dot(normalYGradient, step), dot(normalZGradient, step)]
+  return add(normal, turn)
 }

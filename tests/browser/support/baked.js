@@ -6,27 +6,25 @@
 // agree to 1e-3. Left out are vertices where the oracle finds a kink nearby, on whose sides two roundings may differ, and
 // those where the surface has all but collapsed.
 import assert from 'node:assert/strict'
-import { mostSensitive } from './compare.js'
+import { mostSensitive, parts } from './compare.js'
+import { stride, vertexAt } from './dense-mesh.js'
 import { angleBetween, distanceBetween, warpVertex } from './oracle.js'
 
 const positionBound = { exact: 1e-5, late: 2e-5, builtIn: 1e-3 }
-
-/** Position and normal of a vertex among six numbers each. */
-export const parts = (results, i) =>
-  [0, 3].map((at) => [...results.subarray(6 * i + at, 6 * i + at + 3)])
 
 /**
  * The greatest differences of `baked` from the shader's results `exact`, with an accurate sine if that is another list, and
  * `builtIn`; each a list of six numbers a vertex, for each of `draws`. Positions are in parts of what is allowed, but by the own
  * sine. `expected`, if the oracle has been asked before, has what it said.
  */
-export function compareBaked(warp, points, draws, baked, { builtIn, exact }, expected) {
+export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expected) {
   const { offset, reach, step, degrees } = warp
   const worst = { position: 0, angle: 0, builtIn: 0, leftOut: 0 }
+  const vertexCount = mesh.length / stride
   draws.forEach((uniforms, k) => {
     const atBest = uniforms.millis > 1e4 ? positionBound.late : positionBound.exact
     const bound = exact === builtIn ? positionBound.builtIn : atBest
-    points.forEach((vertex, i) => {
+    for (let i = 0; i < vertexCount; i++) {
       const [position, normal] = parts(baked[k], i)
       const scale = Math.max(reach, Math.hypot(...position))
       const [shownPosition, shownNormal] = parts(exact[k], i)
@@ -34,17 +32,20 @@ export function compareBaked(warp, points, draws, baked, { builtIn, exact }, exp
       const angle = bothZero ? 0 : angleBetween(normal, shownNormal)
       const distance = distanceBetween(position, shownPosition) / scale
       if (angle > degrees || distance > bound) {
-        const truth = expected?.[k][i] ?? warpVertex(offset, vertex, uniforms, step)
+        const truth = expected?.[k][i] ?? warpVertex(offset, vertexAt(mesh, i), uniforms, step)
         const isSmooth = truth.normal?.some(Boolean) && truth.sensitivity <= mostSensitive
-        if (!isSmooth) return worst.leftOut++
+        if (!isSmooth) {
+          worst.leftOut++
+          continue
+        }
       }
       worst.position = Math.max(worst.position, distance / bound)
       worst.angle = Math.max(worst.angle, angle)
       const [roughPosition] = parts(builtIn[k], i)
       worst.builtIn = Math.max(worst.builtIn, distanceBetween(position, roughPosition) / scale)
-    })
+    }
   })
-  return { ...worst, count: draws.length * points.length }
+  return { ...worst, count: draws.length * vertexCount }
 }
 
 export function assertBaked({ position, angle, builtIn, leftOut, count }, degrees) {

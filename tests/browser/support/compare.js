@@ -14,6 +14,11 @@ export const moments = [0, 1234, 98765].map((millis) => ({
   pixelDensity: 2,
 }))
 
+const three = (numbers, at) => [numbers[at], numbers[at + 1], numbers[at + 2]]
+
+/** Position and normal of a vertex among six numbers each. */
+export const parts = (results, i) => [three(results, 6 * i), three(results, 6 * i + 3)]
+
 /**
  * The greatest differences of `results`, for each moment six numbers a vertex, from `expected`, for each moment and vertex
  * what `warpVertex` gives. Of vertices with a kink nearby, only whether the result is finite. `beyond` counts the normals
@@ -33,9 +38,7 @@ export function compare(results, expected, reach, bound = degrees) {
   const raise = (name, value) => (worst[name] = Math.max(worst[name], value))
   expected.forEach((moment, k) =>
     moment.forEach(({ position, normal, sensitivity }, i) => {
-      const [moved, turned] = [0, 3].map((at) => [
-        ...results[k].subarray(6 * i + at, 6 * i + at + 3),
-      ])
+      const [moved, turned] = parts(results[k], i)
       counts.count++
       if (![...moved, ...turned].every(Number.isFinite)) return counts.notFinite++
       if (!normal) return counts.kinks++

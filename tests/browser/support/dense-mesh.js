@@ -73,19 +73,32 @@ export function denseMesh(size, every = 1) {
   )
 }
 
-/** The vertices of a mesh as objects, with the very numbers that the shader reads. */
-export function vertices(mesh) {
-  return Array.from({ length: mesh.length / stride }, (_, i) => {
-    let start = i * stride
-    const read = (size) => Array.from(mesh.subarray(start, (start += size)))
-    return Object.fromEntries(Object.entries(layout).map(([name, size]) => [name, read(size)]))
-  })
+/** A vertex of a mesh as an object, with the very numbers that the shader reads. */
+export function vertexAt(mesh, i) {
+  let start = i * stride
+  const read = (size) => Array.from(mesh.subarray(start, (start += size)))
+  return Object.fromEntries(Object.entries(layout).map(([name, size]) => [name, read(size)]))
 }
 
-/** Those objects as `evaluate` takes them for a warp whose text reads `attributes`: how normals vary is known on the CPU
- * where it is in the shader. */
-export function arraysOf(points, attributes) {
-  const all = (name) => Float32Array.from(points.flatMap((point) => point[name]))
+/** All of them. */
+export const vertices = (mesh) =>
+  Array.from({ length: mesh.length / stride }, (_, i) => vertexAt(mesh, i))
+
+/** One attribute of all vertices. */
+function column(mesh, name) {
+  const names = Object.keys(layout)
+  const first = names.slice(0, names.indexOf(name)).reduce((sum, each) => sum + layout[each], 0)
+  const size = layout[name]
+  const all = new Float32Array((mesh.length / stride) * size)
+  for (let i = 0; i < all.length; i++)
+    all[i] = mesh[Math.floor(i / size) * stride + first + (i % size)]
+  return all
+}
+
+/** A mesh as `evaluate` takes it for a warp whose text reads `attributes`: how normals vary is known on the CPU where it is
+ * in the shader. */
+export function arraysOf(mesh, attributes) {
+  const all = (name) => column(mesh, name)
   const gradients = attributes
     .filter(({ name }) => name.endsWith('Gradient'))
     .map(({ name }) => [`${name}s`, all(name)])

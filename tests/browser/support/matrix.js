@@ -50,9 +50,12 @@ export function turnNormal(matrix, n) {
 }
 
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-export const add = (a, b) => a.map((value, i) => value + b[i])
-export const subtract = (a, b) => a.map((value, i) => value - b[i])
-export const normalize = (a) => a.map((value) => value / Math.hypot(...a))
+export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+export function normalize([x, y, z]) {
+  const length = Math.hypot(x, y, z)
+  return [x / length, y / length, z / length]
+}
 export const cross = (a, b) => [
   a[1] * b[2] - a[2] * b[1],
   a[2] * b[0] - a[0] * b[2],

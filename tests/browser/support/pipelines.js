@@ -23,9 +23,15 @@ async function pipeline(target) {
   const { open } = await import('/tests/browser/support/pipelines/' + modules[target] + '.js')
   return open()
 }
+const last = {}
 window.run = async (target, program, points) => {
   const work = await (opened[target] ??= pipeline(target))
-  const results = await work(program, new Float32Array(bytesOf(points).buffer))
+  // One after the other: an error is told to the one that asks first.
+  const running = (last[target] ?? Promise.resolve())
+    .catch(() => {})
+    .then(() => work(program, new Float32Array(bytesOf(points).buffer)))
+  last[target] = running
+  const results = await running
   return textOf(new Uint8Array(results.buffer))
 }
 </script>`
