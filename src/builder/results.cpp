@@ -23,27 +23,24 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
     operands_.clear();
     return needsPartials;
   }
-  const WarpInputs inputs{operands_[1],
-                          operands_[2],
-                          operands_[3],
-                          operands_[4],
-                          {operands_[5], operands_[6], operands_[7], operands_[8], operands_[9]}};
+  const Value* const given = &operands_[1];
+  const WarpInputs inputs{
+      given[0], given[1], given[2], given[3], {given[4], given[5], given[6], given[7], given[8]}};
   const Warp warp = makeWarp(differentiator_, offset, inputs, options);
 
   bool isFine = true;
-  const auto ask = [&](std::string_view name, const Value& value) {
-    const int handle = finish(value, before, method);
-    isFine &= handle != failed;
-    if (isFine) output(method, name, handle);
+  const auto ask = [&](std::span<const std::string_view> names, std::span<const Value> values) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const int handle = finish(values[i], before, method);
+      isFine &= handle != failed;
+      if (isFine) output(method, names[i], handle);
+    }
   };
   const auto askTurned = [&](const Turned& turned) {
-    ask("normal", turned.normal);
-    ask("tangent", turned.tangent);
-    ask("direction", turned.direction);
-    ask("determinant", turned.determinant);
+    ask(turnedResults, std::array<Value, turnedResults.size()>{
+                           turned.normal, turned.tangent, turned.direction, turned.determinant});
   };
-  ask("offset", warp.offset);
-  ask("position", warp.position);
+  ask(movedResults, std::array<Value, movedResults.size()>{warp.offset, warp.position});
   if (warp.surface) {
     askTurned(warp.flat ? *warp.flat : *warp.surface);
     askTurned(*warp.surface);

@@ -50,6 +50,10 @@ Interval join(const Interval& x, const Interval& y);
 // zero.
 Interval withFloat32(const Interval& x);
 
+// Of a function of numbers that never falls and gives no number for none, to within a share of its
+// value: shaders err by as much in a function (see interval.cpp).
+Interval rising(double (*function)(double), const Interval& x, double share = 8 * rounding);
+
 // What is known to lie between two numbers.
 Interval limited(const Interval& x, double low, double high);
 

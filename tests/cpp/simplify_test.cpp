@@ -308,9 +308,9 @@ class Judge {
   Judge(Graph& graph, const std::vector<double>& values) : graph_(graph), values_(values) {}
 
   Difference judge(Op op, const Operands& operands, double found) const {
-    std::array<double, ops::maxArity> x{};
+    Operands<double> x{};
     for (int i = 0; i < ops::info(op).arity; ++i) x[i] = at(operands[i]);
-    const double expected = ops::evaluate(op, x);
+    const double expected = ops::valueOf(op, x);
     if (same(expected, found)) return Nothing;
     if (expected == 0 && found == 0) return SignOfZero;
     if (isStepOfConstants(op, operands, found)) return StepInFloat32;
@@ -345,14 +345,14 @@ class Judge {
   // A number as a condition is such a step too.
   bool isStepOfConstants(Op op, const Operands& operands, double found) const {
     const ops::Info& info = ops::info(op);
-    std::array<double, ops::maxArity> x{};
+    Operands<double> x{};
     for (int i = 0; i < info.arity; ++i) {
       const bool isKnown = graph_.known(operands[i]).has_value();
       if (info.isStep && !isKnown) return false;
       const bool jumps = info.isStep || info.signature.operands[i] == ops::Type::Bool;
       x[i] = isKnown && jumps ? static_cast<float>(at(operands[i])) : at(operands[i]);
     }
-    return same(ops::evaluate(op, x), found);
+    return same(ops::valueOf(op, x), found);
   }
   NodeId withoutSign(NodeId id) const { return graph_.is(id, Neg) ? graph_.operand(id, 0) : id; }
 
@@ -484,9 +484,9 @@ std::vector<double> valuesOf(const Graph& graph, const std::array<double, 3>& po
     } else if (graph.isInput(id)) {
       values[i] = point[graph.node(id).operands[0]];
     } else {
-      std::array<double, ops::maxArity> x{};
+      Operands<double> x{};
       for (int k = 0; k < graph.arity(id); ++k) x[k] = values[index(graph.operand(id, k))];
-      values[i] = ops::evaluate(graph.node(id).op, x);
+      values[i] = ops::valueOf(graph.node(id).op, x);
     }
   }
   return values;
