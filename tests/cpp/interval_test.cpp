@@ -79,7 +79,7 @@ template <std::size_t Row>
 void checkRow() {
   Sampler sample;
   for (int box = 0; box < 3000; ++box) {
-    Operands<Interval> x;
+    ops::Operands<Interval> x;
     for (std::size_t i = 0; i < 3; ++i) {
       const bool isBool = ops::infos[Row].signature.operands[i] == ops::Type::Bool;
       const int truth = sample.below(3);
@@ -87,7 +87,7 @@ void checkRow() {
     }
     const Interval range = ops::rangeOf(Op(Row), x);
     for (int point = 0; point < 40; ++point) {
-      Operands<double> at{};
+      ops::Operands<double> at{};
       for (std::size_t i = 0; i < 3; ++i) at[i] = sample.inside(x[i]);
       for (std::size_t i = 0; i < 3; ++i) {
         if (ops::infos[Row].signature.operands[i] == ops::Type::Bool) at[i] = at[i] >= 0.5;
@@ -123,7 +123,7 @@ void checkTightness() {
   if (name == "hash") return;  // random: of more than one number it is anything
   Sampler sample;
   for (int box = 0; box < 100; ++box) {
-    Operands<Interval> x;
+    ops::Operands<Interval> x;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [low, high] = std::get<Row>(ops::table).domain[i];
       double a = sample.between(low, high), b = sample.between(low, high);

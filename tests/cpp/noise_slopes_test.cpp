@@ -4,7 +4,7 @@
 #include <random>
 
 #include "eval/program.hpp"
-#include "noise/noise.hpp"
+#include "noise/table.hpp"
 #include "support.hpp"
 
 namespace warpjet {
