@@ -29,6 +29,8 @@ struct JobArray {
   std::string_view name;
   Of of;  // a job
 };
+template <class Of>
+JobArray(std::string_view, Of) -> JobArray<Of>;
 
 inline constexpr std::tuple jobArrays{
     JobArray{"positions", [](auto& job) -> auto& {return job.mesh.positions;

@@ -30,12 +30,11 @@ namespace {
 template <class Visitor>
 auto withArray(Job& job, int array, const Visitor& visit) {
   decltype(visit(job.file)) result{};
-  std::apply(
-      [&](const auto&... each) {
-        int number = 0;
-        ((number++ == array && (result = visit(each.of(job)), true)) || ...);
-      },
-      jobArrays);
+  int number = 0;
+  const auto consider = [&](const auto& each) {
+    if (number++ == array) result = visit(each.of(job));
+  };
+  std::apply([&](const auto&... each) { (consider(each), ...); }, jobArrays);
   return result;
 }
 
