@@ -5,7 +5,7 @@ import { dirname } from 'node:path'
 import { path } from './lib/files.mjs'
 import { good, isMain, main } from './lib/terminal.mjs'
 import { deformersText } from './reference/deformers.mjs'
-import { numberedText } from './reference/numbered.mjs'
+import { meshNumberedText, numberedText } from './reference/numbered.mjs'
 import { pageText } from './reference/page.mjs'
 import { readTable } from './reference/table.mjs'
 import { typesText } from './reference/types.mjs'
@@ -18,6 +18,7 @@ export async function staleFiles() {
   const texts = {
     'js-bindings/methods.ts': typesText(table),
     'js-bindings/tables.ts': numberedText(table),
+    'js-bindings/mesh/tables.ts': meshNumberedText(table),
     'web/docs/operations.md': pageText(table),
     'web/docs/deformers.md': deformersText(),
   }

@@ -47,7 +47,7 @@ const withoutWasmInMaps = {
 const sharedFiles = [
   {
     name: 'basics',
-    test: /\/js-bindings\/(describe|errors|inputs|notes|options|shapes|uniforms|vertices|warp-program|wasm|generated\/version)\.ts$/,
+    test: /\/js-bindings\/(describe|errors|inputs|notes|options|shapes|tables|uniforms|vertices|warp-program|wasm|generated\/version)\.ts$/,
   },
   { name: 'compiler', test: /\/js-bindings\/(compile|compile-warp-text)\.ts$/ },
   { name: 'evaluation', test: /\/js-bindings\/compile-warp\.ts$/ },

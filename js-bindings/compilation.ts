@@ -1,12 +1,13 @@
 // One run of a sketch's function: the session in the wasm, which holds all that the sketch built so far. It is closed when
 // the callback is over, whatever happened.
-import { type Core, type Session, failed, getCore, needsPartials } from './core.js'
+import { type Core, type Session, getCore } from './core.js'
 import { WarpError, describe } from './errors.js'
 import { Expression, toExpression } from './expression.js'
 import type { KeptModule, Target } from './kept-module.js'
 import { isCallable } from './options.js'
 import type { Shape } from './shapes.js'
 import { callerOutside } from './source-lines.js'
+import { failed, needsPartials } from './tables.js'
 
 /** A function of the host from numbers to a number, as the sketch declared it. */
 export interface HostFunction {

@@ -3,14 +3,9 @@ import { type Emits, compileOffset } from './compile-offset.js'
 import { type CpuWarp, createCpuWarp } from './cpu-warp.js'
 import { makeProgram } from './kept-module.js'
 import { lazily } from './lazily.js'
+import { warpResults } from './tables.js'
 import type { OffsetFunction, UniformValues } from './types.js'
-import {
-  type KeptWarp,
-  type WarpOptions,
-  type WarpText,
-  onSurface,
-  warpResults,
-} from './warp-text.js'
+import { type KeptWarp, type WarpOptions, type WarpText, onSurface } from './warp-text.js'
 
 /** An offset function as shader text and on the CPU. */
 export interface CompiledWarp extends WarpText, Emits, CpuWarp {}

@@ -8,7 +8,7 @@ export type Session = number & { readonly session: unique symbol }
 export type Reading = number & { readonly reading: unique symbol }
 
 /**
- * js-bindings/bindings.cpp. Handles stand for values, numbers, vectors and matrices alike; `failed` stands in the place
+ * js-bindings/bindings.cpp. Handles stand for values, numbers, vectors and matrices alike; `failed` of tables.ts stands in the place
  * of one that there cannot be, and then `problem` says why.
  */
 export interface Core {
@@ -84,9 +84,6 @@ export interface Core {
   readonly HEAPU32: Uint32Array
   readonly HEAPF64: Float64Array
 }
-
-export const failed = -1
-export const needsPartials = -2
 
 let core: Core | undefined
 

@@ -1,9 +1,6 @@
-// The border to JavaScript of meshes: plain C, since a call has numbers and addresses only. A job
-// is what enters and leaves one call; JavaScript fills its arrays, calls, reads them, and closes
-// it. No exception crosses: a function that may fail returns whether it went well, and leaves a
-// sentence.
-#include "mesh/mesh.hpp"
-
+// The border to JavaScript of meshes: plain C, since a call has numbers and addresses only.
+// JavaScript fills the arrays of a job, calls, reads them, and closes it. No exception crosses: a
+// function that may fail returns whether it went well, and leaves a sentence.
 #include <emscripten.h>
 #include <malloc.h>
 
@@ -11,64 +8,34 @@
 #include <cstdint>
 #include <exception>
 #include <new>
-#include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
-#include <vector>
 
+#include "job.hpp"
 #include "mesh/check.hpp"
 #include "mesh/gltf/export.hpp"
-#include "mesh/load.hpp"
-#include "mesh/surface/normals.hpp"
-#include "mesh/sentences.hpp"
 #include "mesh/refine/shortfall.hpp"
 #include "mesh/refine/subdivide.hpp"
+#include "mesh/sentences.hpp"
+#include "mesh/surface/normals.hpp"
 #include "mesh/surface/variation.hpp"
 
 using namespace warpjet;
 
 namespace {
 
-struct Job {
-  Mesh mesh;
-  // A file, as it enters or leaves; further files that it needs, the next of them with its name.
-  std::vector<std::uint8_t> file, name, contents;
-  std::optional<ModelFile> model;  // made of the file when it is first asked about
-  Files files;
-  std::vector<std::uint8_t> picture, mimeType;
-  std::vector<std::string> texts;
-};
-
-// The arrays of a job by number, as js-bindings/mesh/module.ts knows them.
+// Does something with an array of a job.
 template <class Visitor>
-auto withArray(Job& job, int array, Visitor&& visit) {
-  switch (array) {
-    case 0:
-      return visit(job.mesh.positions);
-    case 1:
-      return visit(job.mesh.normals);
-    case 2:
-      return visit(job.mesh.uvs);
-    case 3:
-      return visit(job.mesh.colors);
-    case 4:
-      return visit(job.mesh.tangents);
-    case 5:
-      return visit(job.mesh.indices);
-    case 6:
-      return visit(job.picture);
-    case 7:
-      return visit(job.mimeType);
-    case 8:
-      return visit(job.file);
-    case 9:
-      return visit(job.name);
-    case 10:
-      return visit(job.contents);
-    default:
-      return visit(job.mesh.gradients[array - 11]);
-  }
+auto withArray(Job& job, int array, const Visitor& visit) {
+  decltype(visit(job.file)) result{};
+  int number = 0;
+  const auto consider = [&](const auto& each) {
+    if (number++ == array) result = visit(each.of(job));
+  };
+  std::apply([&](const auto&... each) { (consider(each), ...); }, jobArrays);
+  return result;
 }
 
 // Whether `work` went well; `work` says so, or throws.

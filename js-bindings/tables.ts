@@ -21,3 +21,31 @@ export const wraps = ['clamp', 'repeat', 'mirror'] as const
 
 export const mostSeed = 8388608
 export const mostOctaves = 16
+
+/** In the place of a handle: why, the session says; or derivatives of calls are to be given first. */
+export const failed = -1
+export const needsPartials = -2
+
+/** What a warp is made of besides its offset. */
+export const warpOperands = [
+  'position',
+  'normal',
+  'uv',
+  'tangent',
+  'normalXGradient',
+  'normalYGradient',
+  'normalZGradient',
+  'uGradient',
+  'vGradient',
+] as const
+
+/** The results of a warp. The last 4, which turn, come again, as they are where normal and uv vary over the surface. */
+export const warpResults = {
+  offset: 0,
+  position: 1,
+  normal: 2,
+  tangent: 3,
+  direction: 4,
+  determinant: 5,
+}
+export const turnedResults = 4

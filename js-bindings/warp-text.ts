@@ -11,18 +11,12 @@ import { type Compilation, resultName } from './compilation.js'
 import { isExpression } from './describe.js'
 import { WarpError, describe, describeShape } from './errors.js'
 import { type Expression, toExpression } from './expression.js'
-import {
-  type InputName,
-  drawInputs,
-  inputSizes,
-  variationInputs,
-  variationNames,
-  vertexInputs,
-} from './inputs.js'
+import { type InputName, drawInputs, inputSizes, variationInputs, vertexInputs } from './inputs.js'
 import { type KeptModule, type Target, checkTarget, writeText } from './kept-module.js'
 import { checkCallback, checkOptions } from './options.js'
 import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from './types.js'
 import type { Variable } from './shapes.js'
+import { turnedResults, warpOperands, warpResults } from './tables.js'
 import { type DeclaredUniforms, readDeclared, withUniforms } from './uniforms.js'
 
 /** The host shader's expression for each input; its name unless given. */
@@ -158,18 +152,9 @@ export interface KeptWarp {
   isApproximate: boolean
 }
 
-/** The results of `Compilation.warp`, by number: WarpResult of src/builder. The last four come again, by `onSurface`. */
-export const warpResults = {
-  offset: 0,
-  position: 1,
-  normal: 2,
-  tangent: 3,
-  direction: 4,
-  determinant: 5,
-}
-
-/** Where normal and uv vary over the surface. */
-export const onSurface = (result: number) => (result < warpResults.normal ? result : result + 4)
+/** The number of a result where normal and uv vary over the surface. */
+export const onSurface = (result: number) =>
+  result < warpResults.normal ? result : result + turnedResults
 
 /** Calls the offset function. */
 export function keepWarp(offsetFunction: OffsetFunction, settings: Settings): KeptWarp {
@@ -183,9 +168,7 @@ export function keepWarp(offsetFunction: OffsetFunction, settings: Settings): Ke
         `${method} names.${name}`,
       )
     const offset = checkOffset(compilation, method, offsetFunction(warpInputs(compilation, given)))
-    const operands = ['position', 'normal', 'uv', 'tangent', ...variationNames].map(
-      (name) => given[name]!,
-    )
+    const operands = warpOperands.map((name) => given[name]!)
     const { varies } = compilation.warp(method, [offset, ...operands], normals, !surfaceVariation)
     const inputs = Object.fromEntries(
       Object.entries(given).map(([name, input]) => [name, compilation.numberOf(input)]),

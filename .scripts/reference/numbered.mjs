@@ -1,10 +1,18 @@
-// js-bindings/tables.ts: what has a number in the C++, in the order of its numbers, and what is limited there.
+// js-bindings/tables.ts and js-bindings/mesh/tables.ts: what has a number in the C++, in the order of its numbers, and what
+// is limited there.
+
+const head =
+  '// Written by `npm run reference` from the C++: what has a number there, in the order of its numbers, and what is limited.'
 
 const list = (names) => `[${names.map((name) => `'${name}'`).join(', ')}] as const`
 
-/** The text of the file, not yet formatted. */
-export const numberedText = ({ languages, noises, filters, wraps, mostSeed, mostOctaves }) =>
-  `// Written by \`npm run reference\` from the C++: what has a number there, in the order of its numbers, and what is limited.
+/** Each with its number. */
+const numbers = (entries) => `{${entries.map(([name, number]) => `${name}: ${number}`).join(', ')}}`
+
+/** The text of the compiler's, not yet formatted. */
+export const numberedText = (table) => {
+  const { languages, noises, filters, wraps, warpOperands, warpResults, turnedResults } = table
+  return `${head}
 
 /** Shading languages, the one first that counts unless another is asked for, each with what \`glsl.fn\` calls its sources. */
 export const languages = {${languages.map(({ name, source }) => `${name}: '${source}'`).join(', ')}} as const
@@ -16,6 +24,39 @@ export const noises = {${noises.map(({ name, use }) => `${name}: '${use}'`).join
 export const filters = ${list(filters)}
 export const wraps = ${list(wraps)}
 
-export const mostSeed = ${mostSeed}
-export const mostOctaves = ${mostOctaves}
+export const mostSeed = ${table.mostSeed}
+export const mostOctaves = ${table.mostOctaves}
+
+/** In the place of a handle: why, the session says; or derivatives of calls are to be given first. */
+export const failed = ${table.failed}
+export const needsPartials = ${table.needsPartials}
+
+/** What a warp is made of besides its offset. */
+export const warpOperands = ${list(warpOperands)}
+
+/** The results of a warp. The last ${turnedResults}, which turn, come again, as they are where normal and uv vary over the surface. */
+export const warpResults = ${numbers(warpResults.map((name, i) => [name, i]))}
+export const turnedResults = ${turnedResults}
 `
+}
+
+/** The text of the one of meshes. */
+export const meshNumberedText = ({ meshArrays, mostTriangles, usualTriangles }) => {
+  const numbered = meshArrays.map(({ name, kind }, i) => ({ name, kind, i }))
+  const of = (wanted) =>
+    numbered.filter(({ kind }) => kind === wanted).map(({ name, i }) => [name, i])
+  return `${head}
+
+/** The arrays of a job of the module of meshes. */
+export const floatArrays = ${numbers(of('float'))}
+export const indexArray = ${of('index')[0][1]}
+export const byteArrays = ${numbers(of('byte'))}
+
+export type FloatArray = keyof typeof floatArrays
+export type ByteArray = keyof typeof byteArrays
+
+export const mostTriangles = ${mostTriangles}
+/** Unless another limit is given. */
+export const usualTriangles = ${usualTriangles}
+`
+}

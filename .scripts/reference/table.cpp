@@ -14,8 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include "builder/builder.hpp"
 #include "builder/operations.hpp"
 #include "emit/dialect.hpp"
+#include "job.hpp"
+#include "mesh/refine/subdivide.hpp"
 #include "texture/texture.hpp"
 
 namespace warpjet {
@@ -46,11 +49,6 @@ std::string array(const List& items, Item item) {
   return "[" + joined + "]";
 }
 
-template <class List>
-std::string contains(const List& list, Op op) {
-  return truth(std::find(list.begin(), list.end(), op) != list.end());
-}
-
 std::string typeName(ops::Type type) { return text(type == ops::Type::Bool ? "bool" : "float"); }
 
 // The languages that lack a row, and so have it lowered to others.
@@ -62,7 +60,7 @@ std::string missingIn(const ops::Spellings& spellings) {
   return array(names, text);
 }
 
-std::string row(const ops::Title& title, const ops::Info& info, Op op) {
+std::string row(const ops::Title& title, const ops::Info& info) {
   const std::span types(info.signature.operands.data(), static_cast<std::size_t>(info.arity));
   return object({{"name", text(title.name)},
                  {"operands", text(title.operands)},
@@ -70,19 +68,16 @@ std::string row(const ops::Title& title, const ops::Info& info, Op op) {
                  {"types", array(types, typeName)},
                  {"result", typeName(info.signature.result)},
                  {"missingIn", missingIn(info.spellings)},
-                 {"isChained", contains(chained, op)},
-                 {"takesMatrices", contains(linear, op)},
-                 {"isHidden", truth(detail::isHidden(title.name))}});
+                 {"isChained", truth(info.traits.has(ops::Trait::Chained))},
+                 {"takesMatrices", truth(info.traits.has(ops::Trait::OnMatrices))},
+                 {"isHidden", truth(detail::isHidden(info))}});
 }
 
 std::string rows() {
   constexpr auto titles =
       std::apply([](const auto&... each) { return std::array{each.title...}; }, ops::table);
   std::size_t i = 0;
-  return array(titles, [&](const ops::Title& title) {
-    const Op op{static_cast<std::uint8_t>(i++)};
-    return row(title, ops::info(op), op);
-  });
+  return array(titles, [&](const ops::Title& title) { return row(title, ops::infos[i++]); });
 }
 
 std::string composition(const Composition& each) {
@@ -114,6 +109,32 @@ std::string noise(const NoiseRow& each) {
   return object({{"name", text(each.name)}, {"use", text(useName(each.use))}});
 }
 
+template <class Element>
+std::string_view kindOf(const std::vector<Element>&) {
+  if constexpr (std::is_same_v<Element, float>) return "float";
+  if constexpr (std::is_same_v<Element, std::uint8_t>) return "byte";
+  return "index";
+}
+
+std::string meshArrays() {
+  Job job;
+  std::string joined;
+  std::apply(
+      [&](const auto&... each) {
+        ((joined += (joined.empty() ? "" : ",\n") +
+                    object({{"name", text(each.name)}, {"kind", text(kindOf(each.of(job)))}})),
+         ...);
+      },
+      jobArrays);
+  return "[" + joined + "]";
+}
+
+std::string warpResults() {
+  std::vector<std::string_view> names(movedResults.begin(), movedResults.end());
+  names.insert(names.end(), turnedResults.begin(), turnedResults.end());
+  return array(names, text);
+}
+
 std::string other(const Operation& each) {
   return object({{"name", text(each.name)}, {"isConstructor", truth(each.isConstructor())}});
 }
@@ -133,6 +154,14 @@ int main() {
                        {"filters", array(filterNames, text)},
                        {"wraps", array(wrapNames, text)},
                        {"mostSeed", std::to_string(mostSeed)},
-                       {"mostOctaves", std::to_string(mostOctaves)}})
+                       {"mostOctaves", std::to_string(mostOctaves)},
+                       {"failed", std::to_string(Builder::failed)},
+                       {"needsPartials", std::to_string(Builder::needsPartials)},
+                       {"warpOperands", array(warpOperands, text)},
+                       {"warpResults", warpResults()},
+                       {"turnedResults", std::to_string(turnedResults.size())},
+                       {"meshArrays", meshArrays()},
+                       {"mostTriangles", std::to_string(mostTriangles)},
+                       {"usualTriangles", std::to_string(usualTriangles)}})
             << '\n';
 }

@@ -1,4 +1,5 @@
 // What --help says.
+import { usualTriangles } from '../mesh/tables.js'
 
 export const help = `warpjet warps 3D models with a function of their vertices.
 
@@ -40,7 +41,7 @@ Moves every vertex of the model as the shader would, turns normals and tangents,
                             counts before what warp.js exports
   --subdivide <tolerance>   first gives the model more triangles where the warp bends it: the result is nowhere farther
                             than this from the smooth shape, in units of the model
-  --max-triangles <n>       with --subdivide: never makes more than so many (default 1048576)
+  --max-triangles <n>       with --subdivide: never makes more than so many (default ${usualTriangles})
   -q, --quiet               tells nothing on the way`,
 
   info: `npx warpjet info <model>

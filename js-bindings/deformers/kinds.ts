@@ -2,6 +2,7 @@
 // offset function is given.
 import { isExpression as hasItsShape } from '../describe.js'
 import { isList } from '../options.js'
+import { mostSeed } from '../tables.js'
 import type { Glsl, Operand, Scalar, Vec3, WarpInputs } from '../types.js'
 
 /** What an offset function is given. Which uniforms there are is said where the warp is made, which is elsewhere. */
@@ -51,12 +52,12 @@ export const number = (standard: number): Kind<Scalar> => ({
   make: (glsl, value: number) => glsl.val(value),
 })
 
-/** A whole number, one that float32 can hold, which must be there when the deformer is made. */
+/** A whole number, one that seeds may be, which must be there when the deformer is made. */
 export const whole = (standard: number): Kind<number> => ({
   standard,
-  expected: 'a whole number of at most 8388608',
+  expected: `a whole number of at most ${mostSeed}`,
   rows: 0,
-  allows: (value) => Number.isInteger(value) && Math.abs(value as number) <= 2 ** 23,
+  allows: (value) => Number.isInteger(value) && Math.abs(value as number) <= mostSeed,
   make: (_, value: number) => value,
 })
 

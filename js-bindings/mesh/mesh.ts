@@ -2,7 +2,7 @@
 import { WarpError, describe } from '../errors.js'
 import { finiteFloat, firstWrong, inWords } from '../numbers.js'
 import { isList } from '../options.js'
-import type { FloatArray } from './arrays.js'
+import type { FloatArray } from './tables.js'
 import type { Job } from './module.js'
 
 /** A picture as its file has it. */

@@ -1,6 +1,6 @@
 // The wasm module of meshes: it starts when it is first used, and holds nothing between two calls.
 import { WarpError } from '../errors.js'
-import { type ByteArray, type FloatArray, byteArrays, floatArrays, indexArray } from './arrays.js'
+import { type ByteArray, type FloatArray, byteArrays, floatArrays, indexArray } from './tables.js'
 import factory from '../generated/mesh.js'
 import inlined from '../generated/mesh-wasm.js'
 import { anyNumber, firstWrong, inWords } from '../numbers.js'

@@ -8,6 +8,7 @@ import { warpProgram } from '../warp-program.js'
 import { type Evaluates, asksForVariation, checkWarp, evaluateFor } from './bake.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
 import { type Job, withJob } from './module.js'
+import { mostTriangles, usualTriangles } from './tables.js'
 import { variationOf } from './variation.js'
 
 interface Limit {
@@ -32,9 +33,6 @@ export interface LevelsOptions extends Limit {
   levels: number
 }
 
-/** Of src/mesh/refine/refiner.hpp. */
-export const mostTriangles = 2 ** 28
-
 /**
  * The same surface with more vertices, not warped yet. Edges are split until the warped triangles are as near to the
  * warped surface as `tolerance` says, only where that is needed; or, with `levels`, everywhere. No cracks come up, and
@@ -49,8 +47,13 @@ export function subdivide(mesh: MeshInput, options: AdaptiveOptions | LevelsOpti
     )
   const known = 'levels' in options ? ['levels'] : ['warp', 'uniforms', 'tolerance', 'angle']
   checkOptions('subdivide', options, [...known, 'maxTriangles'])
-  const { maxTriangles = 2 ** 20 } = options
-  checkNumber('maxTriangles', maxTriangles, 'a whole number from 1 to 2^28', isCount)
+  const { maxTriangles = usualTriangles } = options
+  checkNumber(
+    'maxTriangles',
+    maxTriangles,
+    `a whole number from 1 to 2^${Math.log2(mostTriangles)}`,
+    isCount,
+  )
   const refine =
     'levels' in options ? uniformly(options, maxTriangles) : adaptively(options, maxTriangles)
   return withJob('subdivide', (job) => {

@@ -2,7 +2,7 @@
 import { variationNames } from '../inputs.js'
 import { arrayNames } from '../vertices.js'
 import { type MeshInput, putMesh } from './mesh.js'
-import type { FloatArray } from './arrays.js'
+import type { FloatArray } from './tables.js'
 import { type Job, withJob } from './module.js'
 
 /** How fast and which way something rises along the surface: three numbers a vertex each. */

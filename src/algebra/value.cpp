@@ -18,7 +18,7 @@ Value byComponent(Op op, std::span<const Value> operands) {
   Graph& graph = operands[0].graph();
   Value result(graph, shape);
   for (int i = 0; i < shape.size(); ++i) {
-    Operands components{};
+    Operands<NodeId> components{};
     for (std::size_t k = 0; k < operands.size(); ++k)
       components[k] = operands[k].nodes()[operands[k].size() == 1 ? 0 : i];
     result.set(i, graph.apply(op, components));

@@ -41,7 +41,7 @@ const std::string_view* Builder::impossible(NodeId id) const {
     return isTooHigh ? &tooHighOrder : nullptr;
   }
   if (!graph_.isOperation(id) || graph_.known(id)) return nullptr;
-  if (graph_.is(id, ops::find("div")) || graph_.is(id, ops::find("mod"))) {
+  if (ops::has(graph_.node(id).op, ops::Trait::Divides)) {
     const NodeId divisor = graph_.operand(id, 1);
     const bool isConstant = graph_.isConstant(divisor);
     if (isConstant && static_cast<float>(graph_.value(divisor)) == 0) return &dividesByZero;

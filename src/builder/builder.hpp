@@ -23,9 +23,16 @@ struct Noise;
 struct Sampling;
 struct WarpOptions;
 
-// The results of a warp in the order in which `Builder::warp` asks for them. Those from the fourth
-// on come twice: where normal and uv count as constant, and where they vary over the surface.
-enum class WarpResult : std::uint8_t { Offset, Position, Normal, Tangent, Direction, Determinant };
+// What `Builder::warp` takes besides the offset, in this order.
+inline constexpr std::array<std::string_view, 9> warpOperands{
+    "position",        "normal",          "uv",        "tangent",  "normalXGradient",
+    "normalYGradient", "normalZGradient", "uGradient", "vGradient"};
+
+// The results that it asks for, in this order. Those that turn come twice: where normal and uv
+// count as constant, and where they vary over the surface.
+inline constexpr std::array<std::string_view, 2> movedResults{"offset", "position"};
+inline constexpr std::array<std::string_view, 4> turnedResults{"normal", "tangent", "direction",
+                                                               "determinant"};
 
 class Builder {
  public:
@@ -75,8 +82,8 @@ class Builder {
   // Asks for a result under a name.
   void output(std::string_view method, std::string_view name, int handle);
 
-  // Asks for all results of a warp. The values pushed are the offset, then the inputs as WarpInputs
-  // has them. 1 if it needs the gradients, 0 if not, or in the place of a handle.
+  // Asks for all results of a warp. The values pushed are the offset, then `warpOperands`. 1 if it
+  // needs the gradients, 0 if not, or in the place of a handle.
   int warp(std::string_view method, const WarpOptions& options);
 
   // The number of an input, by its value.
@@ -86,8 +93,6 @@ class Builder {
   bool finish();
 
  private:
-  using Operands = std::span<const Value>;
-
   // The call that is being made, for sentences.
   struct Site {
     std::string_view method;
@@ -98,7 +103,7 @@ class Builder {
 
   std::optional<Value> apply(const Operation& operation, const Site& site);
   std::optional<Value> applyRow(Op op, const Site& site);
-  std::optional<Value> applyRowTo(Op op, Operands operands, const Site& site);
+  std::optional<Value> applyRowTo(Op op, std::span<const Value> operands, const Site& site);
   std::optional<Value> applyMatrixProduct(const Value& a, const Value& b, const Site& site);
   std::optional<Value> compose(const Form& form, const Site& site);
   std::optional<Value> makeVector(int size, const Site& site);
@@ -114,7 +119,7 @@ class Builder {
   bool checkCount(int wanted, const Site& site);
   bool fits(Kind kind, const Value& operand, std::size_t place, const Site& site);
   bool fitsInput(const Value& operand, std::size_t place, const Site& site);
-  std::optional<Shape> commonShape(Operands operands, const Site& site);
+  std::optional<Shape> commonShape(std::span<const Value> operands, const Site& site);
   bool hasAllPartials(const Value& value);
 
   // The handle of a value, unless nodes made since `before` are not what a shader can hold.

@@ -10,10 +10,6 @@ namespace {
 
 constexpr Op Mult = ops::find("mult"), Div = ops::find("div");
 
-bool isChained(Op op) { return std::find(chained.begin(), chained.end(), op) != chained.end(); }
-
-bool takesMatrices(Op op) { return std::find(linear.begin(), linear.end(), op) != linear.end(); }
-
 // What a sentence calls an operand that should have been of this kind.
 std::string_view kindName(Kind kind) {
   switch (kind) {
@@ -89,7 +85,7 @@ std::nullopt_t Builder::refuseShapes(Shape a, Shape b, const Site& site) {
                                         : "vectors of one size, or numbers."});
 }
 
-std::optional<Shape> Builder::commonShape(Operands operands, const Site& site) {
+std::optional<Shape> Builder::commonShape(std::span<const Value> operands, const Site& site) {
   Shape common;
   for (const Value& operand : operands) {
     if (operand.shape().isNumber()) continue;
@@ -103,7 +99,7 @@ std::optional<Shape> Builder::commonShape(Operands operands, const Site& site) {
 std::optional<Value> Builder::applyRow(Op op, const Site& site) {
   if (op == ops::find("atan") && operands_.size() == 2) op = ops::find("atan2");
   const std::size_t fewest = site.isMethod ? 2 : 1;
-  if (!isChained(op) || operands_.size() < fewest) {
+  if (!ops::has(op, ops::Trait::Chained) || operands_.size() < fewest) {
     if (!checkCount(ops::info(op).arity, site)) return std::nullopt;
     return applyRowTo(op, operands_, site);
   }
@@ -113,10 +109,10 @@ std::optional<Value> Builder::applyRow(Op op, const Site& site) {
   return result;
 }
 
-std::optional<Value> Builder::applyRowTo(Op op, Operands operands, const Site& site) {
+std::optional<Value> Builder::applyRowTo(Op op, std::span<const Value> operands, const Site& site) {
   const auto isMatrix = [](const Value& operand) { return operand.shape().isMatrix(); };
   if (std::any_of(operands.begin(), operands.end(), isMatrix)) {
-    if (!takesMatrices(op))
+    if (!ops::has(op, ops::Trait::OnMatrices))
       return refuse(site.method,
                     {"it does not work on matrices; take their columns by m.column(0)."});
     const bool hasNumber = operands.back().size() == 1 || operands[0].size() == 1;

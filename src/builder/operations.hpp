@@ -12,16 +12,6 @@
 
 namespace warpjet {
 
-// Rows that take any number of operands, from left to right.
-inline constexpr std::array chained{ops::find("add"), ops::find("sub"), ops::find("mult"),
-                                    ops::find("div"), ops::find("min"), ops::find("max"),
-                                    ops::find("and"), ops::find("or")};
-
-// Rows that matrices have by component, but for products, and quotients by a matrix.
-inline constexpr std::array linear{ops::find("neg"),   ops::find("add"), ops::find("sub"),
-                                   ops::find("mult"),  ops::find("div"), ops::find("mix"),
-                                   ops::find("ifElse")};
-
 struct Operation {
   enum class Source : std::uint8_t {
     Row,
@@ -57,11 +47,7 @@ inline constexpr std::array aliases{
     Alias{"vecMin", "min"},   Alias{"vecMax", "max"}, Alias{"vecIfElse", "ifElse"},
 };
 
-// Conversions, which the graph inserts by itself, and the rows behind `atan` of two operands and
-// behind noise.
-constexpr bool isHidden(std::string_view row) {
-  return row == "float" || row == "bool" || row == "atan2" || row == "hash";
-}
+constexpr bool isHidden(const ops::Info& row) { return row.traits.has(ops::Trait::Hidden); }
 
 using Source = Operation::Source;
 
@@ -74,9 +60,8 @@ inline constexpr std::array others{
     Operation{"mat4Rows", Source::MatrixOfRows, 4},
 };
 
-inline constexpr auto hiddenCount = static_cast<std::size_t>(
-    std::count_if(ops::infos.begin(), ops::infos.end(),
-                  [](const ops::Info& info) { return isHidden(info.name); }));
+inline constexpr auto hiddenCount =
+    static_cast<std::size_t>(std::count_if(ops::infos.begin(), ops::infos.end(), isHidden));
 
 }  // namespace detail
 
@@ -88,8 +73,7 @@ inline constexpr auto operations = [] {
   std::size_t n = 0;
   const auto number = [](std::size_t i) { return static_cast<std::uint8_t>(i); };
   for (std::size_t i = 0; i < ops::count; ++i) {
-    if (!detail::isHidden(ops::infos[i].name))
-      all[n++] = {ops::infos[i].name, Source::Row, number(i)};
+    if (!detail::isHidden(ops::infos[i])) all[n++] = {ops::infos[i].name, Source::Row, number(i)};
   }
   for (const auto& alias : detail::aliases) {
     for (std::size_t i = 0; i < ops::count; ++i) {

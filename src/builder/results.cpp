@@ -1,5 +1,6 @@
 // What is asked for in the end: results by name, and the results of a warp.
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -28,21 +29,20 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
     operands_.clear();
     return needsPartials;
   }
-  const WarpInputs inputs{operands_[1],
-                          operands_[2],
-                          operands_[3],
-                          operands_[4],
-                          {operands_[5], operands_[6], operands_[7], operands_[8], operands_[9]}};
+  const Value* const given = &operands_[1];
+  const WarpInputs inputs{
+      given[0], given[1], given[2], given[3], {given[4], given[5], given[6], given[7], given[8]}};
   const Warp warp = makeWarp(differentiator_, offset, inputs, options);
 
-  std::vector<std::pair<std::string_view, Value>> results{{"offset", warp.offset},
-                                                          {"position", warp.position}};
-  const auto addTurned = [&](const Turned& turned) {
-    results.insert(results.end(), {{"normal", turned.normal},
-                                   {"tangent", turned.tangent},
-                                   {"direction", turned.direction},
-                                   {"determinant", turned.determinant}});
+  std::vector<std::pair<std::string_view, Value>> results;
+  const auto add = [&](std::span<const std::string_view> names, std::span<const Value> values) {
+    for (std::size_t i = 0; i < names.size(); ++i) results.emplace_back(names[i], values[i]);
   };
+  const auto addTurned = [&](const Turned& turned) {
+    add(turnedResults, std::array<Value, turnedResults.size()>{
+                           turned.normal, turned.tangent, turned.direction, turned.determinant});
+  };
+  add(movedResults, std::array<Value, movedResults.size()>{warp.offset, warp.position});
   if (warp.surface) {
     addTurned(warp.flat ? *warp.flat : *warp.surface);
     addTurned(*warp.surface);

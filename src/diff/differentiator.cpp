@@ -79,15 +79,12 @@ NodeId Differentiator::whole(const Tangent& tangent) {
   return graph_.apply(Mult, {tangent.factor, tangent.base});
 }
 
-// The base of all operands, if they depend on the same components as the node does. A choice begins
-// with bases of its own: the one of the branch that is not taken may be infinite, and a factor 0
-// before it would not keep it out.
+// The base of all operands, if they depend on the same components as the node does. What branches
+// begins with bases of its own: the one of the branch that is not taken may be infinite, and a
+// factor 0 before it would not keep it out.
 std::optional<NodeId> Differentiator::commonBase(NodeId id, const Tangents& tangents,
                                                  const Components& components) const {
-  constexpr Op choices[] = {ops::find("ifElse"), ops::find("min"), ops::find("max"),
-                            ops::find("clamp")};
-  if (std::find(std::begin(choices), std::end(choices), graph_.node(id).op) != std::end(choices))
-    return {};
+  if (graph_.isOperation(id) && ops::has(graph_.node(id).op, ops::Trait::Branches)) return {};
   std::optional<NodeId> base;
   const NodeId from = operandsOf(graph_, id);
   for (int i = 0; i < graph_.arity(from); ++i) {
@@ -143,7 +140,7 @@ NodeId Differentiator::chainRule(NodeId id, TangentOf tangent) {
   const NodeId from = operandsOf(graph_, id);
   const Partials& partials = partialsOf(graph_, id);
   const int arity = graph_.arity(from);
-  Arguments x{};
+  Operands<Expression> x{};
   for (int i = 0; i < arity; ++i) x[i] = {&graph_, graph_.operand(from, i)};
   for (int i = 0; i < arity; ++i) {
     if (partials[i].times == nullptr) continue;
@@ -161,7 +158,7 @@ NodeId Differentiator::derivative(NodeId root, NodeId input) {
   Tangents& tangents = tangents_[input];
   const std::size_t before = components.bytes() + tangents.bytes();
   const NodeId zero = graph_.constant(0), one = graph_.constant(1);
-  const auto isKnown = [&](NodeId id) { return tangents[id].factor != unknown; };
+  const auto isKnown = [&](NodeId id) { return tangents[id].factor != noNode; };
   const auto dependsOnInput = [&](NodeId id) {
     for (int i = 0; i < graph_.arity(id); ++i) {
       if (tangents[graph_.operand(id, i)].factor != zero) return true;

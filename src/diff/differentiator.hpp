@@ -24,13 +24,11 @@ class Differentiator {
   std::size_t bytes() const { return bytes_; }
 
  private:
-  static constexpr NodeId unknown{~std::uint32_t{0}};
-
   // A node's derivative as a product: the base is the derivative of an earlier node, the factor
   // what the chain rule has made since. Where all components of an input have come by that node,
   // the factor is the same for each of them, so that the columns of a Jacobian share it.
   struct Tangent {
-    NodeId factor = unknown, base = unknown;
+    NodeId factor = noNode, base = noNode;
   };
   using Tangents = Paged<Tangent>;
   // On which components of an input a node depends, a bit each.

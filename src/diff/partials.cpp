@@ -1,7 +1,5 @@
 #include "diff/partials.hpp"
 
-#include <utility>
-
 #include "graph/multi_index.hpp"
 
 namespace warpjet {
@@ -9,23 +7,21 @@ namespace warpjet {
 namespace {
 
 template <std::size_t Row, std::size_t K>
-Expression times(Graph& graph, const Arguments& x, Expression value, Expression derivative) {
+Expression times(Graph& graph, const Operands<Expression>& x, Expression value,
+                 Expression derivative) {
   return {&graph, toNode(graph, ops::term<Row, K>(x.data(), value, derivative))};
 }
 
 template <std::size_t Row>
 constexpr Partials partialsOfRow() {
   using Functions = decltype(std::get<Row>(ops::table).partials);
-  return []<std::size_t... K>(std::index_sequence<K...>) {
-    return Partials{Partial{&times<Row, K>, ops::takesDerivative<Row, K>}...};
-  }
-  (std::make_index_sequence<std::tuple_size_v<Functions>>{});
+  return ops::numbered<std::tuple_size_v<Functions>>([](auto... k) {
+    return Partials{Partial{&times<Row, k>, ops::takesDerivative<Row, k>}...};
+  });
 }
 
-constexpr auto partials = []<std::size_t... Row>(std::index_sequence<Row...>) {
-  return std::array{partialsOfRow<Row>()...};
-}
-(std::make_index_sequence<ops::count>{});
+constexpr auto partials =
+    ops::numbered<ops::count>([](auto... row) { return std::array{partialsOfRow<row>()...}; });
 
 }  // namespace
 

@@ -1,24 +1,22 @@
 // The partial derivatives of each row, as functions that build nodes.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "graph/expression.hpp"
 
 namespace warpjet {
 
-using Arguments = std::array<Expression, ops::maxArity>;
-
 // By an operand of an operation.
 struct Partial {
   // From all operands, the operation's own node and the derivative of that operand to the node of
   // their product; null where the operation is locally constant.
-  Expression (*times)(Graph&, const Arguments&, Expression value, Expression derivative) = nullptr;
+  Expression (*times)(Graph&, const Operands<Expression>&, Expression value,
+                      Expression derivative) = nullptr;
   // Whether it may overflow where the product does not.
   bool canOverflow = false;
 };
-using Partials = std::array<Partial, ops::maxArity>;
+using Partials = Operands<Partial>;
 
 const Partials& partialsOf(Op op);
 

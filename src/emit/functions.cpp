@@ -48,9 +48,9 @@ void Declarations::define(const Function& function, int order) {
   if (isDefined(bundle.function)) return;
   Body& body = library_.withResults(function.name, order);
   if (!body.definition.body) return define(bundle.function, dialect_.texel);
-  Comments none;
+  Comments noComments;
   std::vector<NodeId> results(body.results.begin(), body.results.begin() + bundle.count);
-  results = lower(body.graph, results, dialect_.language, none);
+  results = lower(body.graph, results, dialect_.language, noComments);
   const std::vector<Output> outputs = outputsOf(body.graph, bundle, results);
   const Emitted emitted = emit(body.graph, dialect_, outputs);
   add(body.graph, emitted);

@@ -10,11 +10,11 @@ namespace warpjet {
 
 namespace {
 
-using Formula = NodeId (*)(Graph&, const Operands&);
+using Formula = NodeId (*)(Graph&, const Operands<NodeId>&);
 
 template <std::size_t Row>
-NodeId applyFormula(Graph& graph, const Operands& operands) {
-  std::array<Expression, ops::maxArity> x{};
+NodeId applyFormula(Graph& graph, const Operands<NodeId>& operands) {
+  Operands<Expression> x{};
   for (int i = 0; i < ops::infos[Row].arity; ++i) x[i] = {&graph, operands[i]};
   constexpr auto formula = std::get<Row>(ops::table).lowered;
   return ops::spread<ops::infos[Row].arity>(formula, x.data()).id;
@@ -39,10 +39,8 @@ constexpr Formula formulaOf() {
 }
 
 // Null where every language has the operation.
-constexpr auto formulas = []<std::size_t... Row>(std::index_sequence<Row...>) {
-  return std::array{formulaOf<Row>()...};
-}
-(std::make_index_sequence<ops::count>{});
+constexpr auto formulas =
+    ops::numbered<ops::count>([](auto... row) { return std::array{formulaOf<row>()...}; });
 
 bool lacks(ops::Language language, Op op) {
   return ops::info(op).spellings.in(language).isMissing();
@@ -73,7 +71,7 @@ class Lowering {
   }
 
   NodeId visitOperation(NodeId id) {
-    Operands operands{};
+    Operands<NodeId> operands{};
     bool changed = false;
     for (int i = 0; i < graph_.arity(id); ++i) {
       operands[i] = lowered(graph_.operand(id, i));

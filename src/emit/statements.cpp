@@ -6,8 +6,6 @@ namespace warpjet {
 
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
-
 class Maker {
  public:
   Maker(const Graph& graph, std::span<const Output> outputs,
@@ -107,7 +105,7 @@ class Maker {
     Set set = state(id).reads;
     while (set.count > options_.maxReads) {
       const NodeId* widest = nullptr;
-      Operands operands{};
+      Operands<NodeId> operands{};
       for (int i = 0; i < graph_.arity(id); ++i) {
         operands[i] = graph_.operand(id, i);
         if (graph_.isList(operands[i]) || readsWhereWritten(operands[i]) < 2) continue;

@@ -18,7 +18,7 @@ constexpr ops::Spelling listSpelling{"$0, $1"}, callSpelling{"$0"};
 Writer::Writer(const Graph& graph, const Dialect& dialect)
     : graph_(graph),
       dialect_(dialect),
-      names_(graph.size(), unnamed),
+      names_(graph.size(), none),
       inputNames_(graph.inputCount()) {}
 
 const ops::Spelling& Writer::spellingOf(NodeId id) const {

@@ -30,7 +30,7 @@ class Writer {
   // Of the variable that holds the node.
   std::string typeOf(NodeId id) const;
 
-  bool isNamed(NodeId id) const { return names_[index(id)] != unnamed; }
+  bool isNamed(NodeId id) const { return names_[index(id)] != none; }
   const std::string& nameOf(NodeId id) const { return texts_[names_[index(id)]]; }
   const std::string& inputName(std::uint32_t input) const { return inputNames_[input]; }
 
@@ -40,8 +40,6 @@ class Writer {
   void writeValue(std::string& text, Shape shape, std::span<const NodeId> components);
 
  private:
-  static constexpr std::uint32_t unnamed = ~std::uint32_t{0};
-
   // A spelling that is being written.
   struct Frame {
     NodeId id;

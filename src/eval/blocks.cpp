@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t blockBytes = 32 * 1024;
 constexpr std::size_t leastLanes = 8, mostLanes = 64;
 
-// The lanes of a register, and how far on those of the next four vertices are.
-struct Operand {
+// Where the lanes of a register are, and how far on those of the next four vertices.
+struct Place {
   const Lanes* lanes;
   std::size_t step;
 };
@@ -29,32 +29,34 @@ auto typed(const Lanes& lanes) {
 Lanes untyped(const Lanes& value) { return value; }
 Lanes untyped(const Mask& value) { return asLanes(value); }
 
-// A row of the table on as many lanes.
-template <std::size_t Row>
-void applyRow(Lanes* result, const Operand (&operands)[ops::maxArity], std::size_t count) {
+// A row of the table on four numbers; one that is written for plain numbers alone takes each.
+template <std::size_t Row, class... X>
+auto valueOf(const X&... x) {
   constexpr const auto& row = std::get<Row>(ops::table);
-  constexpr auto types = row.signature.operands;
-  const auto [a, b, c] = operands;
-  for (std::size_t i = 0; i < count; ++i) {
-    if constexpr (row.arity == 1) {
-      result[i] = untyped(row.value(typed<types[0]>(a.lanes[i * a.step])));
-    } else if constexpr (row.arity == 2) {
-      result[i] = untyped(
-          row.value(typed<types[0]>(a.lanes[i * a.step]), typed<types[1]>(b.lanes[i * b.step])));
-    } else {
-      result[i] = untyped(row.value(typed<types[0]>(a.lanes[i * a.step]),
-                                    typed<types[1]>(b.lanes[i * b.step]),
-                                    typed<types[2]>(c.lanes[i * c.step])));
-    }
+  if constexpr (std::is_invocable_v<decltype(row.value), X...>) {
+    return row.value(x...);
+  } else {
+    static_assert(row.signature.result == ops::Type::Float && (std::is_same_v<X, Lanes> && ...),
+                  "a row of conditions must be written for any scalar");
+    Lanes all;
+    for (std::size_t i = 0; i < Lanes::count; ++i)
+      all.set(i, static_cast<float>(row.value(static_cast<double>(x[i])...)));
+    return all;
   }
 }
 
-using Kernel = void (*)(Lanes* result, const Operand (&operands)[ops::maxArity], std::size_t count);
-
-constexpr auto kernels = []<std::size_t... Row>(std::index_sequence<Row...>) {
-  return std::array<Kernel, ops::count>{applyRow<Row>...};
+template <std::size_t Row>
+void applyRow(Lanes* result, const Operands<Place>& operands, std::size_t count) {
+  constexpr auto types = ops::infos[Row].signature.operands;
+  ops::numbered<ops::infos[Row].arity>([=](auto... k) {
+    for (std::size_t i = 0; i < count; ++i)
+      result[i] =
+          untyped(valueOf<Row>(typed<types[k]>(operands[k].lanes[i * operands[k].step])...));
+  });
 }
-(std::make_index_sequence<ops::count>{});
+
+constexpr auto kernels =
+    ops::numbered<ops::count>([](auto... row) { return std::array{&applyRow<row>...}; });
 
 }  // namespace
 
@@ -83,7 +85,7 @@ Lanes* BlockEvaluator::lanesOf(Register r) {
 }
 
 void BlockEvaluator::execute(const RegisterInstruction& instruction, std::size_t lanes) {
-  Operand operands[ops::maxArity];
+  Operands<Place> operands{};
   for (int i = 0; i < arities[index(instruction.op)]; ++i) {
     const Register r = instruction.operands[i];
     operands[i] = {lanesOf(r), r.isUniform ? std::size_t{0} : std::size_t{1}};

@@ -97,7 +97,7 @@ Interval IntervalProgram::rangeOf(std::uint32_t i) const {
     if (op == ops::find("mult")) return square(x);
     if (op == ops::find("sub") && !x.isEmpty()) return {0, 0, x.canBeNaN || x.canBeInfinite()};
   }
-  std::array<Interval, ops::maxArity> x;
+  Operands<Interval> x;
   for (std::size_t k = 0; k < operands.size(); ++k) x[k] = ranges_[operands[k]];
   const Interval range = ops::rangeOf(op, x);
   const Idiom idiom = idioms_[i];
@@ -133,10 +133,10 @@ Interval IntervalProgram::total() const {
 }
 
 double IntervalProgram::valueOf(std::uint32_t i) const {
-  std::array<double, ops::maxArity> operands{};
+  Operands<double> operands{};
   const auto from = words_.operands(i);
   for (std::size_t k = 0; k < from.size(); ++k) operands[k] = values_[from[k]];
-  return ops::evaluate(words_.op(i), operands);
+  return ops::valueOf(words_.op(i), operands);
 }
 
 double IntervalProgram::value(std::span<const double> point) {

@@ -69,10 +69,10 @@ void evaluate(std::span<const std::uint32_t> words, std::uint32_t instructions,
     } else if (op == inputOp) {
       values[i] = inputs[program.input(i)];
     } else {
-      std::array<double, ops::maxArity> operands{};
+      Operands<double> operands{};
       auto value = operands.begin();
       for (const std::uint32_t operand : program.operands(i)) *value++ = values[operand];
-      values[i] = ops::evaluate(op, operands);
+      values[i] = ops::valueOf(op, operands);
     }
   }
   for (std::size_t i = 0; i < results.size(); ++i) results[i] = values[program.result(i)];

@@ -9,8 +9,6 @@ namespace warpjet {
 
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
-
 // What becomes of an instruction.
 struct Fate {
   bool isNeeded = false;

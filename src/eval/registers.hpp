@@ -22,7 +22,7 @@ struct Register {
 struct RegisterInstruction {
   Op op{};
   Register result;
-  std::array<Register, ops::maxArity> operands{};
+  Operands<Register> operands{};
   std::uint32_t input = 0;
 };
 

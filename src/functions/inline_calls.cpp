@@ -6,12 +6,10 @@ namespace warpjet {
 
 namespace {
 
-constexpr NodeId none{~std::uint32_t{0}};
-
 class Inliner {
  public:
   Inliner(Graph& graph, Library& library)
-      : graph_(graph), library_(library), inlined_(graph.size(), none) {}
+      : graph_(graph), library_(library), inlined_(graph.size(), noNode) {}
 
   // Operands are visited before their users.
   void visit(NodeId id) {
@@ -39,7 +37,7 @@ class Inliner {
     if (graph_.isLeaf(id)) return id;
     if (graph_.isResult(id)) return result(id);
     if (graph_.isCall(id)) return graph_.call(graph_.node(id).operands[1], argumentsOf(id));
-    Operands operands{};
+    Operands<NodeId> operands{};
     bool changed = false;
     for (int i = 0; i < graph_.arity(id); ++i) {
       operands[i] = inlined(graph_.operand(id, i));
@@ -61,14 +59,14 @@ class Inliner {
     const int order = MultiIndices::orderOf(function.variables, number / function.values);
     Body& body = library_.withoutCalls(function.name, order);
     Copy& copy = copyOf(call);
-    copy.nodes.resize(body.graph.size(), none);
-    if (none == copy.nodes[index(body.arguments[0].id)]) {
+    copy.nodes.resize(body.graph.size(), noNode);
+    if (noNode == copy.nodes[index(body.arguments[0].id)]) {
       const std::vector<NodeId> arguments = argumentsOf(call);
       for (std::size_t i = 0; i < arguments.size(); ++i)
         copy.nodes[index(body.arguments[i].id)] = arguments[i];
     }
     const NodeId root = body.withoutCalls[number];
-    const auto isCopied = [&](NodeId node) { return copy.nodes[index(node)] != none; };
+    const auto isCopied = [&](NodeId node) { return copy.nodes[index(node)] != noNode; };
     for (const NodeId node : reachable(body.graph, {&root, 1}, isCopied))
       copy.nodes[index(node)] = copied(body.graph, node, copy.nodes);
     const NodeId found = copy.nodes[index(root)];
@@ -79,7 +77,7 @@ class Inliner {
 
   NodeId copied(const Graph& from, NodeId node, const std::vector<NodeId>& nodes) {
     if (from.isConstant(node)) return graph_.constant(from.value(node));
-    Operands operands{};
+    Operands<NodeId> operands{};
     for (int i = 0; i < from.arity(node); ++i) operands[i] = nodes[index(from.operand(node, i))];
     return graph_.apply(from.node(node).op, operands);
   }

@@ -6,12 +6,6 @@
 
 namespace warpjet {
 
-namespace {
-
-constexpr NodeId none{~std::uint32_t{0}};
-
-}  // namespace
-
 std::uint32_t Graph::input(std::string_view label, Shape shape) {
   const auto [begin, end] = inputNumbers_.equal_range(label);
   for (auto known = begin; known != end; ++known) {
@@ -74,12 +68,12 @@ std::vector<NodeId> Graph::list(NodeId id) const {
 }
 
 void Graph::setPartials(NodeId call, std::span<const NodeId> partials) {
-  if (partials_.size() <= index(call)) partials_.resize(index(call) + 1, none);
+  if (partials_.size() <= index(call)) partials_.resize(index(call) + 1, noNode);
   partials_[index(call)] = makeList(partials);
 }
 
 bool Graph::hasPartials(NodeId call) const {
-  return index(call) < partials_.size() && partials_[index(call)] != none;
+  return index(call) < partials_.size() && partials_[index(call)] != noNode;
 }
 
 }  // namespace warpjet

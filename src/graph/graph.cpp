@@ -129,22 +129,22 @@ std::optional<double> Graph::known(NodeId id) const {
   return std::nullopt;
 }
 
-std::optional<NodeId> Graph::fold(Op op, const Operands& operands) {
+std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
   const ops::Info& info = ops::info(op);
-  std::array<double, ops::maxArity> values{};
+  Operands<double> values{};
   for (int i = 0; i < info.arity; ++i) {
     const auto value = known(operands[i]);
     if (!value) return std::nullopt;
     values[i] = info.isStep ? asFloat32(*value) : *value;
   }
-  const double result = ops::evaluate(op, values);
+  const double result = ops::valueOf(op, values);
   if (!fitsFloat32(result)) return std::nullopt;
   const NodeId folded = constant(result);
   if (info.signature.result == ops::Type::Float) return folded;
   return intern(Node{{index(folded)}, ops::find("bool")});
 }
 
-NodeId Graph::apply(Op op, Operands operands) {
+NodeId Graph::apply(Op op, Operands<NodeId> operands) {
   if (full()) return NodeId(nodes_.size() - 1);
   const ops::Info& info = ops::info(op);
   for (int i = 0; i < info.arity; ++i)
@@ -159,7 +159,7 @@ NodeId Graph::apply(Op op, Operands operands) {
   for (int i = 0; i < info.arity; ++i) node.operands[i] = index(operands[i]);
   if (!simplifies) return intern(node);
   // x + y and y + x are one node, in the order that came first.
-  if (op == ops::find("add") || op == ops::find("mult")) {
+  if (info.traits.has(ops::Trait::Commutative)) {
     const std::size_t slot = slotOf({{node.operands[1], node.operands[0]}, op});
     if (table_[slot] != 0) return NodeId{table_[slot] - 1};
   }

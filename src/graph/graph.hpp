@@ -17,12 +17,16 @@
 #include <string_view>
 #include <vector>
 
+#include "graph/none.hpp"
 #include "graph/shape.hpp"
 #include "ops/ops.hpp"
 
 namespace warpjet {
 
 enum class NodeId : std::uint32_t {};
+
+// In the place of a node where there is none.
+inline constexpr NodeId noNode{none};
 
 constexpr std::uint32_t index(NodeId id) { return static_cast<std::uint32_t>(id); }
 constexpr std::size_t index(Op op) { return static_cast<std::size_t>(op); }
@@ -51,7 +55,7 @@ inline constexpr auto arities = [] {
 // several arguments are a list of all but the last, and the last. A result has its call, and its
 // number there.
 struct Node {
-  std::array<std::uint32_t, ops::maxArity> operands{};
+  ops::Operands<std::uint32_t> operands{};
   Op op{};
 
   bool operator==(const Node&) const = default;
@@ -75,7 +79,7 @@ struct Function {
   bool isOurs() const { return values > 0; }
 };
 
-using Operands = std::array<NodeId, ops::maxArity>;
+using ops::Operands;
 
 class Graph {
  public:
@@ -118,7 +122,7 @@ class Graph {
   // That is done in double; but what only jumps, such as a comparison or floor, sees its operands
   // in float32, and so decides as the shader does that reads the same constants.
   // With simplification off, which is for tests, it is only interned.
-  NodeId apply(Op op, Operands operands);
+  NodeId apply(Op op, Operands<NodeId> operands);
 
   std::size_t size() const { return nodes_.size(); }
   bool full() const { return nodes_.size() >= capacity_; }
@@ -161,7 +165,7 @@ class Graph {
   NodeId intern(const Node& node);
   void makeTable(std::size_t size);
   NodeId convert(NodeId id, ops::Type type);
-  std::optional<NodeId> fold(Op op, const Operands& operands);
+  std::optional<NodeId> fold(Op op, const Operands<NodeId>& operands);
   NodeId makeList(std::span<const NodeId> items);
   std::vector<NodeId> list(NodeId id) const;
   Interval findRange(NodeId id) const;

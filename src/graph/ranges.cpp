@@ -26,7 +26,7 @@ Interval Graph::findRange(NodeId id) const {
   if (isConstant(id)) return value(id);
   if (!isOperation(id)) return {-usualSize, usualSize};
   const Op op = node(id).op;
-  std::array<Interval, ops::maxArity> x;
+  Operands<Interval> x;
   for (int i = 0; i < arity(id); ++i) x[i] = ranges_[index(operand(id, i))];
   if (op == Mult && operand(id, 0) == operand(id, 1)) return square(x[0]);
 
@@ -35,7 +35,7 @@ Interval Graph::findRange(NodeId id) const {
   if (op == IfElse && is(condition, Gt) && isConstant(operand(condition, 1), 0) &&
       isOperation(yes)) {
     const NodeId positive = operand(condition, 0);
-    std::array<Interval, ops::maxArity> y;
+    Operands<Interval> y;
     for (int i = 0; i < arity(yes); ++i) {
       const NodeId part = operand(yes, i);
       const bool isRoot = is(part, Sqrt) && operand(part, 0) == positive;

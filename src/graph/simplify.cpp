@@ -24,7 +24,7 @@ bool isNormalFloat32(double x) {
 }
 
 // A constant comes last in a sum or product, as artists write it.
-void putConstantLast(const Graph& graph, Operands& operands) {
+void putConstantLast(const Graph& graph, Operands<NodeId>& operands) {
   if (graph.isConstant(operands[0])) std::swap(operands[0], operands[1]);
 }
 
@@ -52,7 +52,7 @@ Simplified mergeConstantTerms(Graph& graph, NodeId sum, double b) {
   return graph.apply(Add, {graph.operand(sum, 0), graph.constant(total)});
 }
 
-Simplified simplifyAdd(Graph& graph, Operands& operands) {
+Simplified simplifyAdd(Graph& graph, Operands<NodeId>& operands) {
   putConstantLast(graph, operands);
   const auto [x, y, unused] = operands;
   if (graph.isConstant(y, 0)) return x;
@@ -65,7 +65,7 @@ Simplified simplifyAdd(Graph& graph, Operands& operands) {
   return mergeChoices(graph, x, y);
 }
 
-Simplified simplifySub(Graph& graph, const Operands& operands) {
+Simplified simplifySub(Graph& graph, const Operands<NodeId>& operands) {
   const auto [x, y, unused] = operands;
   if (graph.isConstant(y, 0)) return x;
   if (graph.isConstant(x, 0)) return graph.apply(Neg, {y});
@@ -90,7 +90,7 @@ Simplified multiplyChoice(Graph& graph, NodeId x, NodeId choice) {
   return {};
 }
 
-Simplified simplifyMult(Graph& graph, Operands& operands) {
+Simplified simplifyMult(Graph& graph, Operands<NodeId>& operands) {
   putConstantLast(graph, operands);
   const auto [x, y, unused] = operands;
   if (graph.isConstant(y, 0)) return y;
@@ -115,7 +115,7 @@ Simplified simplifyMult(Graph& graph, Operands& operands) {
   return {};
 }
 
-Simplified simplifyDiv(Graph& graph, const Operands& operands) {
+Simplified simplifyDiv(Graph& graph, const Operands<NodeId>& operands) {
   const auto [x, y, unused] = operands;
   if (graph.isConstant(y, 1)) return x;
   if (graph.isConstant(y, -1)) return graph.apply(Neg, {x});
@@ -127,7 +127,7 @@ Simplified simplifyDiv(Graph& graph, const Operands& operands) {
 }
 
 // Powers by repeated squaring; GLSL's pow is undefined for a negative base.
-Simplified simplifyPow(Graph& graph, const Operands& operands) {
+Simplified simplifyPow(Graph& graph, const Operands<NodeId>& operands) {
   const auto [base, power, unused] = operands;
   if (!graph.isConstant(power)) return {};
   const double exponent = graph.value(power);
@@ -141,7 +141,7 @@ Simplified simplifyPow(Graph& graph, const Operands& operands) {
   return exponent < 0 ? graph.apply(Div, {graph.constant(1), result}) : result;
 }
 
-Simplified simplifyIfElse(Graph& graph, const Operands& operands) {
+Simplified simplifyIfElse(Graph& graph, const Operands<NodeId>& operands) {
   const auto [condition, yes, no] = operands;
   if (yes == no) return yes;
   if (const auto known = graph.known(condition)) return *known != 0 ? yes : no;
@@ -150,14 +150,14 @@ Simplified simplifyIfElse(Graph& graph, const Operands& operands) {
 }
 
 // Languages leave clamp undefined where its bounds cross, which only constants cannot do unseen.
-Simplified simplifyClamp(Graph& graph, const Operands& operands) {
+Simplified simplifyClamp(Graph& graph, const Operands<NodeId>& operands) {
   const auto [x, low, high] = operands;
   if (!graph.isConstant(low) || !graph.isConstant(high))
     return graph.apply(Min, {graph.apply(Max, {x, low}), high});
   return graph.value(low) > graph.value(high) ? Simplified(high) : std::nullopt;
 }
 
-Simplified simplifyMix(Graph& graph, const Operands& operands) {
+Simplified simplifyMix(Graph& graph, const Operands<NodeId>& operands) {
   const auto [x, y, t] = operands;
   if (graph.isConstant(t, 0)) return x;
   if (graph.isConstant(t, 1)) return y;
@@ -169,7 +169,7 @@ Simplified simplifyMix(Graph& graph, const Operands& operands) {
 
 }  // namespace
 
-Simplified simplify(Graph& graph, Op op, Operands& operands) {
+Simplified simplify(Graph& graph, Op op, Operands<NodeId>& operands) {
   const NodeId x = operands[0];
   switch (op) {
     case Add:

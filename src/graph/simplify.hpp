@@ -21,6 +21,6 @@ namespace warpjet {
 // sin²(x) + cos²(x) stays: where a GPU's sine and cosine are inexact, the other cofactors of a
 // rotation are by the same factor, so that the normal's direction is right (1 there doubled the
 // largest error of a twist on SwiftShader).
-std::optional<NodeId> simplify(Graph& graph, Op op, Operands& operands);
+std::optional<NodeId> simplify(Graph& graph, Op op, Operands<NodeId>& operands);
 
 }  // namespace warpjet

@@ -9,17 +9,8 @@
 
 namespace warpjet {
 
-// The kinds by number, in the order of the rows of noise/table.hpp.
-enum class NoiseKind : std::uint8_t {
-  Gradient,
-  Simplex,
-  Value,
-  Worley,
-  Curl,
-  Sum,
-  Ridged,
-  Turbulence
-};
+// A row of noise/table.hpp, by its number.
+enum class NoiseKind : std::uint8_t {};
 
 // What a kind is made of, and so what it takes.
 enum class NoiseUse : std::uint8_t {
@@ -35,8 +26,8 @@ inline constexpr int mostOctaves = 16;
 
 struct Noise {
   NoiseKind kind;
-  NoiseKind base = NoiseKind::Gradient;  // of fractals and curls
-  int octaves = 1;                       // of fractals
+  NoiseKind base = {};  // of fractals and curls
+  int octaves = 1;      // of fractals
 };
 
 // A function of a point of so many dimensions and of a hash; of fractals, also of lacunarity and

@@ -72,6 +72,18 @@ inline constexpr std::array noises{
              }},
 };
 
+// Not constexpr, so that reaching it while compiling is an error.
+void noSuchNoise();
+
+// The kind of that name. A name that the table lacks does not compile.
+consteval NoiseKind noiseNamed(std::string_view name) {
+  for (std::size_t i = 0; i < noises.size(); ++i) {
+    if (noises[i].name == name) return static_cast<NoiseKind>(i);
+  }
+  noSuchNoise();
+  return {};
+}
+
 constexpr const NoiseRow& row(NoiseKind kind) { return noises[static_cast<std::size_t>(kind)]; }
 constexpr bool isFractal(NoiseKind kind) { return row(kind).use == NoiseUse::Fractal; }
 

@@ -37,13 +37,8 @@ Interval within(const Interval& x, double low, double high) {
   return {std::max(x.low, low), std::min(x.high, high), x.canBeNaN || cut};
 }
 
-using Function = double(double);
-using Function2 = double(double, double);
-
-Interval rising(Function f, const Interval& x, double share = function) {
-  if (x.isEmpty()) return x;
-  return withZeros(widened(f(x.low), f(x.high), share, x.canBeNaN));
-}
+using Unary = double(double);
+using Binary = double(double, double);
 
 // 0 times infinity counts as 0, its limit at the corners of a box.
 double product(double x, double y) { return x == 0 || y == 0 ? 0 : x * y; }
@@ -51,7 +46,7 @@ double product(double x, double y) { return x == 0 || y == 0 ? 0 : x * y; }
 bool isNegative(double x) { return std::signbit(x); }
 
 // The hull of f at the corners of a box.
-Interval corners(Function2 f, const Interval& x, const Interval& y, double share) {
+Interval corners(Binary f, const Interval& x, const Interval& y, double share) {
   const double a = f(x.low, y.low), b = f(x.low, y.high);
   const double c = f(x.high, y.low), d = f(x.high, y.high);
   const double low = std::min(std::min(a, b), std::min(c, d));
@@ -67,7 +62,7 @@ bool hits(const Interval& x, double start, double period, double share) {
 }
 
 // sin or cos, by where it is 1.
-Interval wave(Function f, const Interval& x, double peak) {
+Interval wave(Unary f, const Interval& x, double peak) {
   if (x.isEmpty()) return x;
   if (x.canBeInfinite()) return {-1, 1, true};
   if (x.high - x.low >= 2 * pi) return {-1, 1, x.canBeNaN};
@@ -110,7 +105,7 @@ Interval modulo(const Interval& x, const Interval& y) {
 }
 
 // What a product or a quotient has in common.
-Interval multiplied(Function2 f, const Interval& x, const Interval& y, double share) {
+Interval multiplied(Binary f, const Interval& x, const Interval& y, double share) {
   Interval result = corners(f, x, y, share);
   // Keeps what is not negative so: a product of lengths.
   if (result.low == 0 && !isNegative(x.low) && !isNegative(y.low)) result.low = 0.0;
@@ -118,6 +113,13 @@ Interval multiplied(Function2 f, const Interval& x, const Interval& y, double sh
 }
 
 }  // namespace
+
+Interval rising(Unary f, const Interval& x, double share) {
+  if (x.isEmpty()) return x;
+  const double low = f(x.low), high = f(x.high);
+  if (std::isnan(low) || std::isnan(high)) return Interval::anything(true);
+  return withZeros(widened(low, high, share, x.canBeNaN));
+}
 
 Interval withFloat32(const Interval& x) {
   using Limits = std::numeric_limits<float>;
@@ -291,6 +293,7 @@ Interval hash(const Interval& h, const Interval& i) {
     return ops::hash(from.low, cell.low);
   return {0, ops::hashPrime - 1, from.canBeNaN || cell.canBeNaN};
 }
+
 Interval fract(const Interval& x) {
   if (x.isEmpty()) return x;
   const double wholes = std::floor(x.low);

@@ -4,38 +4,32 @@ namespace warpjet::ops {
 
 namespace {
 
-using Operands = std::array<double, maxArity>;
-
 // The operand as the row wants it: a condition as `bool`.
-template <std::size_t Row, std::size_t I>
-auto operand(const Operands& operands) {
-  constexpr bool isCondition = infos[Row].signature.operands[I] == Type::Bool;
-  if constexpr (isCondition) {
-    return operands[I] != 0;
+template <Type type>
+auto operandAs(double x) {
+  if constexpr (type == Type::Bool) {
+    return x != 0;
   } else {
-    return operands[I];
+    return x;
   }
 }
 
 template <std::size_t Row>
-double evaluateRow(const Operands& operands) {
+double valueOfRow(const Operands<double>& operands) {
   constexpr auto value =
       std::get<Row>(table).value;  // a copy, so that the texts stay out of the program
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return static_cast<double>(value(operand<Row, I>(operands)...));
-  }
-  (std::make_index_sequence<infos[Row].arity>{});
+  constexpr auto types = infos[Row].signature.operands;
+  return numbered<infos[Row].arity>(
+      [&](auto... i) { return static_cast<double>(value(operandAs<types[i]>(operands[i])...)); });
 }
 
-constexpr auto evaluators = []<std::size_t... Row>(std::index_sequence<Row...>) {
-  return std::array{&evaluateRow<Row>...};
-}
-(std::make_index_sequence<count>{});
+constexpr auto values =
+    numbered<count>([](auto... row) { return std::array{&valueOfRow<row>...}; });
 
 }  // namespace
 
-double evaluate(Op op, const Operands& operands) {
-  return evaluators[static_cast<std::size_t>(op)](operands);
+double valueOf(Op op, const Operands<double>& operands) {
+  return values[static_cast<std::size_t>(op)](operands);
 }
 
 }  // namespace warpjet::ops

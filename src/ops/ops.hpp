@@ -18,6 +18,8 @@ enum class Op : std::uint8_t {};
 
 namespace ops {
 
+inline constexpr std::size_t count = std::tuple_size_v<decltype(table)>;
+
 // A row without its functions and what people read.
 struct Info {
   std::string_view name;
@@ -25,6 +27,7 @@ struct Info {
   Signature signature;
   Spellings spellings;
   Helpers helpers;
+  Traits traits;
   // Without partials, so that it changes only in jumps.
   bool isStep;
 };
@@ -32,11 +35,12 @@ struct Info {
 inline constexpr auto infos = std::apply(
     [](const auto&... row) {
       return std::array{Info{row.title.name, row.arity, row.signature, row.spellings, row.helpers,
-                             std::tuple_size_v<decltype(row.partials)> == 0}...};
+                             row.traits, std::tuple_size_v<decltype(row.partials)> == 0}...};
     },
     table);
 
 constexpr const Info& info(Op op) { return infos[static_cast<std::size_t>(op)]; }
+constexpr bool has(Op op, Trait trait) { return info(op).traits.has(trait); }
 
 // Not constexpr, so that reaching it while compiling is an error.
 void noSuchOperation();
@@ -50,24 +54,29 @@ consteval Op find(std::string_view name) {
   return {};
 }
 
+// Calls `function` with 0, 1, … as so many arguments, each a constant that a template can take.
+template <std::size_t Count, class Function>
+constexpr auto numbered(const Function& function) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return function(std::integral_constant<std::size_t, I>{}...);
+  }
+  (std::make_index_sequence<Count>{});
+}
+
 // Applies a row's function to the first `Arity` of `arguments`, then to `extra`.
 template <std::size_t Arity, class Function, class Scalar, class... Extra>
 auto spread(const Function& function, const Scalar* arguments, const Extra&... extra) {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return function(arguments[I]..., extra...);
-  }
-  (std::make_index_sequence<Arity>{});
+  return numbered<Arity>([&](auto... i) { return function(arguments[i]..., extra...); });
 }
 
 // Whether a row's partial by its operand number K gives the product with that operand's derivative.
 template <std::size_t Row, std::size_t K>
-inline constexpr bool takesDerivative = []<std::size_t... I>(std::index_sequence<I...>) {
+inline constexpr bool takesDerivative = numbered<infos[Row].arity>([](auto... i) {
   using Partial = std::tuple_element_t<K, std::decay_t<decltype(std::get<Row>(table).partials)>>;
   constexpr auto types = infos[Row].signature.operands;
-  return !std::is_invocable_v<Partial, std::conditional_t<types[I] == Type::Bool, bool, double>...,
+  return !std::is_invocable_v<Partial, std::conditional_t<types[i] == Type::Bool, bool, double>...,
                               double>;
-}
-(std::make_index_sequence<infos[Row].arity>{});
+});
 
 // That product, where `d` is the derivative of the operand.
 template <std::size_t Row, std::size_t K, class Scalar>
@@ -81,10 +90,10 @@ auto term(const Scalar* operands, const Scalar& value, const Scalar& d) {
 }
 
 // The value of an operation on numbers; conditions are 1 and 0.
-double evaluate(Op op, const std::array<double, maxArity>& operands);
+double valueOf(Op op, const Operands<double>& operands);
 
 // What it can be where the operands are within theirs.
-warpjet::Interval rangeOf(Op op, const std::array<warpjet::Interval, maxArity>& operands);
+Interval rangeOf(Op op, const Operands<Interval>& operands);
 
 }  // namespace ops
 }  // namespace warpjet

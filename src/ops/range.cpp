@@ -5,15 +5,12 @@ namespace warpjet::ops {
 
 namespace {
 
-// Row's own one is where it is sampled.
-using Range = warpjet::Interval;
-
 // A condition among intervals: 1 where it can be true, 0 where it can be false.
-Range asRange(const Range& x) { return x; }
-Range asRange(Truth x) { return {x.canBeFalse ? 0.0 : 1.0, x.canBeTrue ? 1.0 : 0.0}; }
+Interval asInterval(const Interval& x) { return x; }
+Interval asInterval(Truth x) { return {x.canBeFalse ? 0.0 : 1.0, x.canBeTrue ? 1.0 : 0.0}; }
 
 template <Type type>
-auto operandAs(const Range& x) {
+auto operandAs(const Interval& x) {
   if constexpr (type == Type::Bool) {
     return Truth{x.high != 0, x.low == 0};
   } else {
@@ -22,24 +19,28 @@ auto operandAs(const Range& x) {
 }
 
 template <std::size_t Row>
-Range rangeOfRow(const std::array<Range, maxArity>& operands) {
+Interval rangeOfRow(const Operands<Interval>& operands) {
   constexpr auto value =
       std::get<Row>(table).value;  // a copy, so that the texts stay out of the program
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    constexpr auto types = infos[Row].signature.operands;
-    return asRange(value(operandAs<types[I]>(operands[I])...));
-  }
-  (std::make_index_sequence<infos[Row].arity>{});
+  constexpr auto types = infos[Row].signature.operands;
+  return numbered<infos[Row].arity>([&](auto... i) {
+    using Value = decltype(value);
+    if constexpr (std::is_invocable_v<Value, decltype(operandAs<types[i]>(operands[i]))...>) {
+      return asInterval(value(operandAs<types[i]>(operands[i])...));
+    } else if constexpr (infos[Row].traits.has(Trait::Rising)) {
+      return rising(value, operands[0]);
+    } else {
+      return Interval::anything(true);
+    }
+  });
 }
 
-constexpr auto ranges = []<std::size_t... Row>(std::index_sequence<Row...>) {
-  return std::array{&rangeOfRow<Row>...};
-}
-(std::make_index_sequence<count>{});
+constexpr auto ranges =
+    numbered<count>([](auto... row) { return std::array{&rangeOfRow<row>...}; });
 
 }  // namespace
 
-Range rangeOf(Op op, const std::array<Range, maxArity>& operands) {
+Interval rangeOf(Op op, const Operands<Interval>& operands) {
   return ranges[static_cast<std::size_t>(op)](operands);
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <string_view>
 #include <tuple>
 
@@ -12,10 +13,14 @@ enum class Type : std::uint8_t { Float, Bool };
 
 inline constexpr int maxArity = 3;
 
+// The operands of one operation, as scalars of any kind, or what is said of each of them.
+template <class Each>
+using Operands = std::array<Each, maxArity>;
+
 // The types of an operation's result and operands.
 struct Signature {
   Type result;
-  std::array<Type, maxArity> operands;
+  Operands<Type> operands;
 };
 
 inline constexpr Signature floats{Type::Float, {Type::Float, Type::Float, Type::Float}};
@@ -42,7 +47,7 @@ enum class Precedence : std::uint8_t {
 struct Spelling {
   std::string_view text;
   Precedence result = Precedence::Primary;
-  std::array<Precedence, maxArity> operands{};
+  Operands<Precedence> operands{};
 
   constexpr bool isMissing() const { return text.empty(); }
 };
@@ -101,19 +106,19 @@ inline constexpr Spellings conditional =
                        {Precedence::Logical, Precedence::Logical, Precedence::Logical}})
         .with(Language::Wgsl, "select($2, $1, $0)");
 
-struct Interval {
+struct Extent {
   double low, high;
 };
 
-// Where an operation may be sampled: one interval an operand.
-using Domain = std::array<Interval, maxArity>;
+// Where an operation may be sampled.
+using Domain = Operands<Extent>;
 
-inline constexpr Interval anywhere{-4, 4};
-inline constexpr Interval positive{0.05, 4};
-inline constexpr Interval negative{-4, -0.05};
-inline constexpr Interval belowRightAngle{-1.4, 1.4};
-inline constexpr Interval unitInterval{-0.98, 0.98};
-inline constexpr Interval aboveOne{1.02, 4};
+inline constexpr Extent anywhere{-4, 4};
+inline constexpr Extent positive{0.05, 4};
+inline constexpr Extent negative{-4, -0.05};
+inline constexpr Extent belowRightAngle{-1.4, 1.4};
+inline constexpr Extent unitInterval{-0.98, 0.98};
+inline constexpr Extent aboveOne{1.02, 4};
 
 inline constexpr Domain everywhere{anywhere, anywhere, anywhere};
 
@@ -124,16 +129,44 @@ struct Title {
   std::string_view meaning;
 };
 
+// What the other rooms ask of an operation.
+enum class Trait : std::uint8_t {
+  Chained,      // takes any number of operands, from left to right
+  OnMatrices,   // matrices have it by component, but for products, and quotients by a matrix
+  Commutative,  // x and y may change places
+  Branches,     // its value is that of one operand, and what the others are does not matter
+  Divides,      // its second operand must not be 0
+  Rising,       // its value, a number's, never falls where it rises
+  Hidden,       // no sketch calls it by its name
+};
+
+class Traits {
+ public:
+  constexpr Traits() = default;
+  constexpr Traits(std::initializer_list<Trait> all) {
+    for (const Trait trait : all) bits_ |= bit(trait);
+  }
+
+  constexpr bool has(Trait trait) const { return (bits_ & bit(trait)) != 0; }
+
+ private:
+  static constexpr unsigned bit(Trait trait) { return 1u << static_cast<unsigned>(trait); }
+
+  unsigned bits_ = 0;
+};
+
 // The formula of an operation that every language has.
 struct NoFormula {};
 
 // Functions that an operation's spelling calls and that stand above it, by language.
 using Helpers = std::array<std::string_view, languageCount>;
 
-// `value` maps operands to the result. `partials` holds one function an operand, from the operands
-// and the result to the partial derivative, or from those and the derivative of the operand to the
-// product of both; an operation without partials is locally constant.
-// `lowered` says the operation by others, for languages that lack it.
+// `value` maps operands to the result. It is generic in the scalar: numbers, intervals, and as many
+// lanes as a SIMD register has. Written for `double` alone it will do too: lanes are then computed
+// one by one, and an interval is anything, unless the row is `Rising`. `partials` holds one
+// function an operand, from the operands and the result to the partial derivative, or from those
+// and the derivative of the operand to the product of both; an operation without partials is
+// locally constant. `lowered` says the operation by others, for languages that lack it.
 template <class Value, class Lowered, class... Partials>
 struct Row {
   Title title;
@@ -145,6 +178,14 @@ struct Row {
   std::tuple<Partials...> partials;
   Lowered lowered;
   Helpers helpers = {};
+  Traits traits = {};
+
+  template <class... Each>
+  constexpr Row with(Each... each) const {
+    Row row = *this;
+    row.traits = {each...};
+    return row;
+  }
 
   constexpr Row helpedBy(const Helpers& texts) const {
     Row row = *this;
@@ -154,7 +195,7 @@ struct Row {
 
   template <class Formula>
   constexpr Row<Value, Formula, Partials...> loweredTo(Formula formula) const {
-    return {title, arity, signature, spellings, domain, value, partials, formula};
+    return {title, arity, signature, spellings, domain, value, partials, formula, helpers, traits};
   }
 };
 

@@ -1,9 +1,12 @@
 // THE table: one row an operation. A row gives name, operands and meaning for people, then types,
 // spelling, the domain on which tests sample it, value, and one partial derivative an operand; `v`
 // is the operation's own result, so that exp, sqrt or tan can share it. A row that a language lacks
-// also says how it is lowered to others. A new row needs besides itself only a value function in
-// scalar.hpp (if the standard library has none) and one in graph/expression.hpp if a formula here
-// calls it.
+// also says how it is lowered to others, and what other rooms ask of it are its traits.
+//
+// A new row needs nothing but itself: a value that takes `double` runs everywhere. One that takes
+// any scalar runs four vertices at a time and has narrow bounds; what it calls must then be in
+// scalar.hpp, in interval.hpp and among the lanes of src/eval. tests/cpp/own_row adds such rows and
+// sees what becomes of them. What a formula here calls must be in graph/expression.hpp.
 //
 // Kinks: d|x| = sign(x). floor, ceil, round, trunc, sign, step and comparisons have derivative 0;
 // fract has 1; mod(x, y) has 1 by x and -floor(x/y) by y. min, max, clamp and ifElse take the
@@ -51,6 +54,7 @@ inline constexpr auto turn = [](auto x, auto y, auto d) {
 
 using enum Precedence;
 using enum Language;
+using enum Trait;
 
 // hashOf of scalar.hpp; in whole numbers where the language has them. 4091 * 262144 keeps a
 // negative `i` above zero, where GLSL's % is defined.
@@ -78,19 +82,23 @@ highp float warpjetHash(highp float h, highp float i) {
 inline constexpr std::tuple table{
     // arithmetic
     unary(
-        {"neg", "x", "-x"}, floats, negation, everywhere, [](auto x) { return -x; }, minusOne),
+        {"neg", "x", "-x"}, floats, negation, everywhere, [](auto x) { return -x; }, minusOne)
+        .with(OnMatrices),
     binary(
         {"add", "x, y", "The sum of two or more."}, floats, infix("$0 + $1", Additive), everywhere,
-        [](auto x, auto y) { return x + y; }, one, one),
+        [](auto x, auto y) { return x + y; }, one, one)
+        .with(Chained, OnMatrices, Commutative),
     binary(
         {"sub", "x, y", "x - y, and minus all that follow."}, floats, infix("$0 - $1", Additive),
-        everywhere, [](auto x, auto y) { return x - y; }, one, minusOne),
+        everywhere, [](auto x, auto y) { return x - y; }, one, minusOne)
+        .with(Chained, OnMatrices),
     binary(
         {"mult", "x, y", "The product of two or more; with a matrix, that of linear algebra."},
         floats, infix("$0 * $1", Multiplicative), everywhere,
         [](auto x, auto y) { return x * y; },  //
         [](auto, auto y, auto) { return y; },  //
-        [](auto x, auto, auto) { return x; }),
+        [](auto x, auto, auto) { return x; })
+        .with(Chained, OnMatrices, Commutative),
     binary(
         {"div", "x, y", "x / y, and divided by all that follow."}, floats,
         infix("$0 / $1", Multiplicative), {anywhere, positive, {}},
@@ -100,7 +108,8 @@ inline constexpr std::tuple table{
           // A quotient may be 0 by its numerator, and turns there; sinh / cosh has huge parts that
           // count.
           return countedWhere(logicalOr(lt(abs(y), 1 / least), gt(abs(v), least)), d, -(v * d) / y);
-        }),
+        })
+        .with(Chained, OnMatrices, Divides),
 
     // powers
     binary(
@@ -171,7 +180,8 @@ inline constexpr std::tuple table{
         call("atan($0, $1)").with(Wgsl, "atan2($0, $1)"), everywhere,
         [](auto y, auto x) { return atan2(y, x); },
         [](auto y, auto x, auto, auto d) { return turn(x, y, d); },
-        [](auto y, auto x, auto, auto d) { return -turn(y, x, d); }),
+        [](auto y, auto x, auto, auto d) { return -turn(y, x, d); })
+        .with(Hidden),
 
     // hyperbolic functions
     unary(
@@ -248,17 +258,20 @@ inline constexpr std::tuple table{
         floats, call("mod($0, $1)").missingIn(Wgsl), {anywhere, positive, {}},
         [](auto x, auto y) { return mod(x, y); }, one,
         [](auto x, auto y, auto) { return -floor(x / y); })
+        .with(Divides)
         .loweredTo([](auto x, auto y) { return x - y * floor(x / y); }),
     binary(
         {"min", "x, y", "The least of two or more."}, floats, call("min($0, $1)"), everywhere,
         [](auto x, auto y) { return min(x, y); },
         [](auto x, auto y, auto) { return ifElse(lt(y, x), 0.0, 1.0); },
-        [](auto x, auto y, auto) { return ifElse(lt(y, x), 1.0, 0.0); }),
+        [](auto x, auto y, auto) { return ifElse(lt(y, x), 1.0, 0.0); })
+        .with(Chained, Branches),
     binary(
         {"max", "x, y", "The greatest of two or more."}, floats, call("max($0, $1)"), everywhere,
         [](auto x, auto y) { return max(x, y); },
         [](auto x, auto y, auto) { return ifElse(lt(x, y), 0.0, 1.0); },
-        [](auto x, auto y, auto) { return ifElse(lt(x, y), 1.0, 0.0); }),
+        [](auto x, auto y, auto) { return ifElse(lt(x, y), 1.0, 0.0); })
+        .with(Chained, Branches),
     ternary(
         {"clamp", "x, low, high", "x, but not below low nor above high."}, floats,
         call("clamp($0, $1, $2)"), {anywhere, negative, positive},
@@ -269,14 +282,16 @@ inline constexpr std::tuple table{
         [](auto x, auto low, auto high, auto) {
           return ifElse(logicalAnd(lt(x, low), le(low, high)), 1.0, 0.0);
         },
-        [](auto x, auto low, auto high, auto) { return ifElse(gt(max(x, low), high), 1.0, 0.0); }),
+        [](auto x, auto low, auto high, auto) { return ifElse(gt(max(x, low), high), 1.0, 0.0); })
+        .with(Branches),
     ternary(
         {"mix", "x, y, amount", "From x where the amount is 0 to y where it is 1, and beyond."},
         floats, call("mix($0, $1, $2)"), everywhere,
         [](auto x, auto y, auto t) { return mix(x, y, t); },
         [](auto, auto, auto t, auto) { return 1.0 - t; },  //
         [](auto, auto, auto t, auto) { return t; },
-        [](auto x, auto y, auto, auto) { return y - x; }),
+        [](auto x, auto y, auto, auto) { return y - x; })
+        .with(OnMatrices),
     binary({"step", "edge, x", "0 where x is below the edge, otherwise 1."}, floats,
            call("step($0, $1)"), everywhere, [](auto edge, auto x) { return step(edge, x); }),
 
@@ -294,9 +309,11 @@ inline constexpr std::tuple table{
     binary({"ne", "x, y", "x != y"}, comparison, infix("$0 != $1", Equality), everywhere,
            [](auto x, auto y) { return ne(x, y); }),
     binary({"and", "x, y", "Whether all are true."}, logic, logical("$0 && $1"), everywhere,
-           [](auto x, auto y) { return logicalAnd(x, y); }),
+           [](auto x, auto y) { return logicalAnd(x, y); })
+        .with(Chained),
     binary({"or", "x, y", "Whether any is true."}, logic, logical("$0 || $1"), everywhere,
-           [](auto x, auto y) { return logicalOr(x, y); }),
+           [](auto x, auto y) { return logicalOr(x, y); })
+        .with(Chained),
     unary({"not", "x", "Whether x is false."}, logic, logicalNegation, everywhere,
           [](auto x) { return logicalNot(x); }),
     ternary(
@@ -305,21 +322,23 @@ inline constexpr std::tuple table{
         choice, conditional, everywhere,
         [](auto condition, auto yes, auto no) { return ifElse(condition, yes, no); }, zero,
         [](auto condition, auto, auto, auto) { return ifElse(condition, 1.0, 0.0); },
-        [](auto condition, auto, auto, auto) { return ifElse(condition, 0.0, 1.0); }),
+        [](auto condition, auto, auto, auto) { return ifElse(condition, 0.0, 1.0); })
+        .with(OnMatrices, Branches),
 
     // noise
     binary({"hash", "h, i", "A whole number from 0 to 4090 that looks random."}, floats,
            call("warpjetHash($0, $1)"), {positive, anywhere, {}},
            [](auto h, auto i) { return hash(h, i); })
+        .with(Hidden)
         .helpedBy(hashHelpers),
 
     // conversions, inserted where a condition is used as a number or a number as a condition
     unary({"float", "x", "1 or 0."}, toFloat, call("float($0)").with(Wgsl, "f32($0)"), everywhere,
-          [](auto x) { return ifElse(x, 1.0, 0.0); }),
+          [](auto x) { return ifElse(x, 1.0, 0.0); })
+        .with(Hidden),
     unary({"bool", "x", "Whether x is not 0."}, toBool, call("bool($0)"), everywhere,
-          [](auto x) { return ne(x, 0.0); }),
+          [](auto x) { return ne(x, 0.0); })
+        .with(Hidden),
 };
-
-inline constexpr std::size_t count = std::tuple_size_v<decltype(table)>;
 
 }  // namespace warpjet::ops

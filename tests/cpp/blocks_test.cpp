@@ -71,7 +71,7 @@ TEST_F(BlocksTest, EveryRowGivesWhatTheTableSays) {
                 const float* at = &positions[3 * vertex];
                 const bool takesBools = row.signature.operands[0] == ops::Type::Bool;
                 const double expected =
-                    ops::evaluate(op, {takesBools ? double(at[0] != 0) : at[0], at[1], at[2]}) +
+                    ops::valueOf(op, {takesBools ? double(at[0] != 0) : at[0], at[1], at[2]}) +
                     0.25;
                 ASSERT_NEAR(found[vertex], expected, 2e-6 * std::max(1.0, std::abs(expected)))
                     << row.title.name << "(" << at[0] << ", " << at[1] << ", " << at[2] << ")";

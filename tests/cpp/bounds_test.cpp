@@ -291,10 +291,10 @@ double evaluateRounded(const Program& program, std::span<const double> inputs) {
     } else if (words.op(i) == inputOp) {
       value = inputs[words.input(i)];
     } else {
-      std::array<double, ops::maxArity> x{};
+      Operands<double> x{};
       for (std::size_t k = 0; k < words.operands(i).size(); ++k)
         x[k] = values[words.operands(i)[k]];
-      value = ops::evaluate(words.op(i), x);
+      value = ops::valueOf(words.op(i), x);
     }
     values[i] = static_cast<Number>(value);
   }

@@ -30,9 +30,9 @@ double evaluateFloat(const Graph& graph, NodeId root, const Inputs& inputs, bool
     } else if (graph.isInput(id)) {
       value = inputs.at(id);
     } else {
-      std::array<double, ops::maxArity> x{};
+      Operands<double> x{};
       for (int i = 0; i < graph.arity(id); ++i) x[i] = values[graph.operand(id, i)];
-      value = ops::evaluate(graph.node(id).op, x);
+      value = ops::valueOf(graph.node(id).op, x);
     }
     values[id] = asFloat(value, flushes);
   }

@@ -15,26 +15,6 @@ namespace {
 
 constexpr double infinity = Interval::infinity, pi = 3.14159265358979323846;
 
-// Where a condition stands among intervals, as 1 for true and 0 for false.
-Interval hull(Interval x) { return x; }
-Interval hull(Truth x) { return {x.canBeFalse ? 0.0 : 1.0, x.canBeTrue ? 1.0 : 0.0}; }
-
-template <std::size_t Row>
-Interval rangeOfRow(const std::array<Interval, ops::maxArity>& x) {
-  constexpr auto types = ops::infos[Row].signature.operands;
-  const auto operand = [&]<std::size_t I>() {
-    if constexpr (types[I] == ops::Type::Bool) {
-      return Truth{x[I].high != 0, x[I].has(0)};
-    } else {
-      return x[I];
-    }
-  };
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return hull(std::get<Row>(ops::table).value(operand.template operator()<I>()...));
-  }
-  (std::make_index_sequence<ops::infos[Row].arity>{});
-}
-
 class Sampler {
  public:
   double between(double low, double high) {
@@ -99,21 +79,21 @@ template <std::size_t Row>
 void checkRow() {
   Sampler sample;
   for (int box = 0; box < 3000; ++box) {
-    std::array<Interval, ops::maxArity> x;
+    ops::Operands<Interval> x;
     for (std::size_t i = 0; i < 3; ++i) {
       const bool isBool = ops::infos[Row].signature.operands[i] == ops::Type::Bool;
       const int truth = sample.below(3);
       x[i] = isBool ? Interval(truth == 1, truth != 0) : sample.interval();
     }
-    const Interval range = rangeOfRow<Row>(x);
+    const Interval range = ops::rangeOf(Op(Row), x);
     for (int point = 0; point < 40; ++point) {
-      std::array<double, ops::maxArity> at{};
+      ops::Operands<double> at{};
       for (std::size_t i = 0; i < 3; ++i) at[i] = sample.inside(x[i]);
       for (std::size_t i = 0; i < 3; ++i) {
         if (ops::infos[Row].signature.operands[i] == ops::Type::Bool) at[i] = at[i] >= 0.5;
         if (!x[i].has(at[i])) at[i] = x[i].low;
       }
-      const double value = ops::evaluate(Op(Row), at);
+      const double value = ops::valueOf(Op(Row), at);
       ASSERT_TRUE(std::isnan(value) ? range.canBeNaN : range.has(value))
           << ops::infos[Row].name << " of " << at[0] << ", " << at[1] << ", " << at[2] << " is "
           << value << ", not from " << range.low << " to " << range.high << ", of " << x[0].low
@@ -129,8 +109,7 @@ void checkRow() {
 }
 
 TEST(Interval, HoldsTheValuesOfEveryRow) {
-  [&]<std::size_t... Row>(std::index_sequence<Row...>) { (checkRow<Row>(), ...); }
-  (std::make_index_sequence<ops::count>{});
+  ops::numbered<ops::count>([](auto... row) { (checkRow<row>(), ...); });
 }
 
 // On the domains of the table, where rows of one operand rise or fall or have their extremes
@@ -144,7 +123,7 @@ void checkTightness() {
   if (name == "hash") return;  // random: of more than one number it is anything
   Sampler sample;
   for (int box = 0; box < 100; ++box) {
-    std::array<Interval, ops::maxArity> x;
+    ops::Operands<Interval> x;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [low, high] = std::get<Row>(ops::table).domain[i];
       double a = sample.between(low, high), b = sample.between(low, high);
@@ -152,14 +131,14 @@ void checkTightness() {
     }
     // All but the first operand fixed, so that dense samples show the true range.
     for (std::size_t i = 1; i < 3; ++i) x[i].high = x[i].low;
-    const Interval range = rangeOfRow<Row>(x);
+    const Interval range = ops::rangeOf(Op(Row), x);
     double low = infinity, high = -infinity, size = 0;
     const int n = 2000;
     for (int k = -1; k <= n; ++k) {
       const double t = static_cast<double>(k) / n;
       const double kink = x[0].has(0) ? 0 : x[0].low;
       const double at = k < 0 ? kink : x[0].low * (1 - t) + x[0].high * t;
-      const double value = ops::evaluate(Op(Row), {at, x[1].low, x[2].low});
+      const double value = ops::valueOf(Op(Row), {at, x[1].low, x[2].low});
       low = std::min(low, value);
       high = std::max(high, value);
       size = std::max(size, std::abs(value));
@@ -174,8 +153,7 @@ void checkTightness() {
 }
 
 TEST(Interval, IsNotWiderThanTheValues) {
-  [&]<std::size_t... Row>(std::index_sequence<Row...>) { (checkTightness<Row>(), ...); }
-  (std::make_index_sequence<ops::count>{});
+  ops::numbered<ops::count>([](auto... row) { (checkTightness<row>(), ...); });
 }
 
 void expectNear(Interval x, double low, double high) {

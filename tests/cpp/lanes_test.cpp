@@ -14,10 +14,10 @@
 namespace warpjet {
 namespace {
 
-using Operands = std::array<Lanes, ops::maxArity>;
+using ops::Operands;
 
 template <std::size_t Row, std::size_t I>
-auto operand(const Operands& operands) {
+auto operand(const Operands<Lanes>& operands) {
   if constexpr (ops::infos[Row].signature.operands[I] == ops::Type::Bool) {
     return ne(operands[I], 0.0);
   } else {
@@ -33,18 +33,14 @@ Lanes asNumber(Mask condition) {
 Lanes asNumber(Lanes x) { return x; }
 
 template <std::size_t Row>
-Lanes evaluateRow(const Operands& operands) {
+Lanes evaluateRow(const Operands<Lanes>& operands) {
   constexpr auto value = std::get<Row>(ops::table).value;
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return asNumber(value(operand<Row, I>(operands)...));
-  }
-  (std::make_index_sequence<ops::infos[Row].arity>{});
+  return ops::numbered<ops::infos[Row].arity>(
+      [&](auto... i) { return asNumber(value(operand<Row, i>(operands)...)); });
 }
 
-constexpr auto evaluators = []<std::size_t... Row>(std::index_sequence<Row...>) {
-  return std::array{&evaluateRow<Row>...};
-}
-(std::make_index_sequence<ops::count>{});
+constexpr auto evaluators =
+    ops::numbered<ops::count>([](auto... row) { return std::array{&evaluateRow<row>...}; });
 
 std::size_t rowNamed(std::string_view name) {
   for (std::size_t row = 0; row < ops::count; ++row) {
@@ -99,18 +95,17 @@ class Worst {
   Worst(std::size_t row, double bound) : row_(row), bound_(bound) {}
   ~Worst() {
     EXPECT_LE(ulps_, bound_) << ops::infos[row_].name << " of " << x_[0] << ", " << x_[1] << ": "
-                             << got_ << " instead of "
-                             << ops::evaluate(Op(row_), {x_[0], x_[1], 0});
+                             << got_ << " instead of " << ops::valueOf(Op(row_), {x_[0], x_[1], 0});
   }
 
-  void check(const Operands& operands) {
+  void check(const Operands<Lanes>& operands) {
     const Lanes results = evaluators[row_](operands);
     for (std::size_t i = 0; i < Lanes::count; ++i) {
       const double a = operands[0][i], b = operands[1][i];
       // Of a hash and a cell of float32; beyond there is nothing to be right about.
       if (ops::infos[row_].name == "hash" && !(a >= 0 && a < 4091 && std::abs(b) <= 0x1p24))
         continue;
-      const double distance = ulps(results[i], ops::evaluate(Op(row_), {a, b, 0}));
+      const double distance = ulps(results[i], ops::valueOf(Op(row_), {a, b, 0}));
       if (distance > ulps_) {
         ulps_ = distance;
         x_ = {a, b};
@@ -124,7 +119,7 @@ class Worst {
     for (std::size_t i = 0; i < xs.size(); i += Lanes::count) {
       Lanes x = 1.0;
       for (std::size_t k = 0; k < Lanes::count && i + k < xs.size(); ++k) x.set(k, xs[i + k]);
-      check(Operands{x, 0.0, 0.0});
+      check(Operands<Lanes>{x, 0.0, 0.0});
     }
   }
 
@@ -142,7 +137,7 @@ TEST(Lanes, EveryRowAgreesWithItsValueInDoubleOnItsDomain) {
     const ops::Domain domain = std::apply(
         [&](const auto&... each) { return std::array{each.domain...}[row]; }, ops::table);
     for (int point = 0; point < 500; ++point) {
-      Operands operands{};
+      Operands<Lanes> operands{};
       for (int k = 0; k < info.arity; ++k) {
         std::uniform_real_distribution within(domain[k].low, domain[k].high);
         const bool isCondition = info.signature.operands[k] == ops::Type::Bool;
@@ -153,13 +148,13 @@ TEST(Lanes, EveryRowAgreesWithItsValueInDoubleOnItsDomain) {
       }
       const Lanes results = evaluators[row](operands);
       for (std::size_t i = 0; i < Lanes::count; ++i) {
-        std::array<double, ops::maxArity> x{};
+        Operands<double> x{};
         double largest = 1;
         for (int k = 0; k < info.arity; ++k) {
           x[k] = operands[k][i];
           largest = std::max(largest, std::abs(x[k]));
         }
-        const double expected = ops::evaluate(Op(row), x);
+        const double expected = ops::valueOf(Op(row), x);
         // What is summed may be larger than the sum: in mix, products of operands.
         const double summed = std::max(std::abs(expected), std::pow(largest, info.arity - 1));
         EXPECT_NEAR(results[i], expected, 4 * 0x1p-24 * summed)
@@ -229,7 +224,7 @@ TEST(Lanes, FunctionsOfTwoNumbersAreRightAtSpecialValues) {
       continue;
     Worst worst(row, boundOf(info.name));
     for (const float x : specialFloats()) {
-      for (const float y : specialFloats()) worst.check(Operands{x, y, 0.0});
+      for (const float y : specialFloats()) worst.check(Operands<Lanes>{x, y, 0.0});
     }
   }
 }
@@ -249,7 +244,7 @@ TEST(Lanes, PowersAndAnglesKeepTheirBounds) {
     Worst worst(rowNamed(name), 1.6);
     std::uniform_real_distribution<float> exponents(-40, 40), powers(-4, 4), around(-4, 4);
     for (int i = 0; i < 60'000; ++i) {
-      Operands bits, moderate, wide;
+      Operands<Lanes> bits, moderate, wide;
       for (std::size_t k = 0; k < Lanes::count; ++k) {
         bits[0].set(k, fromBits(static_cast<std::uint32_t>(random())));
         bits[1].set(k, fromBits(static_cast<std::uint32_t>(random())));
@@ -293,7 +288,7 @@ TEST(Lanes, NoLaneAffectsItsNeighbours) {
   const std::vector<float> strangers = specialFloats();
   for (std::size_t row = 0; row < ops::count; ++row) {
     for (const float stranger : strangers) {
-      Operands ordinary, disturbed;
+      Operands<Lanes> ordinary, disturbed;
       const std::size_t place = random() % Lanes::count;
       for (std::size_t k = 0; k < ops::maxArity; ++k) {
         for (std::size_t i = 0; i < Lanes::count; ++i)

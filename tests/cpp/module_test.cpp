@@ -5,7 +5,7 @@
 
 #include "bench.hpp"
 #include "eval/program.hpp"
-#include "noise/noise.hpp"
+#include "noise/table.hpp"
 #include "texture/texture.hpp"
 #include "warp/warp.hpp"
 
@@ -31,7 +31,7 @@ class ModuleTest : public testing::Test, protected Bench {
     const int truncated = call("trunc", {own(bump, {inner})});
     builder.push(v3);
     builder.push(number(3));
-    const int noise = builder.callNoise({NoiseKind::Gradient}, true);
+    const int noise = builder.callNoise({noiseNamed("noise")}, true);
     builder.push(v2);
     const int image = builder.callTexture({Filter::Bicubic, Wrap::Mirror}, "picture");
     call("cos", {number(0.25)});

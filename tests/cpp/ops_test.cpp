@@ -16,9 +16,9 @@
 namespace warpjet::ops {
 namespace {
 
-double valueOf(std::string_view name, double a, double b = 0, double c = 0) {
+double valueOfRowNamed(std::string_view name, double a, double b = 0, double c = 0) {
   for (std::size_t i = 0; i < count; ++i) {
-    if (infos[i].name == name) return evaluate(Op(i), {a, b, c});
+    if (infos[i].name == name) return valueOf(Op(i), {a, b, c});
   }
   ADD_FAILURE() << "no row " << name;
   return NAN;
@@ -26,14 +26,14 @@ double valueOf(std::string_view name, double a, double b = 0, double c = 0) {
 
 struct Case {
   std::string_view row;
-  std::array<double, maxArity> operands;
+  Operands<double> operands;
   double value;
 };
 
 // Equal up to roundings; a zero only to a zero, and infinities and NaN to themselves.
 void expectValue(const Case& expected) {
   const auto [a, b, c] = expected.operands;
-  const double value = valueOf(expected.row, a, b, c);
+  const double value = valueOfRowNamed(expected.row, a, b, c);
   const std::string at = std::string(expected.row) + " of " + std::to_string(a) + ", " +
                          std::to_string(b) + ", " + std::to_string(c);
   if (std::isnan(expected.value)) {
@@ -181,8 +181,8 @@ double slope(Function f, double x, double h) {
 
 class Sampler {
  public:
-  double operator()(Interval interval) {
-    return std::uniform_real_distribution(interval.low, interval.high)(random_);
+  double operator()(Extent extent) {
+    return std::uniform_real_distribution(extent.low, extent.high)(random_);
   }
 
  private:
@@ -197,19 +197,19 @@ void checkPartial() {
   constexpr int points = 400;
   int kinks = 0;
   for (int point = 0; point < points; ++point) {
-    std::array<double, maxArity> x{};
+    Operands<double> x{};
     for (int i = 0; i < row.arity; ++i) x[i] = sample(row.domain[i]);
     const auto along = [&](double t) {
       auto moved = x;
       moved[Operand] = t;
-      return evaluate(Op(Row), moved);
+      return valueOf(Op(Row), moved);
     };
     const double coarse = slope(along, x[Operand], 1e-3), fine = slope(along, x[Operand], 5e-4);
     if (std::abs(coarse - fine) > 1e-6 * std::max(1.0, std::abs(fine))) {
       ++kinks;
       continue;
     }
-    const double value = evaluate(Op(Row), x);
+    const double value = valueOf(Op(Row), x);
     double partial = 0;
     if constexpr (Operand < std::tuple_size_v<decltype(row.partials)>)
       partial = term<Row, Operand>(x.data(), value, 1.0);
@@ -224,23 +224,21 @@ template <std::size_t Row>
 void checkRow() {
   if constexpr (infos[Row].signature.result == Type::Float &&
                 infos[Row].signature.operands[0] == Type::Float) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (checkPartial<Row, I>(), ...); }
-    (std::make_index_sequence<infos[Row].arity>{});
+    numbered<infos[Row].arity>([](auto... i) { (checkPartial<Row, i>(), ...); });
   }
 }
 
 TEST(Ops, PartialDerivativesMatchFiniteDifferences) {
-  [&]<std::size_t... Row>(std::index_sequence<Row...>) { (checkRow<Row>(), ...); }
-  (std::make_index_sequence<count>{});
+  numbered<count>([](auto... row) { (checkRow<row>(), ...); });
 }
 
 // Checks the formula of row `Row`, if it has one, at one point.
 template <std::size_t Row>
-void checkFormula(const std::array<double, maxArity>& x) {
+void checkFormula(const Operands<double>& x) {
   using Lowered = decltype(std::get<Row>(table).lowered);
   if constexpr (!std::is_same_v<Lowered, NoFormula>) {
     constexpr auto formula = std::get<Row>(table).lowered;
-    const double value = evaluate(Op(Row), x);
+    const double value = valueOf(Op(Row), x);
     const double lowered = spread<infos[Row].arity>(formula, x.data());
     const auto at = [&] {
       return std::string(infos[Row].name) + " of " + std::to_string(x[0]) + ", " +
@@ -258,15 +256,14 @@ template <std::size_t Row>
 void checkFormulaOnDomain() {
   Sampler sample;
   for (int point = 0; point < 2000; ++point) {
-    std::array<double, maxArity> x{};
+    Operands<double> x{};
     for (int i = 0; i < infos[Row].arity; ++i) x[i] = sample(std::get<Row>(table).domain[i]);
     checkFormula<Row>(x);
   }
 }
 
 TEST(Ops, LoweredFormulasHaveTheSameValues) {
-  [&]<std::size_t... Row>(std::index_sequence<Row...>) { (checkFormulaOnDomain<Row>(), ...); }
-  (std::make_index_sequence<count>{});
+  numbered<count>([](auto... row) { (checkFormulaOnDomain<row>(), ...); });
 }
 
 TEST(Ops, LoweredFormulasHaveTheSameValuesAtEdges) {

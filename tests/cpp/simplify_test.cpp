@@ -283,7 +283,7 @@ class Pair {
   }
   void apply(Op op, const std::array<std::size_t, ops::maxArity>& operands) {
     Step step{op, operands};
-    Operands on{}, off{};
+    Operands<NodeId> on{}, off{};
     for (int i = 0; i < ops::info(op).arity; ++i) {
       const Step& operand = steps[operands[i]];
       on[i] = operand.folded;
@@ -294,8 +294,8 @@ class Pair {
     step.unfolded = unfolded.apply(op, off);
     steps.push_back(step);
   }
-  Operands foldedOperands(const Step& step) const {
-    Operands operands{};
+  Operands<NodeId> foldedOperands(const Step& step) const {
+    Operands<NodeId> operands{};
     for (int i = 0; i < step.arity(); ++i) operands[i] = steps[step.operands[i]].folded;
     return operands;
   }
@@ -307,10 +307,10 @@ class Judge {
  public:
   Judge(Graph& graph, const std::vector<double>& values) : graph_(graph), values_(values) {}
 
-  Difference judge(Op op, const Operands& operands, double found) const {
-    std::array<double, ops::maxArity> x{};
+  Difference judge(Op op, const Operands<NodeId>& operands, double found) const {
+    Operands<double> x{};
     for (int i = 0; i < ops::info(op).arity; ++i) x[i] = at(operands[i]);
-    const double expected = ops::evaluate(op, x);
+    const double expected = ops::valueOf(op, x);
     if (same(expected, found)) return Nothing;
     if (expected == 0 && found == 0) return SignOfZero;
     if (isStepOfConstants(op, operands, found)) return StepInFloat32;
@@ -343,20 +343,20 @@ class Judge {
   double at(NodeId id) const { return values_[index(id)]; }
   bool isKnown(NodeId id, double value) const { return graph_.known(id) == value; }
   // A number as a condition is such a step too.
-  bool isStepOfConstants(Op op, const Operands& operands, double found) const {
+  bool isStepOfConstants(Op op, const Operands<NodeId>& operands, double found) const {
     const ops::Info& info = ops::info(op);
-    std::array<double, ops::maxArity> x{};
+    Operands<double> x{};
     for (int i = 0; i < info.arity; ++i) {
       const bool isKnown = graph_.known(operands[i]).has_value();
       if (info.isStep && !isKnown) return false;
       const bool jumps = info.isStep || info.signature.operands[i] == ops::Type::Bool;
       x[i] = isKnown && jumps ? static_cast<float>(at(operands[i])) : at(operands[i]);
     }
-    return same(ops::evaluate(op, x), found);
+    return same(ops::valueOf(op, x), found);
   }
   NodeId withoutSign(NodeId id) const { return graph_.is(id, Neg) ? graph_.operand(id, 0) : id; }
 
-  Difference judgeProduct(const Operands& operands, double expected, double found) const {
+  Difference judgeProduct(const Operands<NodeId>& operands, double expected, double found) const {
     const auto [a, b, unused] = operands;
     for (const auto& [x, y] : {std::pair{a, b}, std::pair{b, a}}) {
       if (isZeroFactor(y) && !std::isfinite(at(x)) && std::isnan(expected) && found == 0)
@@ -372,7 +372,7 @@ class Judge {
   }
 
   // The two constants of a sum, in either order of its operands.
-  Difference judgeSum(const Operands& operands, double expected, double found) const {
+  Difference judgeSum(const Operands<NodeId>& operands, double expected, double found) const {
     const auto [a, b, unused] = operands;
     for (const auto& [sum, y] : {std::pair{a, b}, std::pair{b, a}}) {
       const bool isSum = graph_.is(sum, Add) || graph_.is(sum, Sub);
@@ -393,21 +393,21 @@ class Judge {
     return (isKnown(yes, 1) && isKnown(no, 0)) || (isKnown(yes, 0) && isKnown(no, 1));
   }
 
-  bool isDifferenceWithItself(Op op, const Operands& operands) const {
+  bool isDifferenceWithItself(Op op, const Operands<NodeId>& operands) const {
     const auto [x, y, unused] = operands;
     if (op == Sub) return x == y;
     return (graph_.is(x, Neg) && graph_.operand(x, 0) == y) ||
            (graph_.is(y, Neg) && graph_.operand(y, 0) == x);
   }
 
-  Difference judgePower(const Operands& operands, double expected, double found) const {
+  Difference judgePower(const Operands<NodeId>& operands, double expected, double found) const {
     const double n = graph_.known(operands[1]).value_or(0.5), products = std::abs(n);
     if (n != std::floor(n) || products > 16) return Unexplained;
     if (distance(expected, found) <= static_cast<std::uint64_t>(products)) return WholePower;
     return n < 0 && !std::isnormal(std::pow(at(operands[0]), products)) ? BeyondRange : Unexplained;
   }
 
-  Difference judgeMix(const Operands& operands, double expected, double found) const {
+  Difference judgeMix(const Operands<NodeId>& operands, double expected, double found) const {
     const auto [x, y, t] = operands;
     const Difference leftOut = std::isnan(expected) ? EndOfMix : Unexplained;
     if (isKnown(t, 0)) return same(found, at(x)) ? leftOut : Unexplained;
@@ -484,9 +484,9 @@ std::vector<double> valuesOf(const Graph& graph, const std::array<double, 3>& po
     } else if (graph.isInput(id)) {
       values[i] = point[graph.node(id).operands[0]];
     } else {
-      std::array<double, ops::maxArity> x{};
+      Operands<double> x{};
       for (int k = 0; k < graph.arity(id); ++k) x[k] = values[index(graph.operand(id, k))];
-      values[i] = ops::evaluate(graph.node(id).op, x);
+      values[i] = ops::valueOf(graph.node(id).op, x);
     }
   }
   return values;

@@ -68,9 +68,9 @@ inline std::map<NodeId, double> evaluateNodes(const Graph& graph, std::span<cons
     } else if (graph.isInput(id)) {
       values[id] = inputs.at(id);
     } else {
-      std::array<double, ops::maxArity> x{};
+      Operands<double> x{};
       for (int i = 0; i < graph.arity(id); ++i) x[i] = values[graph.operand(id, i)];
-      values[id] = ops::evaluate(graph.node(id).op, x);
+      values[id] = ops::valueOf(graph.node(id).op, x);
     }
   }
   return values;

@@ -85,10 +85,10 @@ void warnOfMotion(Gltf& gltf, json& tree) {
 // have no bytes of their own. Indices without any are right glTF where they are sparse, but
 // tinygltf refuses them in words that help nobody.
 void refuseAccessorsWithoutBytes(const json& tree) {
-  const json none = json::array();
+  const json noElements = json::array();
   const auto listOf = [&](const json& object, const char* name) -> const json& {
     const auto found = object.find(name);
-    return found == object.end() ? none : *found;
+    return found == object.end() ? noElements : *found;
   };
   const json& accessors = listOf(tree, "accessors");
   const auto hasBytes = [&](const json& accessor) {

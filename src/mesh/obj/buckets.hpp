@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "graph/none.hpp"
+
 namespace warpjet {
 
 // Mixes the bits of two words well enough for a table of a power of two (splitmix64, by Sebastiano
@@ -19,13 +21,11 @@ constexpr std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
 // It stores indices only; what they stand for is the caller's.
 class Buckets {
  public:
-  static constexpr std::uint32_t empty = ~std::uint32_t{0};
-
   // For at most so many different things; never more than half full.
   explicit Buckets(std::size_t most) {
     std::size_t size = 2;
     while (size < most * 2) size *= 2;
-    slots_.assign(size, empty);
+    slots_.assign(size, none);
   }
 
   // The index of an equal thing that is already there, or `index`, which is there from then on.
@@ -33,7 +33,7 @@ class Buckets {
   std::uint32_t findOrAdd(std::uint64_t hash, std::uint32_t index, IsEqual isEqual) {
     for (auto i = static_cast<std::size_t>(hash);; ++i) {
       std::uint32_t& slot = slots_[i & (slots_.size() - 1)];
-      if (slot == empty) slot = index;
+      if (slot == none) slot = index;
       if (slot == index || isEqual(slot)) return slot;
     }
   }

@@ -120,15 +120,13 @@ void gather(const std::vector<ObjCorner>& corners, std::uint32_t ObjCorner::*par
   numbers.resize(corners.size() * width);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::uint32_t element = corners[i].*part;
-    if (element != ObjCorner::nothing)
+    if (element != none)
       std::copy_n(list.begin() + element * width, width, numbers.begin() + i * width);
   }
 }
 
 void addMissingNormals(const std::vector<ObjCorner>& corners, Mesh& mesh) {
-  const auto hasNormal = [](const ObjCorner& corner) {
-    return corner.normal != ObjCorner::nothing;
-  };
+  const auto hasNormal = [](const ObjCorner& corner) { return corner.normal != none; };
   if (std::all_of(corners.begin(), corners.end(), hasNormal)) return;
   const std::vector<float> computed = computeNormals(mesh);
   mesh.normals.resize(computed.size());

@@ -18,7 +18,7 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 // Counted from 1 or, if negative, from the end; nothing beyond the list.
 std::uint32_t placeOf(std::int64_t number, std::size_t count) {
   const auto length = static_cast<std::int64_t>(count);
-  if (number == 0 || number > length || number < -length) return ObjCorner::nothing;
+  if (number == 0 || number > length || number < -length) return none;
   return static_cast<std::uint32_t>(number > 0 ? number - 1 : length + number);
 }
 
@@ -113,15 +113,15 @@ bool ObjLine::corners(const ObjCounts& counts, std::vector<ObjCorner>& corners) 
       text.remove_prefix(std::min(length + 1, text.size()));
     }
     const std::int64_t number = cornerNumber(parts[0]);
-    ObjCorner corner{placeOf(number, counts.positions), ObjCorner::nothing, ObjCorner::nothing};
-    if (corner.position == ObjCorner::nothing)
+    ObjCorner corner{placeOf(number, counts.positions), none, none};
+    if (corner.position == none)
       fail("speaks of position " + std::to_string(number) + ", but " +
            (counts.positions == 0 ? "none" : "only " + grouped(counts.positions)) +
            " came before it");
     const auto find = [&](std::string_view part, std::size_t count) {
-      if (part.empty()) return ObjCorner::nothing;
+      if (part.empty()) return none;
       const std::uint32_t place = placeOf(cornerNumber(part), count);
-      hasAll &= place != ObjCorner::nothing;
+      hasAll &= place != none;
       return place;
     };
     corner.uv = find(parts[1], counts.uvs);

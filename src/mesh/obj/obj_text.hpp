@@ -10,11 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "graph/none.hpp"
+
 namespace warpjet {
 
-// Of a face: places in the lists of positions, uvs and normals, counted from 0.
+// Of a face: places in the lists of positions, uvs and normals, counted from 0, or `none`.
 struct ObjCorner {
-  static constexpr std::uint32_t nothing = ~std::uint32_t{0};
   std::uint32_t position, uv, normal;
 
   bool operator==(const ObjCorner&) const = default;

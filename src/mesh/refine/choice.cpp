@@ -12,7 +12,7 @@ std::vector<std::uint32_t> Refiner::chooseEdges() {
   for (std::size_t i = 0; i < needs_.size(); ++i) {
     const Edge& edge = surface_.edges()[i];
     // Overlapping triangles can bring back an edge that is split already.
-    chosen[i] = edge.uses > 0 && (needs_[i].isWanted() || edge.middle != noNumber);
+    chosen[i] = edge.uses > 0 && (needs_[i].isWanted() || edge.middle != none);
   }
   keepShape(chosen);
   std::vector<std::uint32_t> edges;
@@ -34,7 +34,7 @@ void Refiner::keepShape(std::vector<bool>& chosen) const {
     std::uint32_t edge, next;
   };
   std::vector<Entailed> entailed;
-  std::vector<std::uint32_t> first(chosen.size(), noNumber);  // by edge, the head of a list
+  std::vector<std::uint32_t> first(chosen.size(), none);  // by edge, the head of a list
   for (const Triangle& triangle : surface_.triangles()) {
     const std::uint32_t edge = surface_.edgeNumber(triangle, triangle.longest);
     if (!triangle.isSliver || !needs_[edge].canSplit) continue;
@@ -51,7 +51,7 @@ void Refiner::keepShape(std::vector<bool>& chosen) const {
   while (!waiting.empty()) {
     std::uint32_t i = first[waiting.back()];
     waiting.pop_back();
-    for (; i != noNumber; i = entailed[i].next) {
+    for (; i != none; i = entailed[i].next) {
       if (chosen[entailed[i].edge]) continue;
       chosen[entailed[i].edge] = true;
       waiting.push_back(entailed[i].edge);
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> Refiner::worst(std::vector<std::uint32_t> edges, std:
   for (const std::uint32_t i : edges) {
     const Edge& edge = surface_.edges()[i];
     added += edge.uses;
-    if (edge.middle != noNumber) addedAgain += edge.uses;
+    if (edge.middle != none) addedAgain += edge.uses;
   }
   isFull_ = added > room;
   if (!isFull_) return edges;
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> Refiner::worst(std::vector<std::uint32_t> edges, std:
   // Equals in the order of their numbers, so that the same input has the same result.
   std::vector<std::pair<float, std::uint32_t>> ranks;
   for (const std::uint32_t i : edges) {
-    const bool isAgain = surface_.edges()[i].middle != noNumber;
+    const bool isAgain = surface_.edges()[i].middle != none;
     ranks.emplace_back(isAgain ? -std::numeric_limits<float>::infinity() : -needs_[i].score, i);
   }
   std::sort(ranks.begin(), ranks.end());

@@ -33,7 +33,7 @@ std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float
     appendBlend(vertices, mesh, {turn.corners, turn.where});
     for (const Weights& corner : cornerWeights) appendBlend(vertices, mesh, {turn.corners, corner});
   }
-  const auto normals = evaluate(vertices, warp, true).normals;
+  const auto normals = warpedBy(vertices, warp, true).normals;
   std::vector<Search> searches;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const glm::vec3 normal = at(normals, 4 * i);
@@ -51,7 +51,7 @@ std::vector<bool> findJumps(const Mesh& mesh, std::span<const Turn> turns, float
     vertices = {};
     for (const Search& search : searches)
       appendBlend(vertices, mesh, {turns[search.turn].corners, halfway(search.from, search.to)});
-    const auto middles = evaluate(vertices, warp, true).normals;
+    const auto middles = warpedBy(vertices, warp, true).normals;
     std::vector<Search> left;
     for (std::size_t i = 0; i < searches.size(); ++i) {
       Search search = searches[i];

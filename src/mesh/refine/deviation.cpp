@@ -133,7 +133,7 @@ class Measurement {
 
   void compareBatch(std::span<const Piece> pieces, std::vector<Deviation>& deviations) {
     if (samples_.empty()) return;
-    const Moved moved = evaluate(vertices_, warp_, hasNormals());
+    const Moved moved = warpedBy(vertices_, warp_, hasNormals());
     for (std::size_t i = 0; i < samples_.size(); ++i)
       compare(samples_[i], pieces[samples_[i].piece], moved, i, deviations[samples_[i].piece]);
     samples_.clear();
@@ -187,7 +187,7 @@ void Off::raise(const Off& other) {
   angle = std::max(angle, other.angle);
 }
 
-Moved evaluate(const Mesh& vertices, const WarpFunction& warp, bool hasNormals) {
+Moved warpedBy(const Mesh& vertices, const WarpFunction& warp, bool hasNormals) {
   Moved moved = warp(vertices);
   fit(moved, vertices.vertexCount(), hasNormals);
   return moved;

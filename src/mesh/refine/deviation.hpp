@@ -45,7 +45,7 @@ std::vector<Deviation> measure(const Mesh& mesh, const Moved& warped, Moved& mid
 
 // The warp of these vertices; positions that it leaves out are NaN. With normals there are as many
 // as wanted, whatever it gives, and without none.
-Moved evaluate(const Mesh& vertices, const WarpFunction& warp, bool hasNormals);
+Moved warpedBy(const Mesh& vertices, const WarpFunction& warp, bool hasNormals);
 void fit(Moved& moved, std::size_t vertices, bool hasNormals);
 
 }  // namespace warpjet

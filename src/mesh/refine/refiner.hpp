@@ -10,9 +10,6 @@
 
 namespace warpjet {
 
-// So that every vertex has a number of 32 bits. js-bindings/mesh/subdivide.ts refuses more.
-constexpr std::size_t mostTriangles = std::size_t{1} << 28;
-
 class Refiner {
  public:
   Refiner(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp);

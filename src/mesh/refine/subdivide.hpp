@@ -20,12 +20,16 @@ struct Moved {
 // The warp, on as many vertices as come: only attributes matter, there are no indices.
 using WarpFunction = std::function<Moved(const Mesh& vertices)>;
 
+// So that every vertex has a number of 32 bits, and what counts unless another limit is given.
+inline constexpr std::size_t mostTriangles = std::size_t{1} << 28,
+                             usualTriangles = std::size_t{1} << 20;
+
 struct Refinement {
   float tolerance;  // model units, above 0: how far the warped surface may leave the triangles
   // Radians, above 0: how far warped normals may turn away from those interpolated between corners.
   // Infinity leaves normals out.
   float angle = 0.17f;
-  std::size_t maxTriangles = std::size_t{1} << 20;
+  std::size_t maxTriangles = usualTriangles;
 };
 
 struct Refined {
@@ -52,7 +56,6 @@ struct Divided {
 
 // Each triangle into four, `levels` times, or as often as `maxTriangles` allows; those with two
 // corners in one place go. Without any triangle the mesh comes back as it was.
-Divided subdivideUniformly(const Mesh& mesh, int levels,
-                           std::size_t maxTriangles = std::size_t{1} << 20);
+Divided subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangles = usualTriangles);
 
 }  // namespace warpjet

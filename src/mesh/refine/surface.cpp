@@ -75,8 +75,7 @@ void Surface::addMiddles(std::span<const std::uint32_t> edges) {
   for (const Triangle& triangle : triangles_) {
     if (isSlit(triangle)) continue;
     for (const std::uint32_t side : triangle.sides) {
-      if (edges_[sides_[side].edge].middle != noNumber && sides_[side].middle == noNumber)
-        split(side);
+      if (edges_[sides_[side].edge].middle != none && sides_[side].middle == none) split(side);
     }
   }
 }
@@ -110,7 +109,7 @@ void Surface::divide(const std::vector<float>& positions) {
 
 void Surface::divide(const Triangle& triangle, const std::vector<float>& positions) {
   const auto isSplit = [this](std::uint32_t side) {
-    return edges_[sides_[side].edge].middle != noNumber;
+    return edges_[sides_[side].edge].middle != none;
   };
   const auto splits = std::count_if(triangle.sides.begin(), triangle.sides.end(), isSplit);
   if (splits == 0) {

@@ -16,8 +16,8 @@ namespace warpjet {
 // Two positions, by their numbers. Whether it is split is decided here, once for all its sides.
 struct Edge {
   std::array<std::uint32_t, 2> ends;
-  std::uint32_t middle = noNumber;  // once it is split
-  std::uint32_t uses = 0;           // by triangles, now
+  std::uint32_t middle = none;  // once it is split
+  std::uint32_t uses = 0;       // by triangles, now
 };
 
 // Two vertices, in the order of their edge's ends. Triangles on both sides of a seam (split
@@ -25,8 +25,8 @@ struct Edge {
 struct Side {
   std::array<std::uint32_t, 2> ends;
   std::uint32_t edge;
-  std::uint32_t middle = noNumber;                          // once it is split
-  std::array<std::uint32_t, 2> halves{noNumber, noNumber};  // then, at each end
+  std::uint32_t middle = none;                      // once it is split
+  std::array<std::uint32_t, 2> halves{none, none};  // then, at each end
 };
 
 struct Triangle {

@@ -6,10 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace warpjet {
+#include "graph/none.hpp"
 
-// No vertex, no edge.
-constexpr std::uint32_t noNumber = ~std::uint32_t{0};
+namespace warpjet {
 
 class Pairs {
  public:
@@ -17,7 +16,7 @@ class Pairs {
   std::uint32_t findOrAdd(std::uint32_t a, std::uint32_t b, std::uint32_t next) {
     if (2 * count_ >= slots_.size()) grow();
     Slot& slot = slots_[placeOf(a, b)];
-    if (slot.number != noNumber) return slot.number;
+    if (slot.number != none) return slot.number;
     slot = {a, b, next};
     ++count_;
     return next;
@@ -25,7 +24,7 @@ class Pairs {
 
  private:
   struct Slot {
-    std::uint32_t a = 0, b = 0, number = noNumber;
+    std::uint32_t a = 0, b = 0, number = none;
   };
 
   std::size_t placeOf(std::uint32_t a, std::uint32_t b) const {
@@ -34,7 +33,7 @@ class Pairs {
     h = (h ^ (h >> 32)) * 0xbf58476d1ce4e5b9u;
     const std::size_t mask = slots_.size() - 1;
     std::size_t place = static_cast<std::size_t>(h ^ (h >> 29)) & mask;
-    while (slots_[place].number != noNumber && (slots_[place].a != a || slots_[place].b != b))
+    while (slots_[place].number != none && (slots_[place].a != a || slots_[place].b != b))
       place = (place + 1) & mask;
     return place;
   }
@@ -43,7 +42,7 @@ class Pairs {
     std::vector<Slot> old(slots_.empty() ? 1024 : 2 * slots_.size());
     old.swap(slots_);
     for (const Slot& slot : old) {
-      if (slot.number != noNumber) slots_[placeOf(slot.a, slot.b)] = slot;
+      if (slot.number != none) slots_[placeOf(slot.a, slot.b)] = slot;
     }
   }
 

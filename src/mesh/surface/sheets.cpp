@@ -34,10 +34,10 @@ class Groups {
 
 // Between two places, with the third corners of the two-sided triangles there.
 struct SheetEdge {
-  std::uint32_t oneCorner, otherCorner = noNumber;
+  std::uint32_t oneCorner, otherCorner = none;
   bool isOfTwo = true;
   // A vertex at each end, on the side that passes `oneCorner` forwards and on the other one.
-  std::array<std::array<std::uint32_t, 2>, 2> ends{{{noNumber, noNumber}, {noNumber, noNumber}}};
+  std::array<std::array<std::uint32_t, 2>, 2> ends{{{none, none}, {none, none}}};
 };
 
 class Search {
@@ -113,7 +113,7 @@ class Search {
   static void meet(const Use& use) {
     SheetEdge& edge = use.edge;
     if (use.corner == edge.oneCorner) return;
-    if (edge.otherCorner == noNumber) edge.otherCorner = use.corner;
+    if (edge.otherCorner == none) edge.otherCorner = use.corner;
     edge.isOfTwo = edge.isOfTwo && use.corner == edge.otherCorner;
   }
 
@@ -122,7 +122,7 @@ class Search {
     if (!use.edge.isOfTwo) return;
     auto& ends = use.edge.ends[use.isForwards == (use.corner == use.edge.oneCorner)];
     for (int i = 0; i < 2; ++i) {
-      if (ends[i] == noNumber) ends[i] = use.ends[i];
+      if (ends[i] == none) ends[i] = use.ends[i];
       groups.join(use.ends[i], ends[i]);
     }
   }

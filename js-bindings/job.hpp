@@ -1,0 +1,88 @@
+// What enters and leaves one call of the module of meshes. Its arrays have numbers, which
+// `npm run reference` prints for JavaScript.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "mesh/load.hpp"
+#include "mesh/mesh.hpp"
+
+namespace warpjet {
+
+struct Job {
+  Mesh mesh;
+  // A file, as it enters or leaves; further files that it needs, the next of them with its name.
+  std::vector<std::uint8_t> file, name, contents;
+  std::optional<ModelFile> model;  // made of the file when it is first asked about
+  Files files;
+  std::vector<std::uint8_t> picture, mimeType;
+  std::vector<std::string> texts;
+};
+
+template <class Of>
+struct JobArray {
+  std::string_view name;
+  Of of;  // a job
+};
+template <class Of>
+JobArray(std::string_view, Of) -> JobArray<Of>;
+
+inline constexpr std::tuple jobArrays{
+    JobArray{"positions", [](auto& job) -> auto& {return job.mesh.positions;
+}  // namespace warpjet
+}
+, JobArray{"normals", [](auto& job) -> auto& {return job.mesh.normals;
+}
+}
+, JobArray{"uvs", [](auto& job) -> auto& {return job.mesh.uvs;
+}
+}
+, JobArray{"colors", [](auto& job) -> auto& {return job.mesh.colors;
+}
+}
+, JobArray{"tangents", [](auto& job) -> auto& {return job.mesh.tangents;
+}
+}
+, JobArray{"normalXGradients", [](auto& job) -> auto& {return job.mesh.gradients[0];
+}
+}
+, JobArray{"normalYGradients", [](auto& job) -> auto& {return job.mesh.gradients[1];
+}
+}
+, JobArray{"normalZGradients", [](auto& job) -> auto& {return job.mesh.gradients[2];
+}
+}
+, JobArray{"uGradients", [](auto& job) -> auto& {return job.mesh.gradients[3];
+}
+}
+, JobArray{"vGradients", [](auto& job) -> auto& {return job.mesh.gradients[4];
+}
+}
+, JobArray{"indices", [](auto& job) -> auto& {return job.mesh.indices;
+}
+}
+, JobArray{"picture", [](auto& job) -> auto& {return job.picture;
+}
+}
+, JobArray{"mimeType", [](auto& job) -> auto& {return job.mimeType;
+}
+}
+, JobArray{"file", [](auto& job) -> auto& {return job.file;
+}
+}
+, JobArray{"name", [](auto& job) -> auto& {return job.name;
+}
+}
+, JobArray{"contents", [](auto& job) -> auto& {return job.contents;
+}
+}
+,
+}
+;
+
+}  // namespace warpjet

@@ -1,0 +1,158 @@
+// What becomes of a row by itself: that nothing else is needed is seen by there being nothing else.
+// Numbers and texts are worked out by hand.
+#include <gtest/gtest.h>
+
+#include "bench.hpp"
+#include "eval/blocks.hpp"
+#include "eval/bounds.hpp"
+#include "eval/program.hpp"
+
+namespace warpjet {
+namespace {
+
+class OwnRow : public testing::Test, protected Bench {
+ protected:
+  int y = input("y");
+
+  // The program of one result, a number, that depends on x or on x and y: the first number that it
+  // is given, and the last.
+  Program programOf(int result) {
+    builder.output("gen", "result", result);
+    EXPECT_TRUE(builder.finish()) << builder.problem();
+    const Graph& graph = builder.graph();
+    count_ = 0;
+    for (std::uint32_t i = 0; i < graph.inputCount(); ++i) count_ += graph.input(i).shape.size();
+    return *program(builder.module(), std::array{std::uint32_t{0}}).program;
+  }
+
+  template <class Number>
+  std::vector<Number> given(Number first, Number last, Number others = {}) const {
+    std::vector<Number> all(count_, others);
+    all.back() = last;
+    all.front() = first;
+    return all;
+  }
+
+  double at(const Program& program, double first, double last = 0) const {
+    double result = 0;
+    evaluate(program.words, program.instructions, given(first, last), {&result, 1});
+    return result;
+  }
+
+  std::vector<float> inLanes(const Program& program, const std::vector<float>& first,
+                             const std::vector<float>& last) const {
+    const float zero = 0;
+    const std::vector<Stream> streams =
+        given<Stream>({first.data(), 1, false}, {last.data(), 1, last.empty()}, {&zero, 1, true});
+    BlockEvaluator evaluator(
+        allocateRegisters(program.words, program.instructions, std::array{std::uint32_t{0}},
+                          std::vector<bool>(count_)),
+        streams);
+    std::vector<float> results(first.size());
+    evaluator.run(first.size(), streams, std::array{Sink{results.data(), 1}});
+    return results;
+  }
+
+  Range boundsOf(const Program& program, Range first, Range last = {0, 0}) const {
+    return bounds(program.words, program.instructions, given(first, last),
+                  std::array{std::uint32_t{0}})[0];
+  }
+
+  static std::string whole(const Builder& from, const Dialect& dialect) {
+    const Written made = write(from.module(), dialect);
+    return made.text ? made.text->declarations + made.text->emitted.code : made.problem;
+  }
+
+ private:
+  std::size_t count_ = 0;  // of all numbers of inputs
+};
+
+TEST_F(OwnRow, HasAValueThatConstantsFoldTo) {
+  EXPECT_EQ(text(call("cbrt", {number(-27)})), "-3.0");
+}
+
+TEST_F(OwnRow, HasAValueInDouble) { EXPECT_EQ(at(programOf(call("cbrt", {x})), 64), 4); }
+
+TEST_F(OwnRow, HasADerivative) {
+  EXPECT_DOUBLE_EQ(at(programOf(call("derivative", {call("cbrt", {x}), x})), 8), 1.0 / 12);
+}
+
+TEST_F(OwnRow, HasADerivativeByEachOperand) {
+  const Program slope = programOf(call("derivative", {call("hypot", {x, y}), y}));
+  EXPECT_DOUBLE_EQ(at(slope, 3, 4), 0.8);
+}
+
+TEST_F(OwnRow, WithoutPartialsIsConstantButForJumps) {
+  EXPECT_EQ(text(call("derivative", {call("times", {x, y}), x})), "0.0");
+}
+
+TEST_F(OwnRow, HasATextInEachLanguage) {
+  builder.output("gen", "root", call("cbrt", {x}));
+  builder.output("gen", "size", method("hypot", {x, y}));
+  builder.output("gen", "whole", call("times", {x, y}));
+  const std::string webgl2 = whole(builder, glsl300), webgl = whole(builder, glsl100),
+                    webgpu = whole(builder, wgsl);
+  EXPECT_TRUE(webgl2.starts_with("highp float warpjetCbrt(highp float x) {")) << webgl2;
+  EXPECT_TRUE(webgpu.starts_with("fn warpjetCbrt(x: f32) -> f32 {")) << webgpu;
+  for (const std::string& each : {webgl2, webgpu}) {
+    EXPECT_TRUE(each.find("root = warpjetCbrt(x);") != each.npos) << each;
+    EXPECT_TRUE(each.find("whole = round(x / y);") != each.npos) << each;
+  }
+  EXPECT_TRUE(webgl2.find("size = length(vec2(x, y));") != webgl2.npos) << webgl2;
+  EXPECT_TRUE(webgpu.find("size = length(vec2f(x, y));") != webgpu.npos) << webgpu;
+  // Lowered.
+  EXPECT_TRUE(webgl.find("root = sign(x) * pow(abs(x), 0.33333334);") != webgl.npos) << webgl;
+  EXPECT_TRUE(webgl.find("whole = floor(x / y + 0.5);") != webgl.npos) << webgl;
+}
+
+// More than there are lanes in a register, and not a multiple of them.
+TEST_F(OwnRow, OfPlainNumbersTakesEachLane) {
+  const Program program = programOf(call("cbrt", {x}));
+  EXPECT_EQ(inLanes(program, {-8, -1, 0, 1, 8, 27}, {}), (std::vector<float>{-2, -1, 0, 1, 2, 3}));
+}
+
+TEST_F(OwnRow, OfTwoPlainNumbersTakesEachLane) {
+  const Program program = programOf(call("times", {x, y}));
+  EXPECT_EQ(inLanes(program, {7, 8, 9, 10, -7}, {2, 3, 4, 5, 1}),
+            (std::vector<float>{4, 3, 2, 2, -7}));
+}
+
+TEST_F(OwnRow, OfAnyScalarTakesAllLanes) {
+  const Program program = programOf(call("hypot", {x, y}));
+  EXPECT_EQ(inLanes(program, {3, 5, 8, 7, 20}, {4, 12, 15, 24, 21}),
+            (std::vector<float>{5, 13, 17, 25, 29}));
+}
+
+TEST_F(OwnRow, ThatRisesIsBoundedByItsEnds) {
+  const auto [low, high] = boundsOf(programOf(call("cbrt", {x})), {-8, 27});
+  EXPECT_LE(low, -2);
+  EXPECT_GE(high, 3);
+  EXPECT_NEAR(low, -2, 1e-4);
+  EXPECT_NEAR(high, 3, 1e-4);
+}
+
+TEST_F(OwnRow, OfAnyScalarIsBoundedByItsFormula) {
+  const auto [low, high] = boundsOf(programOf(call("hypot", {x, y})), {3, 6}, {4, 8});
+  EXPECT_LE(low, 5);
+  EXPECT_GE(high, 10);
+  EXPECT_NEAR(low, 5, 1e-3);
+  EXPECT_NEAR(high, 10, 1e-3);
+}
+
+TEST_F(OwnRow, OfWhichNothingIsKnownCanBeAnything) {
+  const auto [low, high] = boundsOf(programOf(call("times", {x, y})), {3, 6}, {4, 8});
+  EXPECT_EQ(high, Interval::infinity);
+  EXPECT_EQ(low, -Interval::infinity);
+}
+
+TEST_F(OwnRow, HasItsTraits) {
+  EXPECT_EQ(text(call("hypot", {x, y, number(2)})), "length(vec2(length(vec2(x, y)), 2.0))");
+  EXPECT_EQ(text(call("sub", {call("hypot", {x, y}), call("hypot", {y, x})})), "0.0");
+  EXPECT_EQ(builder.shape(call("hypot", {m2, m2})), matrixOf(2, 2));
+  EXPECT_LT(call("cbrt", {m2}), 0);
+  EXPECT_LT(call("cbrt", {x, y}), 0);
+  EXPECT_LT(call("times", {x, number(0)}), 0);
+}
+
+}  // namespace
+}  // namespace warpjet
