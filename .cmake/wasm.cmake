@@ -4,14 +4,14 @@
 #   mesh        files of meshes, and what is done to meshes
 
 # What runs once per warp, or per name in it, is compiled for size; what runs per node stays at -O3 (-Os everywhere made a
-# warp of 3,000 nodes six times slower), but for emit.cpp and schedule.cpp, which are no slower when they are small.
+# warp of 3,000 nodes six times slower), but for emit.cpp, statements.cpp and schedule.cpp, which are no slower when they are small.
 file(GLOB small_sources CONFIGURE_DEPENDS
   src/functions/*.cpp src/module/*.cpp src/noise/*.cpp src/ops/*.cpp src/texture/*.cpp src/warp/*.cpp)
 set_source_files_properties(${small_sources}
   src/algebra/derivatives.cpp src/algebra/matrices.cpp src/algebra/vectors.cpp
-  src/builder/construct.cpp src/builder/host.cpp src/builder/noise.cpp src/builder/texture.cpp src/diff/partials.cpp
+  src/builder/call.cpp src/builder/construct.cpp src/builder/host.cpp src/builder/noise.cpp src/builder/results.cpp src/builder/texture.cpp src/diff/partials.cpp
   src/emit/bundle.cpp src/emit/dialect.cpp src/emit/emit.cpp src/emit/functions.cpp src/emit/glsl100.cpp src/emit/glsl300.cpp
-  src/emit/literal.cpp src/emit/lower.cpp src/emit/names.cpp src/emit/sums.cpp src/emit/text.cpp src/emit/wgsl.cpp
+  src/emit/literal.cpp src/emit/lower.cpp src/emit/names.cpp src/emit/statements.cpp src/emit/sums.cpp src/emit/text.cpp src/emit/wgsl.cpp
   src/eval/bounds.cpp src/eval/program.cpp src/graph/functions.cpp src/graph/multi_index.cpp src/graph/ranges.cpp src/graph/schedule.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
 set_source_files_properties(js-bindings/bindings.cpp js-bindings/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
