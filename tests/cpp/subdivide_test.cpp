@@ -207,8 +207,8 @@ TEST(Subdivide, NothingIsAskedTwice) {
     return warp(vertices);
   });
   // About 3 edges and 2 triangles a vertex; what is split asked a third of that before. And once,
-  // however fine the result, 320 points along and 320 across its size, on 3.14 such squares: a spike
-  // as wide as a 200th of the mesh is met by no fewer.
+  // however fine the result, 320 points along and 320 across its size, on 3.14 such squares: a
+  // spike as wide as a 200th of the mesh is met by no fewer.
   EXPECT_GT(result.mesh.vertexCount(), 10000u);
   EXPECT_LT(asked, 17 * result.mesh.vertexCount() + 322000);
 }

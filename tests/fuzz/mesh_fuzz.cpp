@@ -9,8 +9,8 @@
 #include "mesh/check.hpp"
 #include "mesh/gltf/export.hpp"
 #include "mesh/load.hpp"
-#include "mesh/surface/normals.hpp"
 #include "mesh/refine/subdivide.hpp"
+#include "mesh/surface/normals.hpp"
 
 namespace warpjet {
 namespace {
