@@ -66,6 +66,7 @@ export const modules = settings(
       mesh: path('js-bindings/mesh.ts'),
       deformers: path('js-bindings/deformers.ts'),
       cli: path('js-bindings/cli.ts'),
+      memory: path('js-bindings/memory.ts'),
     },
     formats: ['es'],
   },

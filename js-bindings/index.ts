@@ -15,10 +15,6 @@ export type {
 export { targets, type Target } from './kept-module.js'
 export type { TypeName } from './shapes.js'
 export type { Numbers } from './evaluate.js'
-/** @internal */
-export { memoryInUse } from './core.js'
-/** @internal */
-export { evaluationMemoryInUse } from './evaluation.js'
 export { WarpError } from './errors.js'
 export { version } from './generated/version.js'
 export type { InputName } from './inputs.js'

@@ -6,8 +6,6 @@ export { bakeWarp, type Evaluates } from './mesh/bake.js'
 export { exportGLB } from './mesh/export.js'
 export { loadMesh, type LoadOptions } from './mesh/load.js'
 export type { Material, Mesh, MeshInput, Picture } from './mesh/mesh.js'
-/** @internal */
-export { meshMemoryInUse } from './mesh/module.js'
 export { subdivide, type AdaptiveOptions, type LevelsOptions } from './mesh/subdivide.js'
 /** @internal */
 export { varyGeometry } from './mesh/vary-geometry.js'

@@ -5,8 +5,6 @@ export { compileWarp } from './compile-warp-text.js'
 export type { Compiled, CompileOptions, Declared, Stats } from './compiled.js'
 export { targets, type Target } from './kept-module.js'
 export type { Numbers } from './evaluate.js'
-/** @internal */
-export { memoryInUse } from './core.js'
 export { WarpError } from './errors.js'
 export { version } from './generated/version.js'
 export type { InputName } from './inputs.js'

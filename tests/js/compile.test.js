@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
-import { compile, compileWarp, gen, memoryInUse, version, WarpError } from '../../dist/warpjet.js'
+import { memoryInUse } from '../../dist/memory.js'
+import { compile, compileWarp, gen, version, WarpError } from '../../dist/warpjet.js'
 
 const namesOf = (declared) => declared.map(({ name }) => name)
 

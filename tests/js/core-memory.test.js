@@ -11,7 +11,8 @@ WebAssembly.Module = function (bytes) {
   if (memory >= 0) copy.set([0x80, 0x81, 0x00], memory + 3)
   return new Module(copy)
 }
-const { compile, compileWarp, memoryInUse, WarpError } = await import('../../dist/warpjet.js')
+const { compile, compileWarp, WarpError } = await import('../../dist/warpjet.js')
+const { memoryInUse } = await import('../../dist/memory.js')
 
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
 compileWarp(still)

@@ -2,7 +2,8 @@
 // against an oracle, beside those of the GPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { WarpError, compileWarp, evaluationMemoryInUse } from '../../dist/warpjet.js'
+import { evaluationMemoryInUse } from '../../dist/memory.js'
+import { WarpError, compileWarp } from '../../dist/warpjet.js'
 import { moments } from '../browser/support/compare.js'
 import { warps } from '../warps/index.js'
 

@@ -1,7 +1,8 @@
 // The sketch's function is called once; what is kept of it is written again in any language, for any host.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { compile, compileWarp, memoryInUse, targets, WarpError } from 'warpjet'
+import { compile, compileWarp, targets, WarpError } from 'warpjet'
+import { memoryInUse } from '../../dist/memory.js'
 
 const bumpy = ({ glsl, position, normal, uv, millis }) =>
   normal.mult(glsl.noise(position.mult(3)).add(millis.sin()).mult(0.1)).add(glsl.vec3(uv, 0))

@@ -52,6 +52,7 @@ test('the package holds what a user needs and nothing else', () => {
       file,
     )
   assert.ok(files.some(({ path }) => path === 'dist/types/index.d.ts'))
+  assert.ok(!files.some(({ path }) => path.startsWith('dist/memory.')))
 })
 
 test('every entry loads in Node, without a DOM and without p5', async () => {
