@@ -16,7 +16,12 @@ const binary = (name) => path('node_modules', name)
 export const cppFiles = () =>
   ['src', 'js-bindings', 'tests', '.scripts'].flatMap((folder) => walk(folder, /\.[ch]pp$/))
 
-const prettier = (mode) => [binary('prettier/bin/prettier.cjs'), mode, '--log-level', 'warn', '.']
+const prettier = (mode) => [
+  binary('prettier/bin/prettier.cjs'),
+  mode,
+  ...['--log-level', 'warn', '--cache', '--cache-location', path('.build/prettier')],
+  '.',
+]
 
 export async function format() {
   await run('clang-format', ['-i', ...cppFiles()])

@@ -16,6 +16,8 @@ export const leftOut = {
     'tests/browser/bench.test.js': 'the benchmark is run seldom, by hand, and ships to nobody',
     'tests/browser/bench-pages.test.js': 'likewise its page',
     'tests/browser/bench-results.test.js': 'likewise the page of its results',
+    'tests/browser/drop.test.js':
+      'the page for one’s own model changes seldom; what it calls has its tests every day',
   },
   parts: {
     'p5 1.11':
@@ -25,6 +27,7 @@ export const leftOut = {
     'every example through the page':
       'the page frames every example alike; every day each is drawn by itself, and three through it',
     'every model': 'models differ in their vertices alone; every day each warp meets one of them',
+    'every random expression': 'the others are of the same kinds, and all are run on the CPU every day',
     'deep domain warping': 'its texts take a compiler without a GPU half a minute',
   },
 }
