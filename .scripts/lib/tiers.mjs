@@ -27,7 +27,8 @@ export const leftOut = {
     'every example through the page':
       'the page frames every example alike; every day each is drawn by itself, and three through it',
     'every model': 'models differ in their vertices alone; every day each warp meets one of them',
-    'every random expression': 'the others are of the same kinds, and all are run on the CPU every day',
+    'every random expression':
+      'the others are of the same kinds, and all are run on the CPU every day',
     'deep domain warping': 'its texts take a compiler without a GPU half a minute',
   },
 }
