@@ -1,4 +1,4 @@
-# Native build: one GoogleTest program from all of tests/cpp, the fuzz targets, and the printer of the tables.
+# Native build: the GoogleTest programs, the fuzz targets and their seeds, the printer of the tables, and a benchmark.
 find_package(GTest REQUIRED)
 enable_testing()
 

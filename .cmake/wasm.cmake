@@ -30,7 +30,7 @@ set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp TARGET_DIRECTORY warpje
 set_source_files_properties(js-bindings/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
 set_source_files_properties(src/eval/blocks.cpp TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
 
-# emcc renamed the setting in 3.1.25. No recursion over nodes (see DESIGN), so the stack can be small.
+# emcc renamed the setting in 3.1.25. No function calls itself over nodes, so the stack can be small.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)
   set(stack_setting TOTAL_STACK)
 else()

@@ -28,8 +28,7 @@ interface Wasm {
 }
 
 /**
- * Every function of C++ with a `_` before its name as it is, and without one for those that take or give texts; and the
- * memory as arrays. `giveUp` is called when the instance has stopped, for want of memory: what it holds may then be in any
+ * Every function of C++ twice, with a `_` before its name as it is, and without one for texts; and its memory as arrays. `giveUp` is called when the instance has stopped, for want of memory: what it holds may then be in any
  * state.
  */
 export function startCore<Core>(giveUp: () => void): Core {

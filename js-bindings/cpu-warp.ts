@@ -32,7 +32,7 @@ export interface WarpedVertices {
 }
 
 export interface EvaluationOptions {
-  /** Those that are not given have their values of the option `uniforms` of `compileWarp`, a function being asked then. */
+  /** Those left out have the values of `compileWarp`'s option `uniforms`; a function there is called each time. */
   uniforms?: Uniforms | undefined
 }
 
@@ -64,7 +64,7 @@ export interface Foldover {
  * value, such as the logarithm of a negative number, neither have the results.
  */
 export interface CpuWarp {
-  /** Moves vertices, any number of them, none too: it needs the results' memory and a few megabytes. */
+  /** Moves vertices, any number, even none: it needs the results' memory and a few megabytes. */
   evaluate(mesh: Vertices, options?: EvaluationOptions): WarpedVertices
   /** Moves one vertex. */
   evaluateAt(position: ArrayLike<number>, inputs?: PointInputs): WarpedPoint

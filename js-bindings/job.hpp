@@ -33,56 +33,25 @@ template <class Of>
 JobArray(std::string_view, Of) -> JobArray<Of>;
 
 inline constexpr std::tuple jobArrays{
-    JobArray{"positions", [](auto& job) -> auto& {return job.mesh.positions;
-}  // namespace warpjet
-}
-, JobArray{"normals", [](auto& job) -> auto& {return job.mesh.normals;
-}
-}
-, JobArray{"uvs", [](auto& job) -> auto& {return job.mesh.uvs;
-}
-}
-, JobArray{"colors", [](auto& job) -> auto& {return job.mesh.colors;
-}
-}
-, JobArray{"tangents", [](auto& job) -> auto& {return job.mesh.tangents;
-}
-}
-, JobArray{"normalXGradients", [](auto& job) -> auto& {return job.mesh.gradients[0];
-}
-}
-, JobArray{"normalYGradients", [](auto& job) -> auto& {return job.mesh.gradients[1];
-}
-}
-, JobArray{"normalZGradients", [](auto& job) -> auto& {return job.mesh.gradients[2];
-}
-}
-, JobArray{"uGradients", [](auto& job) -> auto& {return job.mesh.gradients[3];
-}
-}
-, JobArray{"vGradients", [](auto& job) -> auto& {return job.mesh.gradients[4];
-}
-}
-, JobArray{"indices", [](auto& job) -> auto& {return job.mesh.indices;
-}
-}
-, JobArray{"picture", [](auto& job) -> auto& {return job.picture;
-}
-}
-, JobArray{"mimeType", [](auto& job) -> auto& {return job.mimeType;
-}
-}
-, JobArray{"file", [](auto& job) -> auto& {return job.file;
-}
-}
-, JobArray{"name", [](auto& job) -> auto& {return job.name;
-}
-}
-, JobArray{"contents", [](auto& job) -> auto& {return job.contents;
-}
-}
-,
-}
-;
+    JobArray{"positions", [](auto& job) -> decltype(auto) { return (job.mesh.positions); }},
+    JobArray{"normals", [](auto& job) -> decltype(auto) { return (job.mesh.normals); }},
+    JobArray{"uvs", [](auto& job) -> decltype(auto) { return (job.mesh.uvs); }},
+    JobArray{"colors", [](auto& job) -> decltype(auto) { return (job.mesh.colors); }},
+    JobArray{"tangents", [](auto& job) -> decltype(auto) { return (job.mesh.tangents); }},
+    JobArray{"normalXGradients",
+             [](auto& job) -> decltype(auto) { return (job.mesh.gradients[0]); }},
+    JobArray{"normalYGradients",
+             [](auto& job) -> decltype(auto) { return (job.mesh.gradients[1]); }},
+    JobArray{"normalZGradients",
+             [](auto& job) -> decltype(auto) { return (job.mesh.gradients[2]); }},
+    JobArray{"uGradients", [](auto& job) -> decltype(auto) { return (job.mesh.gradients[3]); }},
+    JobArray{"vGradients", [](auto& job) -> decltype(auto) { return (job.mesh.gradients[4]); }},
+    JobArray{"indices", [](auto& job) -> decltype(auto) { return (job.mesh.indices); }},
+    JobArray{"picture", [](auto& job) -> decltype(auto) { return (job.picture); }},
+    JobArray{"mimeType", [](auto& job) -> decltype(auto) { return (job.mimeType); }},
+    JobArray{"file", [](auto& job) -> decltype(auto) { return (job.file); }},
+    JobArray{"name", [](auto& job) -> decltype(auto) { return (job.name); }},
+    JobArray{"contents", [](auto& job) -> decltype(auto) { return (job.contents); }},
+};
 
 }  // namespace warpjet

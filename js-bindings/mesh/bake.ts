@@ -3,11 +3,11 @@ import type { CpuWarp, EvaluationOptions, WarpedVertices } from '../cpu-warp.js'
 import { WarpError, describe } from '../errors.js'
 import { anyNumber, finiteFloat, firstWrong } from '../numbers.js'
 import { isList } from '../options.js'
+import { type Uniforms, type Vertices, uniformsOf } from '../vertices.js'
+import { type WarpProgram, warpProgram } from '../warp-program.js'
 import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
 import { withJob } from './module.js'
 import { takeVariation } from './variation.js'
-import { type Uniforms, type Vertices, uniformsOf } from '../vertices.js'
-import { type WarpProgram, warpProgram } from '../warp-program.js'
 
 /** What of `compileWarp`'s result is used here. */
 export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {

@@ -16,12 +16,12 @@ std::nullopt_t Builder::refuse(std::string_view method, Parts parts) {
 
 int Builder::finish(std::optional<Value> value, std::size_t before, std::string_view method) {
   operands_.clear();
-  if (value && !isPossible(value->nodes(), before, method)) value.reset();
+  if (value && !checkPossible(value->nodes(), before, method)) value.reset();
   return value ? values_.add(*value) : failed;
 }
 
-bool Builder::isPossible(std::span<const NodeId> results, std::size_t before,
-                         std::string_view method) {
+bool Builder::checkPossible(std::span<const NodeId> results, std::size_t before,
+                            std::string_view method) {
   const bool isFull = graph_.full() || values_.full();
   const auto* why = isFull ? &tooLarge : findImpossible(results, before);
   if (!why) return true;
@@ -52,23 +52,24 @@ const std::string_view* Builder::impossible(NodeId id) const {
   return &notFinite;
 }
 
-// Searches the nodes since `before`; those from earlier were searched when they were made.
+// Searches the nodes since `before`, and judges the earlier ones that they use; what is below those
+// was searched when it was made.
 const std::string_view* Builder::findImpossible(std::span<const NodeId> results,
                                                 std::size_t before) {
   needed_.assign(graph_.size() - before, false);
-  const auto find = [&](NodeId id) {
+  const auto visit = [&](NodeId id) {
     if (index(id) >= before) needed_[index(id) - before] = true;
     return index(id) < before ? impossible(id) : nullptr;
   };
   for (const NodeId id : results) {
-    if (const auto* why = find(id)) return why;
+    if (const auto* why = visit(id)) return why;
   }
   for (std::size_t i = needed_.size(); i-- > 0;) {
     if (!needed_[i]) continue;
     const NodeId id{static_cast<std::uint32_t>(before + i)};
     if (const auto* why = impossible(id)) return why;
     for (int k = 0; k < graph_.arity(id); ++k) {
-      if (const auto* why = find(graph_.operand(id, k))) return why;
+      if (const auto* why = visit(graph_.operand(id, k))) return why;
     }
   }
   return nullptr;

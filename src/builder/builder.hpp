@@ -2,6 +2,7 @@
 // wrong becomes one sentence that says what to change; nothing throws and nothing is lost.
 #pragma once
 
+#include <array>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -82,8 +83,8 @@ class Builder {
   // Asks for a result under a name.
   void output(std::string_view method, std::string_view name, int handle);
 
-  // Asks for all results of a warp. The values pushed are the offset, then `warpOperands`. 1 if it
-  // needs the gradients, 0 if not, or in the place of a handle.
+  // Asks for all results of a warp. The values pushed are the offset, then `warpOperands`. Gives
+  // 1 if it needs the gradients, 0 if not; or `failed` or `needsPartials`.
   int warp(std::string_view method, const WarpOptions& options);
 
   // The number of an input, by its value.
@@ -124,7 +125,8 @@ class Builder {
 
   // The handle of a value, unless nodes made since `before` are not what a shader can hold.
   int finish(std::optional<Value> value, std::size_t before, std::string_view method);
-  bool isPossible(std::span<const NodeId> results, std::size_t before, std::string_view method);
+  // Refuses them in a sentence if not.
+  bool checkPossible(std::span<const NodeId> results, std::size_t before, std::string_view method);
   const std::string_view* impossible(NodeId id) const;
   const std::string_view* findImpossible(std::span<const NodeId> results, std::size_t before);
   void addOutput(std::string_view method, std::string_view name, const Value& value);

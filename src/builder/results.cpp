@@ -1,6 +1,7 @@
 // What is asked for in the end: results by name, and the results of a warp.
-#include <algorithm>
 #include <array>
+#include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -51,7 +52,7 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
   for (const auto& [name, value] : results)
     nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
   operands_.clear();
-  if (!isPossible(nodes, before, method)) return failed;
+  if (!checkPossible(nodes, before, method)) return failed;
   for (const auto& [name, value] : results) addOutput(method, name, value);
   return warp.varies;
 }

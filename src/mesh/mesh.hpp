@@ -31,8 +31,8 @@ struct Material {
 // triangle; none at all means that the vertices stand in the order of the triangles.
 struct Mesh {
   std::vector<float> positions, normals, uvs, colors, tangents;
-  // 3 each: how x, y and z of the normal and u and v vary over the surface, once variation.hpp has
-  // found that out.
+  // 3 each: how x, y and z of the normal and u and v vary over the surface, once
+  // surface/variation.hpp has found that out.
   std::array<std::vector<float>, 5> gradients;
   std::vector<std::uint32_t> indices;
   std::optional<Material> material;

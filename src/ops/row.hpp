@@ -136,7 +136,7 @@ enum class Trait : std::uint8_t {
   Commutative,  // x and y may change places
   Branches,     // its value is that of one operand, and what the others are does not matter
   Divides,      // its second operand must not be 0
-  Rising,       // its value, a number's, never falls where it rises
+  Rising,       // of one operand, with which its value never falls
   Hidden,       // no sketch calls it by its name
 };
 
@@ -155,7 +155,7 @@ class Traits {
   unsigned bits_ = 0;
 };
 
-// The formula of an operation that every language has.
+// In the place of a formula: every language has the operation.
 struct NoFormula {};
 
 // Functions that an operation's spelling calls and that stand above it, by language.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "algebra/derivatives.hpp"
@@ -46,10 +47,10 @@ double mostOf(const Value& v) {
   return most;
 }
 
-// What is no number stays so in it, as not in a maximum.
+// A sum stays NaN, where a maximum may drop it.
 Expression sizeOf(const Value& v) { return sum(byComponent(ops::find("abs"), std::array{v})); }
 
-// float32 has the squares of smaller numbers, or their cubes, and sums of a few.
+// Squares of smaller numbers, or their cubes, and sums of a few of them fit into float32.
 constexpr double mostSquared = 1e18, mostCubed = 1e12;
 
 // Length 1 in the same direction, or zero for zero and for what is infinite or no number. Scaled

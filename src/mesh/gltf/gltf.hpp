@@ -1,6 +1,7 @@
 // A glTF file, taken apart: what tinygltf makes of its description, and the bytes of its buffers.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,8 @@ struct Gltf {
   std::vector<std::vector<std::uint8_t>> decoded;
   std::vector<std::string> warnings;
 
-  // Adds a sentence once. No number of the file may be in it, or there were as many as a stranger
-  // likes, each compared with all.
+  // Adds a sentence once. No number of the file may be in it, or there would be as many as a
+  // stranger likes, each compared with all.
   void warn(const std::string& sentence);
 };
 
