@@ -99,7 +99,7 @@ function adaptively(options: AdaptiveOptions, maxTriangles: number) {
       givesNormals ??= warped.normals !== undefined
       if (givesNormals !== (warped.normals !== undefined))
         throw new WarpError(
-          "subdivide: the warp's evaluate must give normals either every time or never, but gave them only sometimes.",
+          "subdivide: the warp's evaluate must give normals each time that it is called or never, but gave them only sometimes.",
         )
       vertices.setFloats('positions', warped.positions)
       vertices.setFloats('normals', warped.normals ?? [])
