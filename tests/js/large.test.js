@@ -17,10 +17,17 @@ function timeOf(work, count) {
 const few = 1500
 const many = 12000
 
-/** Eight times as many take eight times as long; where each is looked for among all, sixty-four times. */
+/**
+ * Eight times as many take eight times as long; where each is looked for among all, sixty-four times, each time that one
+ * looks. A garbage collection or the engine's compiler may lengthen a run: then it is run again.
+ */
 function isLinear(work) {
-  const ratio = timeOf(work, many) / timeOf(work, few)
-  assert.ok(ratio < 24, `eight times as many take ${ratio.toFixed(1)} times as long`)
+  let ratio
+  for (let attempt = 0; attempt < 5; attempt++) {
+    ratio = timeOf(work, many) / timeOf(work, few)
+    if (ratio < 24) return
+  }
+  assert.fail(`eight times as many take ${ratio.toFixed(1)} times as long`)
 }
 
 const sumOf = (glsl, count, operand) => {
