@@ -71,7 +71,7 @@ target_link_libraries(fuzz_seeds PRIVATE warpjet_core)
 
 # What `npm run reference` makes the types and the reference of operations from.
 add_executable(warpjet_table EXCLUDE_FROM_ALL .scripts/reference/table.cpp)
-target_include_directories(warpjet_table PRIVATE js-bindings)
+target_include_directories(warpjet_table PRIVATE js-bindings/wasm)
 target_link_libraries(warpjet_table PRIVATE warpjet_mesh warpjet_core)
 
 # What `npm run bench:evaluate` compares the wasm with.

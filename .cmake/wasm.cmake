@@ -16,7 +16,7 @@ set_source_files_properties(${small_sources}
   src/emit/literal.cpp src/emit/lower.cpp src/emit/names.cpp src/emit/statements.cpp src/emit/sums.cpp src/emit/text.cpp src/emit/wgsl.cpp
   src/eval/bounds.cpp src/eval/program.cpp src/graph/functions.cpp src/graph/multi_index.cpp src/graph/ranges.cpp src/graph/schedule.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
-set_source_files_properties(js-bindings/bindings.cpp js-bindings/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
+set_source_files_properties(js-bindings/wasm/core.cpp js-bindings/wasm/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
 # Of meshes, what runs once per file or name in it.
 set_source_files_properties(
@@ -29,7 +29,7 @@ set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp TARGET_DIRECTORY warpje
 
 # What computes four vertices at a time. The core links none of it, for link-time optimisation would give SIMD to all
 # functions of a module that has one with it.
-set_source_files_properties(js-bindings/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
+set_source_files_properties(js-bindings/wasm/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
 set_source_files_properties(src/eval/blocks.cpp TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
 
 # emcc renamed the setting in 3.1.25. No function calls itself over nodes, so the stack can be small.
@@ -53,10 +53,10 @@ function(warpjet_module name suffix source)
     -sFILESYSTEM=0)                       # nothing reads files
 endfunction()
 
-# Two that need none of Emscripten's JavaScript: js-bindings/wasm.ts has the little that they import. No exception crosses
+# Two that need none of Emscripten's JavaScript: js-bindings/wasm/start.ts has the little that they import. No exception crosses
 # the border: a throw that is left in the code does not link.
-warpjet_module(core .wasm js-bindings/bindings.cpp)
-warpjet_module(evaluation .wasm js-bindings/evaluation.cpp)
+warpjet_module(core .wasm js-bindings/wasm/core.cpp)
+warpjet_module(evaluation .wasm js-bindings/wasm/evaluation.cpp)
 foreach(target warpjet_core_wasm warpjet_evaluation_wasm)
   target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
   target_link_options(${target} PRIVATE
@@ -73,8 +73,8 @@ target_link_options(warpjet_core_wasm PRIVATE
   -sERROR_ON_UNDEFINED_SYMBOLS=0)
 
 # A file that lies may ask for any amount of memory and nest as deep as it likes. tinygltf and its JSON parser throw;
-# js-bindings/mesh.cpp catches everything.
-warpjet_module(mesh .mjs js-bindings/mesh.cpp)
+# js-bindings/wasm/mesh.cpp catches everything.
+warpjet_module(mesh .mjs js-bindings/wasm/mesh.cpp)
 target_link_libraries(warpjet_mesh_wasm PRIVATE warpjet_mesh)
 set_target_properties(warpjet_mesh_wasm PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/mesh.js)
 target_compile_options(warpjet_mesh_wasm PRIVATE -fwasm-exceptions)

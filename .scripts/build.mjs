@@ -89,7 +89,7 @@ function generateModules() {
     writeGenerated(`${name}-wasm.js`, `export default ${text}\n`)
     writeGenerated(
       `${name}-wasm.d.ts`,
-      "declare const inlined: import('../wasm.js').Inlined\nexport default inlined\n",
+      "declare const inlined: import('../wasm/start.js').Inlined\nexport default inlined\n",
     )
   }
   const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))

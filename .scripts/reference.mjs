@@ -16,9 +16,9 @@ export async function staleFiles() {
   const { format, resolveConfig } = await import('prettier')
   const table = await readTable()
   const texts = {
-    'js-bindings/methods.ts': typesText(table),
-    'js-bindings/tables.ts': numberedText(table),
-    'js-bindings/mesh/tables.ts': meshNumberedText(table),
+    'js-bindings/types/methods.ts': typesText(table),
+    'js-bindings/wasm/tables.ts': numberedText(table),
+    'js-bindings/wasm/mesh-tables.ts': meshNumberedText(table),
     'web/docs/operations.md': pageText(table),
     'web/docs/deformers.md': deformersText(),
   }

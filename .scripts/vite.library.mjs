@@ -47,11 +47,11 @@ const withoutWasmInMaps = {
 const sharedFiles = [
   {
     name: 'basics',
-    test: /\/js-bindings\/(describe|errors|inputs|notes|options|shapes|tables|uniforms|vertices|warp-program|wasm|generated\/version)\.ts$/,
+    test: /\/js-bindings\/(checks\/.*|inputs\/.*|cpu\/warp-program|expression\/shapes|wasm\/start|wasm\/tables|generated\/version)\.ts$/,
   },
-  { name: 'compiler', test: /\/js-bindings\/(compile|compile-warp-text)\.ts$/ },
-  { name: 'evaluation', test: /\/js-bindings\/compile-warp\.ts$/ },
-  { name: 'meshes', test: /\/js-bindings\/mesh[/.]/ },
+  { name: 'compiler', test: /\/js-bindings\/compile\/(compile|compile-warp-text)\.ts$/ },
+  { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
+  { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
   { name: 'p5-addon', test: /\/js-bindings\/p5\// },
 ]
 
@@ -115,11 +115,16 @@ export const scripts = () => [
   p5Script('p5.warpjet.min.js'),
   // Without what runs warps on the CPU.
   p5Script('p5.warpjet.slim.min.js', [
-    { find: './compile-warp.js', replacement: path('js-bindings/compile-warp-text.ts') },
+    {
+      find: /^.*\/compile-warp\.js$/,
+      replacement: path('js-bindings/compile/compile-warp-text.ts'),
+    },
   ]),
   single('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js', 'iife', {
     resolve: {
-      alias: [{ find: /^\.\.?\/errors\.js$/, replacement: path('js-bindings/errors.global.ts') }],
+      alias: [
+        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
+      ],
     },
   }),
 ]

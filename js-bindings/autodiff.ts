@@ -1,4 +1,9 @@
 // 'warpjet/autodiff': stands in for glsl-autodiff.
-export { gen } from './compile.js'
-export type { GenSettings } from './compile.js'
-export type { Glsl as AD, Scalar as Op, Scalar as Param, Vector as VectorOp } from './types.js'
+export { gen } from './compile/compile.js'
+export type { GenSettings } from './compile/compile.js'
+export type {
+  Glsl as AD,
+  Scalar as Op,
+  Scalar as Param,
+  Vector as VectorOp,
+} from './types/types.js'

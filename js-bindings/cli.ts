@@ -8,7 +8,7 @@ import { help, helpOf } from './cli/help.js'
 import { info } from './cli/info.js'
 import { printable } from './cli/printable.js'
 import { UsageError } from './cli/usage.js'
-import { WarpError } from './errors.js'
+import { WarpError } from './checks/errors.js'
 import { version } from './generated/version.js'
 
 const commands: Record<string, (args: string[]) => Promise<void>> = { emit, bake, info }

@@ -1,4 +1,4 @@
 // For tests alone, and not in the package: how many bytes each wasm holds. Between two calls it is always the same.
-export { memoryInUse } from './core.js'
-export { evaluationMemoryInUse } from './evaluation.js'
-export { meshMemoryInUse } from './mesh/module.js'
+export { memoryInUse } from './wasm/core.js'
+export { evaluationMemoryInUse } from './wasm/evaluation.js'
+export { meshMemoryInUse } from './wasm/mesh.js'

@@ -8,8 +8,8 @@ export { warpjet as default, createWarp } from './p5/addon.js'
 export type { Loading, Warping } from './p5/addon.js'
 export type { Distort } from './p5/create-warp.js'
 export type { LoadModelOptions, ModelOf, WarpModel } from './p5/load-model.js'
-export type { CreateWarpOptions, WarpSpace, WarpType } from './p5/options.js'
+export type { CreateWarpOptions, WarpSpace, WarpType } from './p5/settings.js'
 export { registerGlobally } from './p5/register.js'
-export type { WarpUniforms } from './p5/uniforms.js'
+export type { WarpUniforms } from './p5/sketch-uniforms.js'
 
 registerGlobally()

@@ -105,6 +105,17 @@ function importCircle(edges) {
     }
 }
 
+/** The folders of js-bindings, with the folders that their values come from; entries stand beside them, above all. */
+function roomsOfBindings(edges) {
+  const roomOf = (file) => dirname(file).replace('js-bindings/', '')
+  const rooms = new Map()
+  for (const [file, { values }] of edges)
+    for (const room of values.map(roomOf))
+      if (room !== roomOf(file) && room !== 'js-bindings' && roomOf(file) !== 'js-bindings')
+        rooms.set(roomOf(file), [...(rooms.get(roomOf(file)) ?? []), room])
+  return rooms
+}
+
 function importProblems() {
   const files = walk('js-bindings', /\.ts$/).filter((file) => !file.endsWith('.d.ts'))
   const edges = new Map(files.map((file) => [file, importsOf(file, read(file))]))
@@ -116,7 +127,12 @@ function importProblems() {
         .map((text) => `${file} has shader text, which belongs to a dialect: ${text}`),
     )
   const circle = importCircle(edges)
-  return [circle && `js-bindings: an import circle, ${circle.join(' -> ')}`, ...speaking]
+  const rooms = circleIn(roomsOfBindings(edges))
+  return [
+    circle && `js-bindings: an import circle, ${circle.join(' -> ')}`,
+    rooms && `js-bindings: rooms in a circle, ${rooms.join(' -> ')}`,
+    ...speaking,
+  ]
 }
 
 export function checkHouse() {

@@ -1,4 +1,4 @@
-// js-bindings/tables.ts and js-bindings/mesh/tables.ts: what has a number in the C++, in the order of its numbers, and what
+// js-bindings/wasm/tables.ts and js-bindings/wasm/mesh-tables.ts: what has a number in the C++, in the order of its numbers, and what
 // is limited there.
 
 const head =

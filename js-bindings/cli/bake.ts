@@ -1,9 +1,9 @@
 // `npx warpjet bake`: a warped model as a file.
 import { writeFile } from 'node:fs/promises'
-import { type CompiledWarp, compileWarp } from '../compile-warp.js'
-import { WarpError } from '../errors.js'
+import { type CompiledWarp, compileWarp } from '../compile/compile-warp.js'
+import { WarpError } from '../checks/errors.js'
 import { type Mesh, type Uniforms, bakeWarp, exportGLB, loadMesh, subdivide } from '../mesh.js'
-import { mostTriangles } from '../mesh/tables.js'
+import { mostTriangles } from '../wasm/mesh-tables.js'
 import { areOneFile, writing } from './files.js'
 import { Progress, count } from './progress.js'
 import { type UsageError, readArguments, readCount, readPositive } from './usage.js'

@@ -1,5 +1,5 @@
 // What --help says.
-import { usualTriangles } from '../mesh/tables.js'
+import { usualTriangles } from '../wasm/mesh-tables.js'
 
 export const help = `warpjet warps 3D models with a function of their vertices.
 

@@ -1,8 +1,8 @@
 // The offset function of a file.
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
-import { WarpError, describe } from '../errors.js'
-import type { OffsetFunction, UniformOptions } from '../types.js'
+import { WarpError, describe } from '../checks/errors.js'
+import type { OffsetFunction, UniformOptions } from '../types/types.js'
 
 /** What a file exports. */
 export interface WarpFile {

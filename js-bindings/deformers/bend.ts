@@ -1,5 +1,5 @@
-import { WarpError } from '../errors.js'
-import type { OffsetFunction, Scalar } from '../types.js'
+import { WarpError } from '../checks/errors.js'
+import type { OffsetFunction, Scalar } from '../types/types.js'
 import {
   type AxisOption,
   type NumberOption,
@@ -9,7 +9,7 @@ import {
   number,
   vector,
 } from './kinds.js'
-import { checkDeformerOptions, deformer } from './options.js'
+import { checkDeformerOptions, deformer } from './deformer.js'
 
 export interface BendOptions {
   /** What it is bent about; `'z'` unless given. */

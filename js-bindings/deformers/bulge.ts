@@ -1,4 +1,4 @@
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction } from '../types/types.js'
 import {
   type AxisOption,
   type NumberOption,
@@ -9,7 +9,7 @@ import {
   positive,
   vector,
 } from './kinds.js'
-import { deformer } from './options.js'
+import { deformer } from './deformer.js'
 import { falloff, fromAxis } from './parts.js'
 
 export interface BulgeOptions {

@@ -1,4 +1,4 @@
-import type { OffsetFunction, UniformValues } from '../types.js'
+import type { OffsetFunction, UniformValues } from '../types/types.js'
 import { inputsAt } from './places.js'
 import { checkWarps, offsetOf } from './warps.js'
 

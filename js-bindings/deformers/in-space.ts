@@ -1,7 +1,15 @@
-import { WarpError, describe, describeShape } from '../errors.js'
-import type { Expression } from '../expression.js'
-import { isCallable, isList } from '../options.js'
-import type { Glsl, Mat3, Mat4, OffsetFunction, UniformValues, Vec3, WarpInputs } from '../types.js'
+import { WarpError, describe, describeShape } from '../checks/errors.js'
+import type { Expression } from '../expression/expression.js'
+import { isCallable, isList } from '../checks/options.js'
+import type {
+  Glsl,
+  Mat3,
+  Mat4,
+  OffsetFunction,
+  UniformValues,
+  Vec3,
+  WarpInputs,
+} from '../types/types.js'
 import { type OptionInputs, type OrFunction, isExpression } from './kinds.js'
 import { inputsAt, surfaceOf } from './places.js'
 import { checkWarps, offsetOf } from './warps.js'
@@ -54,8 +62,8 @@ function readSpace({ glsl, position }: WarpInputs, matrix: unknown): Space {
     const columns = [0, 4, 8, 12].map((i) => glsl.vec3(matrix[i]!, matrix[i + 1]!, matrix[i + 2]!))
     return { linear: glsl.mat3(...columns.slice(0, 3)), shift: columns[3]! }
   }
-  const { compilation } = position as unknown as Expression
-  const [columns, rows] = compilation.shapeOf(matrix as unknown as Expression)
+  const { session } = position as unknown as Expression
+  const [columns, rows] = session.shapeOf(matrix as unknown as Expression)
   if (columns !== rows || columns < 3)
     refuse(columns > 1 ? 'a matrix of another size' : describeShape([columns, rows]))
   return columns === 3

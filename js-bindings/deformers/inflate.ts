@@ -1,6 +1,6 @@
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction } from '../types/types.js'
 import { type NumberOption, type VectorOption, number, vector } from './kinds.js'
-import { deformer } from './options.js'
+import { deformer } from './deformer.js'
 
 export interface InflateOptions {
   /** How far, in units; 20 unless given. 0 moves nothing, below 0 the shape gets thinner. */

@@ -1,6 +1,6 @@
-import type { OffsetFunction, UniformValues } from '../types.js'
+import type { OffsetFunction, UniformValues } from '../types/types.js'
 import { type NumberOption, number } from './kinds.js'
-import { reader } from './options.js'
+import { reader } from './deformer.js'
 import { checkWarps, offsetOf } from './warps.js'
 
 /**

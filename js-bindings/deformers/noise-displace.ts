@@ -1,6 +1,6 @@
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction } from '../types/types.js'
 import { type NumberOption, type VectorOption, number, positive, vector, whole } from './kinds.js'
-import { deformer } from './options.js'
+import { deformer } from './deformer.js'
 
 export interface NoiseDisplaceOptions {
   /** How far points move at most, to each side, in units; 20 unless given, and 0 moves nothing. */

@@ -1,4 +1,4 @@
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction } from '../types/types.js'
 import {
   type AxisOption,
   type NumberOption,
@@ -7,7 +7,7 @@ import {
   number,
   vector,
 } from './kinds.js'
-import { deformer } from './options.js'
+import { deformer } from './deformer.js'
 
 export interface ShearOptions {
   /** Along which points move the further the further they are; `'y'` unless given. */

@@ -1,6 +1,6 @@
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction } from '../types/types.js'
 import { type NumberOption, type VectorOption, number, vector } from './kinds.js'
-import { deformer } from './options.js'
+import { deformer } from './deformer.js'
 
 export interface SpherifyOptions {
   /** Of the sphere, in units; `[0, 0, 0]` unless given. A point that lies there stays. */

@@ -1,4 +1,4 @@
-import type { OffsetFunction } from '../types.js'
+import type { OffsetFunction } from '../types/types.js'
 import {
   type AxisOption,
   type NumberOption,
@@ -8,7 +8,7 @@ import {
   number,
   vector,
 } from './kinds.js'
-import { deformer } from './options.js'
+import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
 export interface StretchOptions {

@@ -1,8 +1,8 @@
 // What all compositions check.
-import { WarpError, describe, describeShape } from '../errors.js'
-import type { Expression } from '../expression.js'
-import { isCallable } from '../options.js'
-import type { OffsetFunction, Vec3, WarpInputs } from '../types.js'
+import { WarpError, describe, describeShape } from '../checks/errors.js'
+import type { Expression } from '../expression/expression.js'
+import { isCallable } from '../checks/options.js'
+import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
 import { isExpression } from './kinds.js'
 
 export function checkWarps(method: string, warps: readonly unknown[], first = 1) {
@@ -29,8 +29,8 @@ export function offsetOf(
     throw new WarpError(
       `${expected}, such as glsl.vec3(x, y, z), but returned ${describe(offset)}.`,
     )
-  const { compilation } = inputs.position as unknown as Expression
-  const [columns, rows] = compilation.shapeOf(offset as unknown as Expression)
+  const { session } = inputs.position as unknown as Expression
+  const [columns, rows] = session.shapeOf(offset as unknown as Expression)
   if (columns !== 1 || rows !== 3)
     throw new WarpError(`${expected}, but returned ${describeShape([columns, rows])}.`)
   return offset as Vec3

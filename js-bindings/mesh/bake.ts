@@ -1,13 +1,13 @@
 // `bakeWarp`: a mesh as a warp leaves it.
-import type { CpuWarp, EvaluationOptions, WarpedVertices } from '../cpu-warp.js'
-import { WarpError, describe } from '../errors.js'
-import { anyNumber, finiteFloat, firstWrong } from '../numbers.js'
-import { isList } from '../options.js'
-import { type Uniforms, type Vertices, uniformsOf } from '../vertices.js'
-import { type WarpProgram, warpProgram } from '../warp-program.js'
-import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
-import { withJob } from './module.js'
-import { takeVariation } from './variation.js'
+import type { CpuWarp, EvaluationOptions, WarpedVertices } from '../cpu/cpu-warp.js'
+import { WarpError, describe } from '../checks/errors.js'
+import { anyNumber, finiteFloat, firstWrong } from '../checks/numbers.js'
+import { isList } from '../checks/options.js'
+import { type Uniforms, type Vertices, uniformsOf } from '../inputs/vertices.js'
+import { type WarpProgram, warpProgram } from '../cpu/warp-program.js'
+import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh-arrays.js'
+import { withJob } from '../wasm/mesh.js'
+import { takeVariation } from './surface-variation.js'
 
 /** What of `compileWarp`'s result is used here. */
 export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {

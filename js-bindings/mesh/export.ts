@@ -1,7 +1,7 @@
 // `exportGLB`: from a mesh to a file.
-import { WarpError } from '../errors.js'
-import { type MeshInput, putMesh } from './mesh.js'
-import { withJob } from './module.js'
+import { WarpError } from '../checks/errors.js'
+import { type MeshInput, putMesh } from './mesh-arrays.js'
+import { withJob } from '../wasm/mesh.js'
 
 /**
  * The bytes of a GLB file (glTF 2.0), which other programs open. Normals and tangents get length 1, as the format

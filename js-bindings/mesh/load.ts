@@ -1,8 +1,8 @@
 // `loadMesh`: from a file to a mesh.
-import { WarpError, describe } from '../errors.js'
-import { checkOptions } from '../options.js'
-import { type Mesh, takeMesh } from './mesh.js'
-import { type Job, withJob } from './module.js'
+import { WarpError, describe } from '../checks/errors.js'
+import { checkOptions } from '../checks/options.js'
+import { type Mesh, takeMesh } from './mesh-arrays.js'
+import { type Job, withJob } from '../wasm/mesh.js'
 import {
   type Bytes,
   type Resolve,

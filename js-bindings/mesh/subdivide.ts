@@ -1,15 +1,15 @@
 // `subdivide`: more triangles, where a warp needs them.
-import type { CpuWarp } from '../cpu-warp.js'
-import { WarpError, describe } from '../errors.js'
-import { checkOptions } from '../options.js'
-import { settled } from '../uniforms.js'
-import type { Uniforms } from '../vertices.js'
-import { warpProgram } from '../warp-program.js'
+import type { CpuWarp } from '../cpu/cpu-warp.js'
+import { WarpError, describe } from '../checks/errors.js'
+import { checkOptions } from '../checks/options.js'
+import { settled } from '../inputs/declared-uniforms.js'
+import type { Uniforms } from '../inputs/vertices.js'
+import { warpProgram } from '../cpu/warp-program.js'
 import { type Evaluates, asksForVariation, checkWarp, evaluateFor } from './bake.js'
-import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh.js'
-import { type Job, withJob } from './module.js'
-import { mostTriangles, usualTriangles } from './tables.js'
-import { variationOf } from './variation.js'
+import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh-arrays.js'
+import { type Job, withJob } from '../wasm/mesh.js'
+import { mostTriangles, usualTriangles } from '../wasm/mesh-tables.js'
+import { variationOf } from './surface-variation.js'
 
 interface Limit {
   /** Never more than so many; 1,048,576 unless given. */

@@ -1,9 +1,9 @@
 // For the p5 addon: how a p5.Geometry varies, kept with it as properties of its vertices, which p5 2.x hands to shaders as
 // attributes. It stands here, and not in the addon, because it is of use only with this module.
-import { WarpError, describe } from '../errors.js'
-import { variationAttribute, variationNames } from '../inputs.js'
-import { arrayNames } from '../vertices.js'
-import { type SurfaceVariation, findVariation } from './variation.js'
+import { WarpError, describe } from '../checks/errors.js'
+import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import { arrayNames } from '../inputs/vertices.js'
+import { type SurfaceVariation, findVariation } from './surface-variation.js'
 
 /** What is used of a p5.Geometry. */
 interface Geometry {

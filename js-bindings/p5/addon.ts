@@ -2,8 +2,8 @@
  * The p5 addon: `p5.registerAddon(warpjet)` on 2.x, `warpjet(p5)` on 2.x and 1.11 alike. p5 is not imported here: it
  * cannot load without a browser, and beside a script tag it would be a second copy of p5.
  */
-import { WarpError, describe } from '../errors.js'
-import type { OffsetFunction, UniformValues } from '../types.js'
+import { WarpError, describe } from '../checks/errors.js'
+import type { OffsetFunction, UniformValues } from '../types/types.js'
 import { type Distort, createWarp as create, putOnAgain } from './create-warp.js'
 import { type Canvas, sketchRemoved } from './host.js'
 import {
@@ -16,8 +16,8 @@ import {
   emptyModel,
   fillModel,
 } from './load-model.js'
-import type { CreateWarpOptions } from './options.js'
-import { addSurfaceVariation } from './variation.js'
+import type { CreateWarpOptions } from './settings.js'
+import { addSurfaceVariation } from './add-surface-variation.js'
 
 /**
  * What the addon adds to a sketch and to a p5.Graphics. TypeScript lets nobody add to the default export that p5's own

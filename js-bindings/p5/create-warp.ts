@@ -1,7 +1,12 @@
 /** `createWarp` itself: calls the offset function once, and makes the function that a sketch calls to draw with the warp. */
-import { type KeptWarp, keepWarp, readOptions as readWarpOptions, writeWarp } from '../warp-text.js'
-import { WarpError, describe } from '../errors.js'
-import { noteApproximation } from '../notes.js'
+import {
+  type KeptWarp,
+  keepWarp,
+  readOptions as readWarpOptions,
+  writeWarp,
+} from '../compile/warp-text.js'
+import { WarpError, describe } from '../checks/errors.js'
+import { noteApproximation } from '../checks/notes.js'
 import { hookStyleOf, namesFor, results, weave } from './hooks.js'
 import {
   type Canvas,
@@ -11,10 +16,15 @@ import {
   rememberNormals,
   webglOf,
 } from './host.js'
-import { type CreateWarpOptions, type WarpSettings, type WarpType, readOptions } from './options.js'
-import { checkCallback } from '../options.js'
-import type { OffsetFunction, UniformOverrides } from '../types.js'
-import { withUniforms } from '../uniforms.js'
+import {
+  type CreateWarpOptions,
+  type WarpSettings,
+  type WarpType,
+  readOptions,
+} from './settings.js'
+import { checkCallback } from '../checks/options.js'
+import type { OffsetFunction, UniformOverrides } from '../types/types.js'
+import { withUniforms } from '../inputs/declared-uniforms.js'
 import {
   type WarpUniforms,
   declarationsOf,
@@ -22,8 +32,8 @@ import {
   refuseUndeclared,
   setInputs,
   setUniforms,
-} from './uniforms.js'
-import { noteUnlessUsed, readsVariation } from './variation.js'
+} from './sketch-uniforms.js'
+import { noteUnlessUsed, readsVariation } from './add-surface-variation.js'
 
 /**
  * Puts the warp on what is drawn next, and turns strokes off, which p5 would draw unwarped. Values of the option `uniforms`

@@ -3,17 +3,17 @@
  * separate hooks for position and normal, and those that it calls "world" are in view space. What both need is said
  * once, in `weave`; the two kinds of hooks differ in the names a warp reads and in how its results get back.
  */
-import type { WarpText } from '../warp-text.js'
+import type { WarpText } from '../compile/warp-text.js'
 import type { Shader } from './host.js'
-import type { WarpSettings, WarpSpace, WarpType } from './options.js'
-import { inputUniforms, uniformDeclarations } from './uniforms.js'
+import type { WarpSettings, WarpSpace, WarpType } from './settings.js'
+import { inputUniforms, uniformDeclarations } from './sketch-uniforms.js'
 import {
   forgetLastShape,
   readsVariation,
   variationDeclarations,
   variationIn,
   variationVariables,
-} from './variation.js'
+} from './add-surface-variation.js'
 
 /** All of our names in p5's shaders start with warpjet, so that they meet none of the sketch's. */
 export const results = {

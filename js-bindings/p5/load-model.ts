@@ -2,11 +2,11 @@
  * `loadWarpModel`: a file as a p5.Geometry, upright and of a size to be seen. Files have y upwards and linear colours, p5 has
  * y downwards and sRGB, so both are turned into p5's.
  */
-import { WarpError, describe } from '../errors.js'
+import { WarpError, describe } from '../checks/errors.js'
 import type { Mesh, Picture } from '../mesh.js'
-import { checkOptions } from '../options.js'
+import { checkOptions } from '../checks/options.js'
 import { importMesh } from './mesh-module.js'
-import { withOwnErrors } from './variation.js'
+import { withOwnErrors } from './add-surface-variation.js'
 
 export interface LoadModelOptions {
   /** Centered, and 200 units at its longest, as p5's `loadModel` does it; true unless given. */

@@ -2,7 +2,7 @@
  * `mesh-module.ts` for the single script, which has 'warpjet/mesh' as a file beside it. A relative import would not do: a
  * script from another server, such as a CDN, has no address of its own to start from.
  */
-import { WarpError } from '../errors.js'
+import { WarpError } from '../checks/errors.js'
 import { version } from '../generated/version.js'
 import { filesAreClosed } from '../mesh/sources.js'
 

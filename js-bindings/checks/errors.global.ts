@@ -1,0 +1,11 @@
+/**
+ * `errors.ts` for the script of deformers, which stands beside the one that holds the compiler: both throw one class, so
+ * that `instanceof` holds.
+ */
+export { describe, describeShape, shorten } from './describe.js'
+
+const { warpjet } = globalThis as { warpjet?: typeof import('../global.js') }
+if (!warpjet?.WarpError)
+  throw new Error('warpjet.deformers.min.js needs the script p5.warpjet.min.js in a tag before it.')
+
+export const { WarpError } = warpjet

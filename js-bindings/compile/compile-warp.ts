@@ -1,0 +1,46 @@
+// `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
+import { type Emits, compileOffset } from './offset.js'
+import { type CpuWarp, createCpuWarp } from '../cpu/cpu-warp.js'
+import { makeProgram } from '../module/kept-module.js'
+import { lazily } from '../module/lazily.js'
+import { warpResults } from '../wasm/tables.js'
+import type { OffsetFunction, UniformValues } from '../types/types.js'
+import { type KeptWarp, type WarpOptions, type WarpText, onSurface } from './warp-text.js'
+
+/** An offset function as shader text and on the CPU. */
+export interface CompiledWarp extends WarpText, Emits, CpuWarp {}
+
+/**
+ * Compiles an offset function into statements that move a vertex and turn its normal. They declare
+ * `vec3 offset, warpedPosition, warpedNormal`; the normal has length 1, or 0 where the warp
+ * collapses the surface. With `tangents: true` they declare `vec4 warpedTangent` too: its first three
+ * numbers of length 1 and at right angles to the warped normal, the fourth as it came. `color` counts
+ * as constant over the surface, and so do `normal` and `uv` in the text without the option
+ * `surfaceVariation`: where the offset depends on them, their share of the turn is left out then. The same warp runs on the CPU by `evaluate` and its companions. Throws a
+ * `WarpError` if the offset is no function, returns no vec3, or misuses an operation, and for wrong
+ * options.
+ */
+export function compileWarp<const Uniforms extends UniformValues = {}>(
+  given: OffsetFunction<NoInfer<Uniforms>>,
+  options: WarpOptions<Uniforms> = {},
+): CompiledWarp {
+  const { warp, declared, text, emit } = compileOffset(given as OffsetFunction, options)
+  const { normals, isAccepted } = warp.settings
+  const cpu = createCpuWarp({
+    declared,
+    program: lazily(() => programOf(warp)),
+    hasNormals: normals,
+    varies: warp.varies,
+    isAccepted,
+    // The tangent is first, for a shader may carry it in the place of another attribute.
+    inputs: { tangent: warp.inputs.tangent!, ...warp.inputs },
+  })
+  return { ...text, emit, ...cpu }
+}
+
+/** In the order of numbersOf in cpu-warp.ts. */
+function programOf({ module, settings }: KeptWarp) {
+  const { position, normal, tangent, determinant } = warpResults
+  const results = settings.normals ? [position, normal, tangent, determinant] : [position]
+  return makeProgram(module, results.map(onSurface))
+}

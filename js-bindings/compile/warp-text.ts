@@ -1,0 +1,306 @@
+// From an offset function to the module of its warp, once, and from there to texts.
+import { createBuilder } from '../expression/builder.js'
+import {
+  type Compiled,
+  type CompileOptions,
+  type Declared,
+  declared,
+  withSession,
+} from '../module/result.js'
+import { type Session, resultName } from '../expression/session.js'
+import { isExpression } from '../checks/describe.js'
+import { WarpError, describe, describeShape } from '../checks/errors.js'
+import { type Expression, toExpression } from '../expression/expression.js'
+import {
+  type InputName,
+  drawInputs,
+  inputSizes,
+  variationInputs,
+  vertexInputs,
+} from '../inputs/inputs.js'
+import { type KeptModule, type Target, checkTarget, writeText } from '../module/kept-module.js'
+import { checkCallback, checkOptions } from '../checks/options.js'
+import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from '../types/types.js'
+import type { Variable } from '../expression/shapes.js'
+import { turnedResults, warpOperands, warpResults } from '../wasm/tables.js'
+import { type DeclaredUniforms, readDeclared, withUniforms } from '../inputs/declared-uniforms.js'
+
+/** The host shader's expression for each input; its name unless given. */
+export type InputNames = Partial<Record<InputName, string>>
+
+/** The names of the results: `warpedPosition`, `warpedNormal`, `warpedTangent` and `offset` unless given. */
+export interface OutputNames {
+  position?: string
+  normal?: string
+  tangent?: string
+  offset?: string
+}
+
+export interface WarpOptions<
+  Uniforms extends UniformValues = UniformValues,
+> extends CompileOptions {
+  /** What the offset function reads as `uniforms`, with the values that count on the CPU unless others are given; your
+   * shader declares and sets them, under the same names. */
+  uniforms?: UniformOptions<Uniforms>
+  names?: InputNames
+  outputs?: OutputNames
+  /** `false` leaves the normal out. */
+  normals?: boolean
+  /** `true` also turns the tangent, a vec4 as in glTF. */
+  tangents?: boolean
+  /**
+   * `true`: the shader has the attributes `normalXGradient`, `normalYGradient`, `normalZGradient`, `uGradient` and
+   * `vGradient`, vec3s that say how normal and uv vary over the surface, as `surfaceVariation` of 'warpjet/mesh' computes
+   * them; the text reads those that the offset makes it need. Otherwise normal and uv count as constant; `false` says that this will do.
+   */
+  surfaceVariation?: boolean
+}
+
+/** An offset function as shader text. */
+export interface WarpText extends Compiled {
+  /** The inputs that are read and are the same for a whole draw call: millis, mouse, size,
+   * pixelDensity, and the sketch's own parameters. */
+  uniforms: Declared[]
+  /** The inputs that are read and differ by vertex: position, normal, uv, color, tangent, and those of
+   * `surfaceVariation`. */
+  attributes: Declared[]
+}
+
+/** Reads the option `uniforms`; gives them to the offset function. */
+export function declareUniforms(
+  method: string,
+  offset: OffsetFunction,
+  { uniforms, names = {} }: WarpOptions,
+): { offset: OffsetFunction; declared: DeclaredUniforms } {
+  const declared = readDeclared(method, uniforms)
+  for (const [input, name] of Object.entries(names))
+    if (declared.has(name))
+      throw new WarpError(
+        `${method}: the uniform "${name}" has the name that the option "names" gives to ${input}; rename one of them.`,
+      )
+  return { offset: withUniforms(method, offset, declared), declared }
+}
+
+export type Settings = ReturnType<typeof readOptions>
+
+/** Checks what the caller hands in, and fills in what is left out. */
+export function readOptions(method: string, offset: OffsetFunction, options: WarpOptions) {
+  checkCallback(method, offset)
+  checkOptions(method, options, [
+    'uniforms',
+    'target',
+    'names',
+    'outputs',
+    'normals',
+    'tangents',
+    'surfaceVariation',
+  ])
+  checkNames(method, options)
+  const { normals = true, tangents = false, surfaceVariation = false } = options
+  for (const [name, value] of Object.entries({ normals, tangents, surfaceVariation }))
+    if (typeof value !== 'boolean')
+      throw new WarpError(
+        `${method}: the option "${name}" must be true or false, but is ${describe(value)}.`,
+      )
+  if (tangents && !normals)
+    throw new WarpError(
+      `${method}: tangents are turned with the normal; leave "normals: false" out.`,
+    )
+  const isAccepted = options.surfaceVariation === false
+  const target = checkTarget(options.target)
+  const shown = { normals, tangents, surfaceVariation }
+  return { method, target, ...shown, isAccepted, ...readNames(shown, options) }
+}
+
+type Shown = Record<'normals' | 'tangents' | 'surfaceVariation', boolean>
+
+function readNames(
+  { tangents, surfaceVariation }: Shown,
+  options: { names?: InputNames | undefined; outputs?: OutputNames | undefined },
+) {
+  const names: Record<string, string> = {}
+  for (const name of Object.keys(inputSizes)) {
+    const isLeftOut = name === 'tangent' ? !tangents : name in variationInputs && !surfaceVariation
+    names[name] = isLeftOut ? hidden(name) : (options.names?.[name as InputName] ?? name)
+  }
+  const outputs = {
+    offset: 'offset',
+    position: 'warpedPosition',
+    normal: 'warpedNormal',
+    tangent: 'warpedTangent',
+    ...withoutGaps(options.outputs),
+  }
+  return { names, outputs }
+}
+
+export function checkNames(method: string, { names, outputs }: TextOptions) {
+  checkOptions(`${method} names`, names, Object.keys(inputSizes))
+  checkOptions(`${method} outputs`, outputs, ['position', 'normal', 'tangent', 'offset'])
+}
+
+/** What the text does not read has a name that no sketch has; the CPU may read it. */
+const hidden = (name: string) => `_warpjet_${name}`
+
+const withoutGaps = <Options extends object>(options?: Options) =>
+  Object.fromEntries(
+    Object.entries(options ?? {}).filter(([, value]) => value !== undefined),
+  ) as Options
+
+/** What is kept of an offset function. */
+export interface KeptWarp {
+  module: KeptModule
+  settings: Settings
+  /** By input, its number in the module. */
+  inputs: Record<string, number>
+  /** Whether the turn depends on how normal and uv vary over the surface. */
+  varies: boolean
+  /** Whether they count as constant in the text, and nobody said that this will do. */
+  isApproximate: boolean
+}
+
+/** The number of a result where normal and uv vary over the surface. */
+export const onSurface = (result: number) =>
+  result < warpResults.normal ? result : result + turnedResults
+
+/** Calls the offset function. */
+export function keepWarp(offsetFunction: OffsetFunction, settings: Settings): KeptWarp {
+  const { method, target, names, normals, surfaceVariation, isAccepted } = settings
+  return withSession(target, (session) => {
+    const given: Record<string, Expression> = {}
+    for (const [name, label] of Object.entries(names))
+      given[name] = session.input(
+        label,
+        [1, inputSizes[name as InputName]],
+        `${method} names.${name}`,
+      )
+    const offset = checkOffset(session, method, offsetFunction(warpInputs(session, given)))
+    const operands = warpOperands.map((name) => given[name]!)
+    const { varies } = session.warp(method, [offset, ...operands], normals, !surfaceVariation)
+    const inputs = Object.fromEntries(
+      Object.entries(given).map(([name, input]) => [name, session.numberOf(input)]),
+    )
+    const isApproximate = varies && !surfaceVariation && !isAccepted
+    return { module: session.finish(), settings, inputs, varies, isApproximate }
+  })
+}
+
+/** What a text is written with, unless as the warp was compiled. */
+export interface TextOptions {
+  names?: InputNames | undefined
+  outputs?: OutputNames | undefined
+}
+
+/** The text, and the sketch's own parameters that it reads. */
+export function writeWarp(
+  { module, settings, inputs }: KeptWarp,
+  target: Target,
+  options: TextOptions = {},
+): { text: WarpText; parameters: Variable[] } {
+  const { method, normals, tangents, surfaceVariation } = settings
+  const { names, outputs } = {
+    ...settings,
+    ...(options.names && { names: { ...settings.names, ...withoutGaps(options.names) } }),
+    ...(options.outputs && { outputs: { ...settings.outputs, ...withoutGaps(options.outputs) } }),
+  }
+  checkMerged(inputs, settings.names, names)
+  const isWanted = { offset: true, position: true, normal: normals, tangent: tangents }
+  const results = (Object.keys(isWanted) as (keyof typeof isWanted)[])
+    .filter((name) => isWanted[name])
+    .map((name): [number, string] => [
+      surfaceVariation ? onSurface(warpResults[name]) : warpResults[name],
+      resultName(outputs[name], `${method} outputs`),
+    ])
+  const given = Object.entries(inputs).map(([name, number]): [number, string] => [
+    number,
+    names[name]!,
+  ])
+  const {
+    code,
+    declarations,
+    stats,
+    inputs: read,
+  } = writeText(module, target, {
+    inputs: given,
+    results,
+  })
+  const known = new Set(Object.values(inputs))
+  const parameters = read.filter(({ number }) => !known.has(number))
+  const among = (sizes: Record<string, number>) =>
+    Object.keys(sizes).flatMap((name) => {
+      const input = read.find(({ number }) => number === inputs[name])
+      return input ? declared({ ...input, name }) : []
+    })
+  const drawn = among(drawInputs)
+  refuseNamesakes(method, names, drawn, parameters)
+  return {
+    text: {
+      code,
+      declarations,
+      stats,
+      uniforms: [...drawn, ...parameters.map(declared)],
+      attributes: among(vertexInputs),
+    },
+    parameters,
+  }
+}
+
+/** A parameter under the name of an input that the shader calls otherwise: both would be one uniform. */
+function refuseNamesakes(
+  method: string,
+  labels: Record<string, string>,
+  inputs: readonly Declared[],
+  parameters: readonly Variable[],
+) {
+  const taken = new Set(inputs.map(({ name }) => name))
+  for (const { name } of parameters)
+    if (taken.has(name))
+      throw new WarpError(
+        `${method}: the shader's "${name}" has the name of the input ${name}, which the warp reads as "${labels[name]}"; rename it.`,
+      )
+}
+
+/** Inputs that had one name when the function was called are one. */
+function checkMerged(
+  inputs: Record<string, number>,
+  were: Record<string, string>,
+  are: Record<string, string>,
+) {
+  const first = new Map<number, string>()
+  for (const [name, number] of Object.entries(inputs)) {
+    const other = first.get(number) ?? name
+    first.set(number, other)
+    if (are[name] !== are[other])
+      throw new WarpError(
+        `emit: ${other} and ${name} were one input, "${were[name]}", when the offset was compiled; give both one name again, or compile it with these names.`,
+      )
+  }
+}
+
+const part = (session: Session, vector: Expression, i: number) =>
+  session.swizzle('xyz'[i]!, vector, [i])
+
+function warpInputs(session: Session, inputs: Record<string, Expression>): WarpInputs {
+  const given = Object.entries(inputs).filter(
+    ([name]) => name !== 'tangent' && !(name in variationInputs),
+  )
+  const { mouse, size } = inputs as Record<string, Expression>
+  return {
+    glsl: createBuilder(session),
+    ...Object.fromEntries(given),
+    mouseX: part(session, mouse!, 0),
+    mouseY: part(session, mouse!, 1),
+    width: part(session, size!, 0),
+    height: part(session, size!, 1),
+  } as unknown as WarpInputs
+}
+
+function checkOffset(session: Session, method: string, offset: unknown): Expression {
+  const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
+  if (!isExpression(offset))
+    throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
+  const vector = toExpression(session, method, offset, 'the offset')
+  const [columns, rows] = session.shapeOf(vector)
+  if (columns !== 1 || rows !== 3)
+    throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)
+  return vector
+}

@@ -1,0 +1,20 @@
+// What a warp that runs on the CPU keeps of its session, for other modules of ours too: they need nothing that runs it.
+import type { Program } from '../module/kept-module.js'
+import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
+
+/** What is kept of a session. There is no program if the warp calls a `glsl.fn` or `glsl.texture`. */
+export interface WarpProgram {
+  /** The option `uniforms`. */
+  declared: DeclaredUniforms
+  program: () => Program | undefined
+  hasNormals: boolean
+  /** Whether the turn depends on how normal and uv vary over the surface. */
+  varies: boolean
+  /** Whether they may count as constant nevertheless. */
+  isAccepted: boolean
+  /** By input of the warp, the number of the program's. */
+  inputs: Record<string, number>
+}
+
+/** Where a warp keeps it, for other modules of ours. */
+export const warpProgram = Symbol.for('warpjet.program')

@@ -1,0 +1,155 @@
+// `glsl`, as a sketch gets it: makes inputs and constants, and has every operation as a function. Operations are also
+// methods of expressions.
+import type { Session } from './session.js'
+import { getCore } from '../wasm/core.js'
+import { WarpError, describe } from '../checks/errors.js'
+import { Expression, toExpression } from './expression.js'
+import { declareFunction } from './host-functions.js'
+import { callNoise, noiseKinds } from './noise.js'
+import type { Shape } from './shapes.js'
+import { callTexture } from './texture.js'
+
+export type Builder = Record<string, (...operands: unknown[]) => Expression>
+
+interface Operation {
+  name: string
+  /** In the wasm. */
+  number: number
+  /** Vectors and matrices are made by functions only. */
+  isConstructor: boolean
+}
+
+let operations: Operation[] | undefined
+
+/** The names are in the wasm, which so starts with the first warp. */
+function getOperations(): Operation[] {
+  return (operations ??= getCore()
+    .operationNames()
+    .split(' ')
+    .map((name, number) => ({
+      name: name.replace('+', ''),
+      number,
+      isConstructor: name[0] === '+',
+    })))
+}
+
+/** The number of the operation of that name. */
+export const operationNumber = (name: string): number =>
+  getOperations().find((operation) => operation.name === name)!.number
+
+const params: Record<string, Shape> = {
+  param: [1, 1],
+  vec2Param: [1, 2],
+  vec3Param: [1, 3],
+  vec4Param: [1, 4],
+  mat2Param: [2, 2],
+  mat3Param: [3, 3],
+  mat4Param: [4, 4],
+}
+
+/** Functions that need no `this`, so that `const { vec3, sin } = glsl` works. */
+export function createBuilder(session: Session): Builder {
+  installMethods()
+  const builder: Builder = {
+    val: (value, ...others) => {
+      expectNoMore('val', others)
+      return toExpression(session, 'val', value, 1)
+    },
+    texture: (...operands) => callTexture(session, operands),
+    fn: ((options: unknown) => declareFunction(session, options)) as never,
+  }
+  for (const [name, shape] of Object.entries(params))
+    builder[name] = (label, ...others) => {
+      if (others.length > 0)
+        throw new WarpError(
+          `${name}: it takes only a name; there are ${Object.keys(params).join(', ')}.`,
+        )
+      return session.input(label, shape, name)
+    }
+  for (const { name, number } of getOperations())
+    builder[name] = (...operands) =>
+      session.call(
+        number,
+        name,
+        operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
+      )
+  for (const kind of noiseKinds) builder[kind] = (...operands) => callNoise(session, kind, operands)
+  return builder
+}
+
+/** Only a session makes expressions. */
+const sessionOf = (expression: Expression) => expression.session as Session
+
+/** Methods that ask for results, as glsl-autodiff has them. */
+const results = {
+  output(this: Expression, name: unknown) {
+    sessionOf(this).ask(name, this, 'output')
+  },
+  outputDeriv(this: Expression, name: unknown, input: unknown) {
+    const session = sessionOf(this)
+    const by = toExpression(session, 'outputDeriv', input, 2)
+    session.ask(
+      name,
+      session.call(operationNumber('derivative'), 'outputDeriv', [this, by]),
+      'outputDeriv',
+    )
+  },
+}
+
+/** All selections of components: `x`, `xy`, `zyx`, `rgba`, `st`, `uv`, with their indices. */
+function* swizzles(): Generator<[name: string, indices: number[]]> {
+  for (const letters of ['xyzw', 'rgba', 'stpq', 'uv']) {
+    let names: [string, number[]][] = [['', []]]
+    for (let length = 1; length <= 4; length++) {
+      names = names.flatMap(([name, indices]) =>
+        [...letters].map((letter, i): [string, number[]] => [name + letter, [...indices, i]]),
+      )
+      yield* names
+    }
+  }
+}
+
+/**
+ * What every expression inherits. It begins as an object without a prototype, which is a mere dictionary to an engine: a
+ * thousand swizzles take a twentieth of what they take where `Expression.prototype` gets them one by one.
+ */
+const methods = Object.create(null) as object
+
+let installed = false
+
+function installMethods() {
+  if (installed) return
+  installed = true
+  for (const [name, indices] of swizzles())
+    define(name, function (...others) {
+      expectNoMore(name, others)
+      return sessionOf(this).swizzle(name, this, indices)
+    })
+  for (const { name, number, isConstructor } of getOperations())
+    if (!isConstructor)
+      define(name, function (...given) {
+        const session = sessionOf(this)
+        const operands = given.map((operand, i) => toExpression(session, name, operand, i + 1))
+        return session.call(number, name, [this, ...operands], true)
+      })
+  for (const kind of noiseKinds)
+    define(kind, function (...operands) {
+      return callNoise(sessionOf(this), kind, [this, ...operands], true)
+    })
+  for (const [name, method] of Object.entries(results)) define(name, method)
+  Object.setPrototypeOf(methods, Object.prototype)
+  Object.setPrototypeOf(Expression.prototype, methods)
+}
+
+function expectNoMore(name: string, others: readonly unknown[]) {
+  if (others.length > 0)
+    throw new WarpError(`${name}: it takes fewer arguments; ${describe(others[0])} is too many.`)
+}
+
+function define(name: string, method: (this: Expression, ...operands: unknown[]) => unknown) {
+  const value = function (this: unknown, ...operands: unknown[]) {
+    if (this instanceof Expression) return method.apply(this, operands)
+    throw new WarpError(`${name}: call it on an expression, as in x.${name}(…).`)
+  }
+  Object.defineProperty(methods, name, { value, configurable: true, writable: true })
+}

@@ -1,0 +1,229 @@
+// One run of a sketch's function: the session in the wasm, which holds all that the sketch built so far. It is closed when
+// the callback is over, whatever happened.
+import { type Core, type SessionHandle, getCore } from '../wasm/core.js'
+import { WarpError, describe } from '../checks/errors.js'
+import { Expression, toExpression } from './expression.js'
+import type { KeptModule, Target } from '../module/kept-module.js'
+import { isCallable } from '../checks/options.js'
+import type { Shape } from './shapes.js'
+import { callerOutside } from './source-lines.js'
+import { failed, needsPartials } from '../wasm/tables.js'
+
+/** A function of the host from numbers to a number, as the sketch declared it. */
+export interface HostFunction {
+  name: string
+  arity: number
+  /** One for each argument: a number, an expression, or a function from the arguments to one of them. */
+  derivatives: readonly unknown[] | undefined
+}
+
+/** What `gen` alone has: results that expressions ask for by `.output(name)`, and the lines of the sketch. */
+export interface Gen {
+  debug: boolean
+}
+
+export class Session {
+  /** The functions of the host, by their number. */
+  readonly functions: HostFunction[] = []
+  private readonly core: Core = getCore()
+  private id: SessionHandle | 0
+  /** How many functions' derivatives are being asked for at this moment. */
+  private nesting = 0
+
+  constructor(
+    /** The language of texts of the sketch that do not say theirs. */
+    readonly target: Target,
+    private readonly gen?: Gen,
+  ) {
+    this.id = this.core._openSession()
+  }
+
+  close() {
+    if (this.id && !this.core.isBroken) this.core._closeSession(this.id)
+    this.id = 0
+  }
+
+  private open(method: string): SessionHandle {
+    if (!this.id)
+      throw new WarpError(
+        `${method}: the function that made this expression is over; use expressions only inside it.`,
+      )
+    if (this.core.isBroken)
+      throw new WarpError(
+        `${method}: the compiler ran out of memory, and this warp was lost with it; make it again.`,
+      )
+    return this.id
+  }
+
+  private refuse(): never {
+    throw new WarpError(this.core.problem(this.open('problem')))
+  }
+
+  private expression(handle: number): Expression {
+    if (handle === failed) this.refuse()
+    if (this.gen?.debug) this.core.comment(this.open('debug'), callerOutside())
+    return new Expression(this, handle)
+  }
+
+  shapeOf(value: Expression): Shape {
+    const shape = this.core._shapeOf(this.open('shape'), value.handle)
+    return [shape >> 4, shape & 15]
+  }
+
+  /** The number of an input in the module. */
+  numberOf(input: Expression): number {
+    return this.core._inputOf(this.open('number'), input.handle)
+  }
+
+  /** A number that float32 can hold; see `toExpression`. */
+  constant(value: number, method: string): Expression {
+    return this.expression(this.core._constant(this.open(method), value))
+  }
+
+  /** A variable of the host, by the expression that reads it there. */
+  input(label: unknown, [columns, rows]: Shape, method: string): Expression {
+    const id = this.open(method)
+    if (typeof label !== 'string')
+      throw new WarpError(
+        `${method}: the name of a shader variable was expected, but ${describe(label)} came.`,
+      )
+    return this.expression(this.core.input(id, method, label, columns, rows))
+  }
+
+  /** An operation by its number; a method's first operand is what it is called on. */
+  call(operation: number, method: string, operands: readonly Expression[], isMethod = false) {
+    const id = this.open(method)
+    for (;;) {
+      for (const { handle } of operands) this.core._push(id, handle)
+      const result = this.core._call(id, operation, isMethod)
+      if (result !== needsPartials) return this.expression(result)
+      this.givePartials(id)
+    }
+  }
+
+  swizzle(name: string, value: Expression, indices: readonly number[]): Expression {
+    const id = this.open(name)
+    const packed = indices.reduce((bits, index, i) => bits | (index << (2 * i)), 0)
+    const result = this.core._swizzle(id, value.handle, indices.length, packed)
+    if (result === failed) throw new WarpError(`${name}: ${this.core.problem(id)}`)
+    return this.expression(result)
+  }
+
+  /** With its text in each language that there is one in. */
+  addFunction(hostFunction: HostFunction, sources: ReadonlyMap<string, string>): number {
+    const { name, arity } = hostFunction
+    const id = this.open('fn')
+    for (const [language, text] of sources) this.core.addSource(id, language, text)
+    const number = this.core.addFunction(id, name, arity)
+    if (number === failed) this.refuse()
+    this.functions[number] = hostFunction
+    return number
+  }
+
+  callFunction(number: number, name: string, operands: readonly Expression[]): Expression {
+    const id = this.open(name)
+    for (const { handle } of operands) this.core._push(id, handle)
+    return this.expression(this.core._callFunction(id, number))
+  }
+
+  /** A kind of noise by its number, of a point, a seed and, for fractals, lacunarity and gain. */
+  callNoise(
+    kind: number,
+    base: number,
+    octaves: number,
+    name: string,
+    operands: readonly Expression[],
+    isMethod: boolean,
+  ): Expression {
+    const id = this.open(name)
+    for (const { handle } of operands) this.core._push(id, handle)
+    return this.expression(this.core._callNoise(id, kind, base, octaves, isMethod))
+  }
+
+  /** The host's image of that name at a vec2, with filter and wrap by number. */
+  callTexture(image: string, uv: Expression, filter: number, wrap: number): Expression {
+    const id = this.open('texture')
+    this.core._push(id, uv.handle)
+    return this.expression(this.core.callTexture(id, image, filter, wrap))
+  }
+
+  /** A derivative meets calls of the host's functions: the sketch says what their partial derivatives are there. */
+  private givePartials(id: SessionHandle) {
+    const calls = Array.from({ length: this.core._pendingCount(id) }, (_, place) =>
+      this.core._pendingCall(id, place),
+    )
+    for (const call of calls) this.givePartialsOf(id, call)
+  }
+
+  private givePartialsOf(id: SessionHandle, call: number) {
+    const { name, arity, derivatives } = this.functions[this.core._functionOfCall(id, call)]!
+    if (!derivatives)
+      throw new WarpError(
+        `${name}: its derivatives are needed here; give glsl.fn the option "derivatives", one for each argument.`,
+      )
+    if (this.nesting === 100)
+      throw new WarpError(
+        `${name}: its derivative needs a derivative of itself; write it with calls of functions instead.`,
+      )
+    const operands = Array.from(
+      { length: arity },
+      (_, i) => new Expression(this, this.core._argumentOfCall(id, call, i)),
+    )
+    const partialOf = (given: unknown, i: number) =>
+      toExpression(
+        this,
+        name,
+        isCallable(given) ? given(...(operands as never[])) : given,
+        `derivative ${i + 1}`,
+      )
+    this.nesting++
+    let partials: Expression[]
+    try {
+      partials = Array.from(derivatives, partialOf)
+    } finally {
+      this.nesting--
+    }
+    for (const { handle } of partials) this.core._push(id, handle)
+    if (!this.core._setPartials(id, call)) this.refuse()
+  }
+
+  /** Asks for a result by the method of an expression. */
+  ask(name: unknown, value: Expression, method: string) {
+    if (!this.gen)
+      throw new WarpError(
+        `${method}: only gen takes results this way; return the expression from the function instead.`,
+      )
+    this.output(name, value, method)
+  }
+
+  /** Adds a result under a name. */
+  output(name: unknown, value: Expression, method: string) {
+    this.core.output(this.open(method), method, resultName(name, method), value.handle)
+  }
+
+  /** Asks for all results of a warp, from its offset and what src/warp calls its inputs. */
+  warp(method: string, operands: readonly Expression[], turns: boolean, isFlat: boolean) {
+    const id = this.open(method)
+    for (;;) {
+      for (const { handle } of operands) this.core._push(id, handle)
+      const result = this.core.warp(id, method, turns, isFlat)
+      if (result === failed) this.refuse()
+      if (result !== needsPartials) return { varies: !!result }
+      this.givePartials(id)
+    }
+  }
+
+  /** All that was built, as plain words. */
+  finish(): KeptModule {
+    const id = this.open('finish')
+    if (!this.core._finish(id)) this.refuse()
+    const at = this.core._keptWords(id) / 4
+    return this.core.HEAPU32.slice(at, at + this.core._keptSize(id)) as KeptModule
+  }
+}
+
+/** The name of a result must be a text; whether it will do, a language says. */
+export function resultName(name: unknown, method: string): string {
+  if (typeof name === 'string') return name
+  throw new WarpError(`${method}: the name of a result must be a text, but is ${describe(name)}.`)
+}

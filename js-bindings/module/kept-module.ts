@@ -1,0 +1,111 @@
+// What is kept of a sketch's function when it is over: the words of a module (src/module), outside of the wasm. Texts and
+// programs are made of them as often as need be.
+import { type Core, type Reading, getCore } from '../wasm/core.js'
+import { WarpError, describe } from '../checks/errors.js'
+import type { Variable } from '../expression/shapes.js'
+import { languages } from '../wasm/tables.js'
+
+/** A shading language: GLSL ES 3.00 (WebGL 2), GLSL ES 1.00 (WebGL 1), or WGSL (WebGPU). */
+export type Target = keyof typeof languages
+
+export const targets = Object.keys(languages) as readonly Target[]
+
+export function checkTarget(target: unknown = targets[0]): Target {
+  if (targets.includes(target as Target)) return target as Target
+  throw new WarpError(
+    `The option "target" must be one of ${targets.join(', ')}, but is ${describe(target)}.`,
+  )
+}
+
+export type KeptModule = Uint32Array & { readonly kept: unique symbol }
+
+/** src/eval/program.hpp: plain words, which outlive the session. */
+export interface Program {
+  words: Uint32Array
+  instructions: number
+  /** Whose numbers it wants, in order. */
+  inputs: Variable[]
+}
+
+/** What the host calls inputs and results, by number. */
+export interface Names {
+  inputs?: readonly (readonly [number: number, name: string])[]
+  /** All results under their own names, unless given. */
+  results?: readonly (readonly [number: number, name: string])[]
+}
+
+export interface Text {
+  code: string
+  declarations: string
+  /** The host's expressions that the text reads. */
+  inputs: Variable[]
+  stats: { nodes: number; operations: number; temporaries: number }
+}
+
+/** A `maxDepth` makes temporaries by depth, and not by how much an expression reads. */
+export const writeText = (
+  module: KeptModule,
+  target: Target,
+  { inputs = [], results = [] }: Names = {},
+  maxDepth = 0,
+): Text =>
+  reading(module, (core, open) => {
+    for (const [number, name] of inputs) core.nameInput(open, number, name)
+    for (const [number, name] of results) core.nameResult(open, number, name)
+    if (!core.writeText(open, target, Math.min(maxDepth, 2 ** 30)))
+      throw new WarpError(core.readingProblem(open))
+    return {
+      code: core.code(open),
+      declarations: core.declarations(open),
+      inputs: readLines(core.inputLines(open)),
+      stats: {
+        nodes: core._nodeCount(open),
+        operations: core._operationCount(open),
+        temporaries: core._temporaryCount(open),
+      },
+    }
+  })
+
+/** The results, in their order. */
+export const resultsOf = (module: KeptModule): Variable[] =>
+  reading(module, (core, open) => readLines(core.outputLines(open)))
+
+/** For the CPU, of results by number; nothing if it would call a function of the host. */
+export const makeProgram = (module: KeptModule, results: readonly number[]): Program | undefined =>
+  reading(module, (core, open) => {
+    for (const number of results) core._wantResult(open, number)
+    if (!core._makeProgram(open)) {
+      const problem = core.readingProblem(open)
+      if (problem) throw new WarpError(problem)
+      return undefined
+    }
+    const at = core._programWords(open) / 4
+    return {
+      words: core.HEAPU32.slice(at, at + core._programSize(open)),
+      instructions: core._instructionCount(open),
+      inputs: readLines(core.allInputLines(open)),
+    }
+  })
+
+function reading<Result>(module: KeptModule, work: (core: Core, open: Reading) => Result): Result {
+  const core = getCore()
+  const memory = core._allocate(4 * module.length)
+  if (!memory) throw new WarpError('There is not enough memory to write so large a warp.')
+  core.HEAPU32.set(module, memory / 4)
+  const open = core._openReading(memory, module.length)
+  core._release(memory)
+  try {
+    return work(core, open)
+  } finally {
+    if (!core.isBroken) core._closeReading(open)
+  }
+}
+
+const readLines = (lines: string): Variable[] =>
+  lines
+    .split('\n')
+    .slice(0, -1)
+    .map((line) => {
+      const [columns, rows, number] = line.split(' ', 3).map(Number)
+      return { name: line.replace(/^\d+ \d+ \d+ /, ''), shape: [columns!, rows!], number: number! }
+    })

@@ -1,0 +1,76 @@
+/** Reads what a sketch hands to `createWarp` after the offset. */
+import { WarpError, describe } from '../checks/errors.js'
+import { checkOptions } from '../checks/options.js'
+import type { UniformOptions, UniformValues } from '../types/types.js'
+import { type DeclaredUniforms, readDeclared } from '../inputs/declared-uniforms.js'
+
+/** Which of p5's materials the warp continues. */
+export type WarpType = 'specular' | 'normal'
+
+/**
+ * The space that the offset lives in: `local` is the model's own, `world` has the model's transforms applied but not
+ * the camera, and in `camera` the eye is the origin and looks along -z.
+ */
+export type WarpSpace = 'local' | 'world' | 'camera'
+
+export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValues> {
+  /**
+   * What the offset function reads as `uniforms`: a number, an array of 2 to 4, 9 or 16 numbers, a p5.Vector, a p5.Color, an image, or
+   * a function that gives one of them each time that the warp is put on. Lists are copied.
+   */
+  uniforms?: UniformOptions<Uniforms>
+  /** Left out: `specular`, p5's full material, or `normal` while the sketch uses `normalMaterial()`. */
+  type?: WarpType
+  /** Left out: `local`. */
+  space?: WarpSpace
+  /** GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. */
+  defs?: string
+  /**
+   * How normal and uv vary over the surface, for an offset that depends on them: left out, it counts for shapes that
+   * `addSurfaceVariation` told it of, and a note says so if there are none; `false`: they count as constant. p5 1.11
+   * knows nothing else.
+   */
+  surfaceVariation?: boolean
+}
+
+export interface WarpSettings {
+  readonly uniforms: DeclaredUniforms
+  readonly type: WarpType | undefined
+  readonly space: WarpSpace
+  readonly defs: string
+  readonly surfaceVariation: boolean | undefined
+}
+
+const types = ['specular', 'normal']
+const spaces = ['local', 'world', 'camera']
+
+export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
+  checkOptions('createWarp', options, ['uniforms', 'type', 'space', 'defs', 'surfaceVariation'])
+  const { type, space = 'local', defs = '', surfaceVariation } = options
+  if (type !== undefined) mustBeOneOf('type', types, type)
+  mustBeOneOf('space', spaces, space)
+  if (typeof defs !== 'string')
+    throw new WarpError(
+      `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
+    )
+  const uniforms = readDeclared('createWarp', options.uniforms)
+  const defined = uniformsIn(defs)
+  for (const name of uniforms.keys())
+    if (defined.has(name))
+      throw new WarpError(
+        `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
+      )
+  return { uniforms, type, space, defs, surfaceVariation }
+}
+
+/** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */
+const uniformsIn = (defs: string) =>
+  new Set((defs.match(/\buniform\b[^;]*/g) ?? []).flatMap((text) => text.match(/\w+/g)!))
+
+function mustBeOneOf(option: string, choices: string[], value: unknown) {
+  if (choices.includes(value as string)) return
+  const list = choices.map((choice) => `"${choice}"`).join(' or ')
+  throw new WarpError(
+    `createWarp: the option "${option}" must be ${list}, but is ${describe(value)}.`,
+  )
+}

@@ -1,0 +1,177 @@
+/** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
+import { WarpError, describe } from '../checks/errors.js'
+import type { Declared } from '../module/result.js'
+import { type Shape, type Variable, typeOf } from '../expression/shapes.js'
+import {
+  type DeclaredUniforms,
+  componentsOf,
+  imageFor,
+  listed,
+  numbersFor,
+  unlisted,
+} from '../inputs/declared-uniforms.js'
+import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
+import { own } from '../checks/options.js'
+import type { WarpSettings } from './settings.js'
+
+/** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
+export type WarpUniforms = Record<string, unknown>
+
+interface Input {
+  uniform: string
+  read: (canvas: Canvas) => number | number[]
+}
+
+const inputs: Record<string, Input> = {
+  millis: {
+    uniform: 'uWarpjetMillis',
+    read: (canvas) => sketchOf(canvas).millis(),
+  },
+  mouse: {
+    uniform: 'uWarpjetMouse',
+    read: (canvas) => [sketchOf(canvas).mouseX, sketchOf(canvas).mouseY],
+  },
+  size: {
+    uniform: 'uWarpjetSize',
+    read: (canvas) => [canvas.width, canvas.height],
+  },
+  pixelDensity: {
+    uniform: 'uWarpjetPixelDensity',
+    read: (canvas) => canvas.pixelDensity(),
+  },
+}
+
+/** Input name → uniform name, for `compileWarp`. */
+export const inputUniforms = Object.fromEntries(
+  Object.entries(inputs).map(([name, { uniform }]) => [name, uniform]),
+)
+
+/** The inputs among the `uniforms` of a compiled warp, where the sketch's own parameters are too. */
+const inputsAmong = (read: readonly Declared[]) =>
+  read.flatMap(({ name, type }) => (Object.hasOwn(inputs, name) ? { type, ...inputs[name]! } : []))
+
+export const uniformDeclarations = (read: readonly Declared[]) =>
+  inputsAmong(read)
+    .map(({ type, uniform }) => `uniform ${type} ${uniform};`)
+    .join('\n')
+
+/** What the shader calls the sketch's uniforms: numbered, so that any name will do, also one that GLSL or p5 has. */
+export const labelsOf = (declared: DeclaredUniforms) =>
+  new Map([...declared.keys()].map((name, i) => [name, `uWarpjet${i}`]))
+
+/** Of those that the warp reads, which `parameters` tells. */
+export function declarationsOf(declared: DeclaredUniforms, parameters: readonly Variable[]) {
+  const labels = new Set(
+    [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`]),
+  )
+  return parameters
+    .filter(({ name }) => labels.has(name))
+    .map(({ name, shape }) => `uniform ${precisely(shape)} ${name};\n`)
+    .join('')
+}
+
+/** Images have low precision unless told otherwise, which cuts heights off. */
+const precisely = (shape: Shape) => (shape[0] === 0 ? 'highp ' : '') + typeOf(shape)
+
+/** A parameter that neither p5 nor `defs` declares would break the shader, and p5 would print all of it. */
+export function refuseUndeclared(
+  parameters: readonly Variable[],
+  shader: Shader,
+  { defs, uniforms }: WarpSettings,
+) {
+  const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
+  for (const { name, shape } of parameters) {
+    if (/^(?!gl_)[A-Za-z_]\w*$/.test(name) && !declared.has(name))
+      throw new WarpError(
+        uniforms.has(name)
+          ? `createWarp: the warp reads "${name}" by glsl.${shape[1] > 1 ? `${typeOf(shape)}Param` : 'param'}; a uniform of the option "uniforms" is read as uniforms.${name}.`
+          : `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform ${precisely(shape)} ${name};" }.`,
+      )
+  }
+}
+
+export function setInputs(shader: Shader, inputs: readonly Declared[], canvas: Canvas) {
+  for (const { uniform, read } of inputsAmong(inputs)) shader.setUniform(uniform, read(canvas))
+}
+
+/** Sets the uniforms of the option `uniforms` to their present values, or to what this call gives instead. */
+function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUniforms) {
+  const labels = labelsOf(declared)
+  for (const [name, { shape, numbers, image }] of declared) {
+    const isReplaced = Object.hasOwn(given, name)
+    const label = labels.get(name)!
+    if (image) {
+      if (shader.uniforms[label]) setImage(shader, label, name, isReplaced ? given[name] : image())
+      continue
+    }
+    const replaced = isReplaced && numbersFor(`The warp's uniform "${name}"`, shape, given[name])
+    // One that the warp never reads does not reach the shader.
+    if (!shader.uniforms[label]) continue
+    const values = replaced || numbers('The function that createWarp returned')
+    shader.setUniform(label, unlisted(values))
+  }
+}
+
+function p5Image(name: string, value: unknown) {
+  const image = imageFor(`The warp's uniform "${name}"`, value)
+  if ('nodeType' in image)
+    throw new WarpError(
+      `The warp's uniform "${name}" must be an image of p5, but is an element of the page.`,
+    )
+  return image
+}
+
+/** An image, and its size in texels where the warp is told it, in WebGL 1. */
+function setImage(shader: Shader, label: string, name: string, image: unknown) {
+  shader.setUniform(label, p5Image(name, image))
+  const { width, height } = shader.uniforms[label]!.texture!
+  if (shader.uniforms[`${label}Size`]) shader.setUniform(`${label}Size`, [width, height])
+}
+
+/** Sets the sketch's own uniforms. One that `defs` declares but the warp never reads does not reach the shader. */
+export function setUniforms(
+  shader: Shader,
+  given: WarpUniforms,
+  { defs, uniforms: declared }: WarpSettings,
+) {
+  setDeclared(shader, given, declared)
+  const words = new Set(defs.match(/\w+/g))
+  for (const [name, value] of Object.entries(given)) {
+    if (declared.has(name)) continue
+    const uniform = own(shader.uniforms, name) as Uniform | undefined
+    if (uniform) shader.setUniform(name, readValue(name, value, uniform))
+    else if (!words.has(name))
+      throw new WarpError(
+        declared.size
+          ? `The warp has no uniform "${name}"; there are ${listed(declared)}.`
+          : `The warp has no uniform "${name}"; createWarp's option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }.`,
+      )
+  }
+}
+
+const mat2 = 0x8b5a
+const sampler2D = 0x8b5e
+
+/** Of the matrices, by WebGL's number. */
+const matrixSizes: Record<number, number> = { [mat2]: 4, 0x8b5b: 9, 0x8b5c: 16 }
+
+function readValue(name: string, value: unknown, { type, isArray: isList = false }: Uniform) {
+  if (type === mat2 && !isList)
+    throw new WarpError(
+      `The warp's uniform "${name}" is a mat2, which this p5 cannot set; declare a mat3, or use p5 2.`,
+    )
+  if (type === sampler2D) return p5Image(name, value)
+  const wrong =
+    value === undefined || value === null || Number.isNaN(value) || typeof value === 'string'
+  if (wrong || (isList && typeof value !== 'object'))
+    throw new WarpError(
+      `The warp's uniform "${name}" must be ${isList ? 'an array of numbers' : 'a number'}, but is ${describe(value)}.`,
+    )
+  const size = matrixSizes[type ?? 0]
+  if (size && Array.isArray(value) && !(value.length === size && value.every(Number.isFinite)))
+    throw new WarpError(
+      `The warp's uniform "${name}" must be an array of ${size} numbers, column by column, but is ${describe(value)}.`,
+    )
+  // p5 1.11 takes neither its own vectors nor its own colours as the value of a uniform.
+  return isList ? componentsOf(value as object) : value
+}

@@ -1,0 +1,89 @@
+// Expressions as a sketch sees them. At run time all are one class; see expression.ts. Operations come from the
+// tables, by way of methods.ts; what is no operation is here.
+//
+// Every method throws a `WarpError` for an argument that is no finite number or expression of the same warp, for vectors
+// of different sizes, and where constants give no finite result.
+// What derivatives are at kinks is said at the top of src/ops/table.hpp, and for artists in web/docs/operations.md.
+import type {
+  MatrixMethods,
+  ScalarMethods,
+  SquareMethods,
+  Vec3Methods,
+  VectorMethods,
+} from './methods.js'
+import type { CurlMethod, FieldMethods, NoiseMethods } from './noise.js'
+import type { MatrixOf, Shape, Size, VectorOf } from './signatures.js'
+
+/** An expression of one number a vertex. A condition is one too: 1 or 0 where it is used as a number. */
+export interface Scalar extends Shape<1, 1>, ScalarMethods, NoiseMethods, Results {}
+
+export interface Vec2
+  extends Shape<1, 2>, VectorMethods<Vec2>, NoiseMethods, Results, XY, RG, ST, UV {}
+
+export interface Vec3
+  extends
+    Shape<1, 3>,
+    VectorMethods<Vec3>,
+    Vec3Methods,
+    NoiseMethods,
+    CurlMethod,
+    Results,
+    XYZ,
+    RGB,
+    STP,
+    UV {}
+
+export interface Vec4
+  extends
+    Shape<1, 4>,
+    VectorMethods<Vec4>,
+    FieldMethods,
+    CurlMethod,
+    Results,
+    XYZW,
+    RGBA,
+    STPQ,
+    UV {}
+
+/** Of different numbers of columns and rows, as some Jacobians are; GLSL's matCxR. WebGL 1 has none. */
+export interface Matrix<Columns extends Size, Rows extends Size>
+  extends Shape<Columns, Rows>, MatrixMethods<MatrixOf<Columns, Rows>>, Results {
+  /** The column of this number, from 0. */
+  column(index: number): VectorOf<Rows>
+  /** The row of this number, from 0. */
+  row(index: number): VectorOf<Columns>
+}
+
+export interface Mat2 extends Matrix<2, 2>, SquareMethods<Mat2> {}
+export interface Mat3 extends Matrix<3, 3>, SquareMethods<Mat3> {}
+export interface Mat4 extends Matrix<4, 4>, SquareMethods<Mat4> {}
+
+export type Vector = Vec2 | Vec3 | Vec4
+export type AnyMatrix = MatrixOf<Size, Size>
+export type Expression = Scalar | Vector | AnyMatrix
+export type Operand = Scalar | number
+
+interface Results {
+  /** In `gen` alone: writes this expression into a shader variable of that name. */
+  output(name: string): void
+  /** In `gen` alone: writes the partial derivative by an input, such as `x` or `position.y()`. */
+  outputDeriv(name: string, input: Scalar): void
+}
+
+/** All selections of one to four components, such as `x()`, `zy()` and `xxx()`. */
+type Swizzles<Letter extends string> = { [Name in Letter]: () => Scalar } & {
+  [Name in `${Letter}${Letter}`]: () => Vec2
+} & { [Name in `${Letter}${Letter}${Letter}`]: () => Vec3 } & {
+  [Name in `${Letter}${Letter}${Letter}${Letter}`]: () => Vec4
+}
+
+interface XY extends Swizzles<'x' | 'y'> {}
+interface RG extends Swizzles<'r' | 'g'> {}
+interface ST extends Swizzles<'s' | 't'> {}
+interface UV extends Swizzles<'u' | 'v'> {}
+interface XYZ extends Swizzles<'x' | 'y' | 'z'> {}
+interface RGB extends Swizzles<'r' | 'g' | 'b'> {}
+interface STP extends Swizzles<'s' | 't' | 'p'> {}
+interface XYZW extends Swizzles<'x' | 'y' | 'z' | 'w'> {}
+interface RGBA extends Swizzles<'r' | 'g' | 'b' | 'a'> {}
+interface STPQ extends Swizzles<'s' | 't' | 'p' | 'q'> {}
