@@ -3,20 +3,19 @@
 #   evaluation  programs over many vertices
 #   mesh        files of meshes, and what is done to meshes
 
-# What runs once per warp, or per name in it, is compiled for size; what runs per node stays at -O3 (-Os everywhere made a
-# warp of 3,000 nodes six times slower), as far as the limit of the script allows: with emit.cpp, literal.cpp, names.cpp,
-# schedule.cpp, statements.cpp, text.cpp, save.cpp, results.cpp, call.cpp and bindings.cpp at -O3 it was a quarter faster, and
-# 9 KB larger.
-file(GLOB small_sources CONFIGURE_DEPENDS
-  src/functions/*.cpp src/module/*.cpp src/noise/*.cpp src/ops/*.cpp src/texture/*.cpp src/warp/*.cpp)
-set_source_files_properties(${small_sources}
-  src/algebra/derivatives.cpp src/algebra/matrices.cpp src/algebra/vectors.cpp
-  src/builder/call.cpp src/builder/construct.cpp src/builder/host.cpp src/builder/noise.cpp src/builder/results.cpp src/builder/texture.cpp src/diff/partials.cpp
-  src/emit/bundle.cpp src/emit/dialect.cpp src/emit/emit.cpp src/emit/functions.cpp src/emit/glsl100.cpp src/emit/glsl300.cpp
-  src/emit/literal.cpp src/emit/lower.cpp src/emit/names.cpp src/emit/statements.cpp src/emit/sums.cpp src/emit/text.cpp src/emit/wgsl.cpp
-  src/eval/bounds.cpp src/eval/program.cpp src/graph/functions.cpp src/graph/multi_index.cpp src/graph/ranges.cpp src/graph/schedule.cpp
-  TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -Oz)
-set_source_files_properties(js-bindings/wasm/core.cpp js-bindings/wasm/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
+# What runs per node, or per vertex, is compiled for speed, and everything else of the core for size: at -Os everywhere, a warp
+# of 3,000 nodes takes six times as long.
+set(fast_sources
+  src/algebra/value.cpp src/builder/builder.cpp src/builder/call.cpp src/builder/results.cpp src/diff/differentiator.cpp
+  src/emit/emit.cpp src/emit/literal.cpp src/emit/names.cpp src/emit/statements.cpp src/emit/writer.cpp
+  src/graph/graph.cpp src/graph/schedule.cpp src/graph/simplify.cpp src/module/save.cpp)
+set(fast_evaluation_sources
+  src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp src/eval/registers.cpp)
+list(TRANSFORM fast_sources PREPEND "${PROJECT_SOURCE_DIR}/")
+list(TRANSFORM fast_evaluation_sources PREPEND "${PROJECT_SOURCE_DIR}/")
+set(small_sources ${core_sources})
+list(REMOVE_ITEM small_sources ${fast_sources} ${fast_evaluation_sources})
+set_source_files_properties(${small_sources} js-bindings/wasm/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
 # Of meshes, what runs once per file or name in it.
 set_source_files_properties(
@@ -56,6 +55,13 @@ endfunction()
 # Two that need none of Emscripten's JavaScript: js-bindings/wasm/start.ts has the little that they import. No exception crosses
 # the border: a throw that is left in the code does not link.
 warpjet_module(core .wasm js-bindings/wasm/core.cpp)
+# Of a template that several files use, the linker keeps the first one that it meets: let that be a fast one.
+add_library(warpjet_fast OBJECT ${fast_sources})
+target_include_directories(warpjet_fast PRIVATE src)
+target_compile_options(warpjet_fast PRIVATE -fno-exceptions -fno-rtti)
+list(REMOVE_ITEM core_sources ${fast_sources})
+set_property(TARGET warpjet_core PROPERTY SOURCES ${core_sources} $<TARGET_OBJECTS:warpjet_fast>)
+target_sources(warpjet_core_wasm PRIVATE $<TARGET_OBJECTS:warpjet_fast>)
 warpjet_module(evaluation .wasm js-bindings/wasm/evaluation.cpp)
 foreach(target warpjet_core_wasm warpjet_evaluation_wasm)
   target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
@@ -63,14 +69,14 @@ foreach(target warpjet_core_wasm warpjet_evaluation_wasm)
     -fno-exceptions
     -sMALLOC=emmalloc                     # the smallest allocator that frees
     -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
-    -s${stack_setting}=262144)
+    -s${stack_setting}=262144
+    -sJS_MATH                             # C's mathematics, from JavaScript: 20 KB less than musl's, tables that do not pack
+    -sWARN_ON_UNDEFINED_SYMBOLS=0         # which that leaves
+    -sERROR_ON_UNDEFINED_SYMBOLS=0)
 endforeach()
 target_compile_options(warpjet_core PRIVATE -fno-rtti)
 target_link_options(warpjet_core_wasm PRIVATE
-  "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"  # not simd128: it does not link if it got in
-  -sJS_MATH                               # C's mathematics, for folding constants, from JavaScript: 16 KB less than musl's
-  -sWARN_ON_UNDEFINED_SYMBOLS=0           # which that leaves
-  -sERROR_ON_UNDEFINED_SYMBOLS=0)
+  "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong")  # not simd128: it does not link if it got in
 
 # A file that lies may ask for any amount of memory and nest as deep as it likes. tinygltf and its JSON parser throw;
 # js-bindings/wasm/mesh.cpp catches everything.

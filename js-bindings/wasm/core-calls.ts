@@ -1,6 +1,7 @@
 // The compiler's functions, as JavaScript calls them.
 import { WarpError } from '../checks/errors.js'
 import inlined from '../generated/core-wasm.js'
+import { mathematics } from './mathematics.js'
 import { start } from './start.js'
 
 type Call = (...given: unknown[]) => unknown
@@ -92,13 +93,3 @@ export function startCore<Core>(giveUp: () => void): Core {
 
 const isTrap = (error: unknown) =>
   error instanceof WebAssembly.RuntimeError || error instanceof RangeError
-
-/** C's functions, for folding constants, under the names that Emscripten's -sJS_MATH gives them. */
-function mathematics() {
-  const names = Object.getOwnPropertyNames(Math) as Exclude<keyof Math, symbol>[]
-  return {
-    ...Object.fromEntries(names.map((name) => [`JS_${name}`, Math[name]])),
-    // C rounds halves away from zero.
-    JS_round: (x: number) => (x >= 0 ? Math.floor(x + 0.5) : Math.ceil(x - 0.5)),
-  }
-}

@@ -4,6 +4,7 @@ import { WarpError } from '../checks/errors.js'
 import type { Program } from '../module/kept-module.js'
 import inlined from '../generated/evaluation-wasm.js'
 import type { Range } from '../inputs/vertices.js'
+import { mathematics } from './mathematics.js'
 import { start } from './start.js'
 
 /** evaluation.cpp. */
@@ -74,7 +75,7 @@ let evaluation: Evaluation | undefined
 
 function getEvaluation(): Evaluation {
   try {
-    return (evaluation ??= start<Evaluation>(inlined))
+    return (evaluation ??= start<Evaluation>(inlined, mathematics()))
   } catch (error) {
     if (error instanceof WebAssembly.CompileError)
       throw new WarpError(

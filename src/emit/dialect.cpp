@@ -24,14 +24,19 @@ std::string_view Dialect::typeName(ops::Type type, Shape shape) const {
   return shape.isNumber() ? numbers[kind] : vectors[kind][shape.rows - 2u];
 }
 
-std::string filled(std::string_view text, std::initializer_list<std::string_view> parts) {
-  std::string made;
-  for (std::size_t dollar; (dollar = text.find('$')) != text.npos;) {
-    made += text.substr(0, dollar);
-    made += parts.begin()[text[dollar + 1] - '0'];
-    text.remove_prefix(dollar + 2);
+void fill(std::string& text, std::string_view form, Parts parts) {
+  for (std::size_t dollar; (dollar = form.find('$')) != form.npos;) {
+    text += form.substr(0, dollar);
+    text += parts.begin()[form[dollar + 1] - '0'];
+    form.remove_prefix(dollar + 2);
   }
-  return made += text;
+  text += form;
+}
+
+std::string filled(std::string_view form, Parts parts) {
+  std::string text;
+  fill(text, form, parts);
+  return text;
 }
 
 }  // namespace warpjet

@@ -58,8 +58,10 @@ struct Dialect {
   std::string_view typeName(ops::Type type, Shape shape) const;
 };
 
-// A text with its parts.
-std::string filled(std::string_view text, std::initializer_list<std::string_view> parts);
+// A form of a dialect with its parts in the place of $0, $1, …
+using Parts = std::initializer_list<std::string_view>;
+std::string filled(std::string_view form, Parts parts);
+void fill(std::string& text, std::string_view form, Parts parts);  // behind `text`
 
 extern const Dialect glsl300;
 extern const Dialect glsl100;

@@ -121,7 +121,8 @@ class Emitter {
 
   // The beginning of a statement.
   void define(std::string_view type, std::string_view name) {
-    statements_ += "  " + filled(dialect_.definition, {type, name});
+    statements_ += "  ";
+    fill(statements_, dialect_.definition, {type, name});
   }
 
   void writeStatements() {

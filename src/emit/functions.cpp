@@ -72,7 +72,7 @@ std::string Declarations::header(const std::string& type, const std::string& nam
   for (int i = 0; i < definition.function.arity; ++i) {
     if (i > 0) parameters += ", ";
     const auto kind = dialect_.typeName(ops::Type::Float, definition.argumentShape(i));
-    parameters += filled(dialect_.parameter, {kind, definition.argumentName(i)});
+    fill(parameters, dialect_.parameter, {kind, definition.argumentName(i)});
   }
   return filled(dialect_.function, {type, name, parameters});
 }

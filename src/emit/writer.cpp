@@ -147,7 +147,7 @@ void Writer::writeValue(std::string& text, Shape shape, std::span<const NodeId> 
     write(values, components[i]);
   }
   const std::string_view type = dialect_.typeName(graph_.type(components[0]), shape);
-  text += filled(allEqual ? dialect_.splat : dialect_.construction, {type, values});
+  fill(text, allEqual ? dialect_.splat : dialect_.construction, {type, values});
 }
 
 }  // namespace warpjet

@@ -38,6 +38,7 @@ class Saver {
 
  private:
   void nodes() {
+    words_.reserve(kept_.size() * (ops::maxArity + 1) + 1);
     words_.number(kept_.size());
     for (const NodeId id : kept_) {
       const auto& [operands, op] = graph_.node(id);

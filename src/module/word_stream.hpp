@@ -12,6 +12,7 @@ namespace warpjet {
 
 class WordWriter {
  public:
+  void reserve(std::size_t words) { words_.reserve(words_.size() + words); }
   void number(std::size_t value) { words_.push_back(static_cast<std::uint32_t>(value)); }
   void text(std::string_view text) {
     number(text.size());
