@@ -28,7 +28,8 @@ export const leftOut = {
       'the page frames every example alike; every day each is drawn by itself, and three through it',
     'every model': 'models differ in their vertices alone; every day each warp meets one of them',
     'every random expression':
-      'the others are of the same kinds, and all are run on the CPU every day',
+      'the others are of the same kinds; 500 are run on the CPU every day, 400 on the GPU',
+    'ten thousand warps': 'a thousand show a leak of one byte a warp just as well',
     'deep domain warping': 'its texts take a compiler without a GPU half a minute',
   },
 }
