@@ -6,9 +6,12 @@ export type { CompiledWarp } from './compile/compile-warp.js'
 export type { Compiled, CompileOptions, Declared, Stats } from './module/result.js'
 export type {
   CpuWarp,
+  EvaluateOptions,
   EvaluationOptions,
   Foldover,
+  InverseOptions,
   PointInputs,
+  WarpInverse,
   WarpedPoint,
   WarpedVertices,
 } from './cpu/cpu-warp.js'

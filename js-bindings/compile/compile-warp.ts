@@ -29,6 +29,9 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   const cpu = createCpuWarp({
     declared,
     program: lazily(() => programOf(warp)),
+    directionProgram: lazily(() =>
+      makeProgram(warp.module, [warpResults.position, warpResults.direction].map(onSurface)),
+    ),
     hasNormals: normals,
     varies: warp.varies,
     isAccepted,

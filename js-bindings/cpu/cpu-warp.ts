@@ -1,9 +1,11 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
-import { WarpError } from '../checks/errors.js'
+import { WarpError, describe } from '../checks/errors.js'
 import { type Stream, boundProgram, inputsRead, runProgram } from '../wasm/evaluation.js'
 import { type VertexInput, variationInputs, vertexInputs } from '../inputs/inputs.js'
 import type { Program } from '../module/kept-module.js'
 import { noteApproximation } from '../checks/notes.js'
+import { runInDouble } from './double.js'
+import { type Moved, type Triple, inverse } from './inverse.js'
 import { readNumbers } from '../checks/numbers.js'
 import { checkOptions } from '../checks/options.js'
 import type { Variable } from '../expression/shapes.js'
@@ -36,6 +38,14 @@ export interface EvaluationOptions {
   uniforms?: Uniforms | undefined
 }
 
+export interface EvaluateOptions extends EvaluationOptions {
+  /**
+   * Arrays of yours that the results go into, at least as long as they are, and which come back; what is not given is made.
+   * One of them may be the array that came in.
+   */
+  out?: Partial<WarpedVertices> | undefined
+}
+
 /** What the warp is to know of one vertex; the numbers of each as in `Vertices`. */
 export interface PointInputs
   extends Partial<Record<Exclude<VertexInput, 'position'>, ArrayLike<number>>>, EvaluationOptions {}
@@ -46,6 +56,20 @@ export interface WarpedPoint {
   normal?: number[]
   /** If a normal and a tangent came. */
   tangent?: number[]
+}
+
+export interface InverseOptions
+  extends Partial<Record<'normal' | 'uv' | 'color', ArrayLike<number>>>, EvaluationOptions {
+  /** Where the search starts; the point itself unless given. Give where the point came from a moment ago. */
+  near?: ArrayLike<number> | undefined
+}
+
+export interface WarpInverse {
+  /** The place that the warp brings the point from: if there are several, the one that the way from `near` leads to. */
+  position: number[]
+  /** Whether space is inside out there, det(I + J) not above 0: then other places come to the point too, which are found
+   * from another `near`. */
+  isFolded: boolean
 }
 
 export interface Foldover {
@@ -65,7 +89,7 @@ export interface Foldover {
  */
 export interface CpuWarp {
   /** Moves vertices, any number, even none: it needs the results' memory and a few megabytes. */
-  evaluate(mesh: Vertices, options?: EvaluationOptions): WarpedVertices
+  evaluate(mesh: Vertices, options?: EvaluateOptions): WarpedVertices
   /** Moves one vertex. */
   evaluateAt(position: ArrayLike<number>, inputs?: PointInputs): WarpedPoint
   /**
@@ -75,6 +99,13 @@ export interface CpuWarp {
    * unless `box.uvs` says otherwise. A side is infinite if the offset may be.
    */
   bounds(box: Box, options?: EvaluationOptions): { min: number[]; max: number[] }
+  /**
+   * Where the warp brings a point from, such as what of a calm sea is under a boat: evaluateAt of `position` is the point, up
+   * to float32. Nothing comes back if the search meets no such place. In double, by Newton's method with the exact Jacobian, each
+   * step halved until it leads closer, and the way to the point taken in pieces where that fails. Normals and the like
+   * count as constant. A warp compiled with `normals: false` has no Jacobian, and throws.
+   */
+  inverseAt(point: ArrayLike<number>, options?: InverseOptions): WarpInverse | undefined
   /** Where the warp turns the surface inside out. */
   foldover(mesh: Vertices, options?: EvaluationOptions): Foldover
   /** @internal */
@@ -91,12 +122,19 @@ const numbersOf = {
 
 type Result = keyof typeof numbersOf
 
+const unitVectors: readonly Triple[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+]
+
 export function createCpuWarp(warp: WarpProgram): CpuWarp {
   function run<Name extends Result>(
     method: string,
     mesh: Vertices,
     uniforms: Uniforms | undefined,
     wanted: readonly Name[],
+    out: Partial<Record<Name, Float32Array>> = {},
   ): Record<Name, Float32Array> {
     const program = programOf(method, warp)
     const vertices = checkVertices(method, mesh)
@@ -117,7 +155,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       )
     })
     const sinks = wanted.map((name) => ({
-      values: new Float32Array(vertices * numbersOf[name].length),
+      values: arrayFor(method, name, vertices * numbersOf[name].length, out[name]),
       results: numbersOf[name],
     }))
     if (vertices > 0) runProgram(program, vertices, streams, sinks)
@@ -132,8 +170,12 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
   return {
     [warpProgram]: warp,
 
-    evaluate: (mesh, options) =>
-      run('evaluate', mesh, uniformsOf('evaluate', options), turned(mesh)),
+    evaluate(mesh, options) {
+      const { out, ...rest } = options ?? {}
+      checkOptions('evaluate: out', out, ['positions', 'normals', 'tangents'])
+      const uniforms = uniformsOf('evaluate', options && rest)
+      return run('evaluate', mesh, uniforms, turned(mesh), out as Partial<WarpedVertices>)
+    },
 
     evaluateAt(position, inputs = {}) {
       const known = Object.keys(vertexInputs).filter((name) => name !== 'position')
@@ -161,6 +203,39 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       }
     },
 
+    inverseAt(point, options = {}) {
+      checkOptions('inverseAt', options ?? null, ['near', 'normal', 'uv', 'color', 'uniforms'])
+      const target = readNumbers('inverseAt: the point', point, 3) as Triple
+      const near = readNumbers('inverseAt: near', options.near ?? target, 3) as Triple
+      refuseWithoutNormals('inverseAt', warp)
+      const program = programOf('inverseAt', warp, warp.directionProgram)
+      const origins = originsOf('inverseAt', warp, program, [0, 1, 2, 3, 4, 5], options.uniforms)
+      const shared = origins.map(({ input, isRead, values }) => {
+        if (!input || !isRead || input === 'position' || input === 'tangent') return values
+        if (input in variationInputs) return values
+        const value = options[input as 'normal']
+        if (value) return readNumbers(`inverseAt: the ${input}`, value, vertexInputs[input])
+        throw new WarpError(
+          `inverseAt: the warp reads the ${input} of each vertex, but no "${input}" came.`,
+        )
+      })
+      const given = (place: Triple, direction: Triple) =>
+        origins.flatMap(({ input }, i) => {
+          if (input === 'position') return place
+          return input === 'tangent' ? [...direction, 1] : shared[i]!
+        })
+      const moved = (place: Triple): Moved => {
+        const runs = unitVectors.map((direction) =>
+          runInDouble(program, given(place, direction), 6),
+        )
+        return {
+          position: runs[0]!.slice(0, 3) as Triple,
+          columns: runs.map((run) => run.slice(3)) as Moved['columns'],
+        }
+      }
+      return inverse(moved, target, near)
+    },
+
     bounds(box, options) {
       const uniforms = uniformsOf('bounds', options)
       const program = programOf('bounds', warp)
@@ -181,10 +256,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
 
     foldover(mesh, options) {
       const uniforms = uniformsOf('foldover', options)
-      if (!warp.hasNormals)
-        throw new WarpError(
-          'foldover: the warp was compiled with "normals: false", which leaves out its derivatives; compile it without.',
-        )
+      refuseWithoutNormals('foldover', warp)
       const { determinant } = run('foldover', mesh, uniforms, ['determinant'])
       const mask = Uint8Array.from(determinant, (value) => Number(!(value > 0)))
       return { mask, count: mask.reduce((sum, folded) => sum + folded, 0) }
@@ -192,8 +264,25 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
   }
 }
 
-function programOf(method: string, warp: WarpProgram): Program {
-  const program = warp.program()
+/** Where so many numbers of a result go: into the caller's array, if one came. */
+function arrayFor(method: string, name: string, length: number, given: unknown): Float32Array {
+  if (given === undefined) return new Float32Array(length)
+  if (given instanceof Float32Array && given.length >= length) return given
+  const came = given instanceof Float32Array ? `has only ${given.length}` : `is ${describe(given)}`
+  throw new WarpError(
+    `${method}: out.${name} must be a Float32Array of at least ${length} numbers, but ${came}.`,
+  )
+}
+
+function refuseWithoutNormals(method: string, { hasNormals }: WarpProgram) {
+  if (!hasNormals)
+    throw new WarpError(
+      `${method}: the warp was compiled with "normals: false", which leaves out its derivatives; compile it without.`,
+    )
+}
+
+function programOf(method: string, warp: WarpProgram, make = warp.program): Program {
+  const program = make()
   if (program) return program
   throw new WarpError(
     `${method}: this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.`,

@@ -27,7 +27,7 @@ export function evaluate(
   const numbers = program.inputs.flatMap((input) =>
     names.has(input.name) ? numbersOf(input, given) : Array<number>(sizeOf(input)).fill(0),
   )
-  const results = run(program, numbers, totalSize(outputs))
+  const results = runInDouble(program, numbers, totalSize(outputs))
   let at = 0
   return Object.fromEntries(
     outputs.map((output) => {
@@ -46,7 +46,12 @@ const numbersOf = (input: Variable, given: Readonly<Record<string, Numbers>>): n
     input.shape[0] > 1 ? ', column by column' : '',
   )
 
-function run({ words, instructions }: Program, inputs: number[], resultCount: number): number[] {
+/** The first results of a program, from the numbers of its inputs. */
+export function runInDouble(
+  { words, instructions }: Program,
+  inputs: number[],
+  resultCount: number,
+): number[] {
   const core = getCore()
   const numbers = core._allocate(8 * (inputs.length + resultCount) + 4 * words.length)
   if (!numbers)

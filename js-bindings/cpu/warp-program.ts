@@ -7,6 +7,8 @@ export interface WarpProgram {
   /** The option `uniforms`. */
   declared: DeclaredUniforms
   program: () => Program | undefined
+  /** Its results are the position and what the tangent's direction becomes. */
+  directionProgram: () => Program | undefined
   hasNormals: boolean
   /** Whether the turn depends on how normal and uv vary over the surface. */
   varies: boolean

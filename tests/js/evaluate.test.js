@@ -26,6 +26,30 @@ describe('evaluate', () => {
     assert.equal(positions[3], 1)
   })
 
+  test('writes into arrays that come along, also into its own input', () => {
+    const { positions, normals } = wave.evaluate(plane, { uniforms })
+    const out = { positions: new Float32Array(9).fill(7), normals: new Float32Array(6) }
+    const given = wave.evaluate(plane, { uniforms, out })
+    assert.equal(given.positions, out.positions)
+    assert.equal(given.normals, out.normals)
+    assert.deepEqual(given.positions, Float32Array.of(...positions, 7, 7, 7))
+    assert.deepEqual(given.normals, normals)
+    const own = {
+      positions: new Float32Array(plane.positions),
+      normals: new Float32Array(plane.normals),
+    }
+    wave.evaluate(own, { uniforms, out: own })
+    assert.deepEqual(own, { positions, normals })
+    const refused = (wrong, message) =>
+      assert.throws(() => wave.evaluate(plane, { uniforms, out: wrong }), {
+        name: 'WarpError',
+        message,
+      })
+    refused({ positions: new Float32Array(5) }, /out\.positions .* 6 numbers, but has only 5/)
+    refused({ normals: [0, 0, 0] }, /out\.normals must be a Float32Array/)
+    refused({ normal: new Float32Array(6) }, /normal/)
+  })
+
   test('takes any number of vertices, none too', () => {
     assert.deepEqual(wave.evaluate({ positions: [], normals: [] }, { uniforms }), {
       positions: new Float32Array(0),
