@@ -31,6 +31,11 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    * knows nothing else.
    */
   surfaceVariation?: boolean
+  /**
+   * Whether lines and points are warped too, those of `stroke()`, `line()`, `bezier()` and text: left out, if the sketch has
+   * called `stroke()` and the offset reads neither normal, uv nor color, which lines lack; otherwise they are turned off.
+   */
+  stroke?: boolean
 }
 
 export interface WarpSettings {
@@ -39,14 +44,26 @@ export interface WarpSettings {
   readonly space: WarpSpace
   readonly defs: string
   readonly surfaceVariation: boolean | undefined
+  readonly stroke: boolean | undefined
 }
 
 const types = ['specular', 'normal']
 const spaces = ['local', 'world', 'camera']
 
 export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
-  checkOptions('createWarp', options, ['uniforms', 'type', 'space', 'defs', 'surfaceVariation'])
-  const { type, space = 'local', defs = '', surfaceVariation } = options
+  checkOptions('createWarp', options, [
+    'uniforms',
+    'type',
+    'space',
+    'defs',
+    'surfaceVariation',
+    'stroke',
+  ])
+  const { type, space = 'local', defs = '', surfaceVariation, stroke } = options
+  if (stroke !== undefined && typeof stroke !== 'boolean')
+    throw new WarpError(
+      `createWarp: the option "stroke" must be true or false, but is ${describe(stroke)}.`,
+    )
   if (type !== undefined) mustBeOneOf('type', types, type)
   mustBeOneOf('space', spaces, space)
   if (typeof defs !== 'string')
@@ -60,7 +77,7 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       throw new WarpError(
         `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
       )
-  return { uniforms, type, space, defs, surfaceVariation }
+  return { uniforms, type, space, defs, surfaceVariation, stroke }
 }
 
 /** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */
