@@ -1,5 +1,6 @@
 /** Which style of hooks a canvas's shaders have, and p5's shaders with a warp in them. */
 import type { WarpText } from '../compile/warp-text.js'
+import type { Target } from '../module/kept-module.js'
 import { forgetLastShape, readsVariation, variationVariables } from './add-surface-variation.js'
 import type { Shader } from './host.js'
 import type { WarpType } from './settings.js'
@@ -7,9 +8,11 @@ import { inputUniforms } from './sketch-uniforms.js'
 import { structHooks } from './struct-hooks.js'
 import type { HookStyle, Woven } from './styles.js'
 import { valueHooks } from './value-hooks.js'
+import { wgslHooks } from './wgsl-hooks.js'
 
 /** The style of p5's hooks in `base`; undefined where p5 has no hooks, before 1.11. */
-export function hookStyleOf(base: Shader): HookStyle | undefined {
+export function hookStyleOf(base: Shader, target: Target): HookStyle | undefined {
+  if (target === 'wgsl') return wgslHooks
   const hooks = base.hooks?.vertex ?? {}
   if ('Vertex getObjectInputs' in hooks) return structHooks
   return 'vec3 getWorldPosition' in hooks ? valueHooks : undefined

@@ -17,11 +17,15 @@ export type Modifications = Record<string, unknown>
 export interface Shader {
   readonly hooks: { readonly vertex: Record<string, string> }
   readonly uniforms: Record<string, Uniform | undefined>
-  /** On 2.x. */
+  /** On 2.x; `GL` in WebGL, `getNextBindingIndex` on WebGPU. */
   readonly _renderer?: {
     readonly GL: { disableVertexAttribArray(location: number): void }
     readonly registerEnabled: Set<number>
+    getNextBindingIndex?(sources: { vert: string; frag: string }): number
   }
+  /** On 2.x, before hooks. */
+  _vertSrc?: string
+  readonly _fragSrc?: string
   bindShader?: (...args: unknown[]) => void
   vertSrc(): string
   modify(hooks: Modifications): Shader
@@ -56,6 +60,8 @@ export interface Renderer extends MaterialState {
   readonly isP3D?: boolean
   readonly GL?: unknown
   readonly webglVersion?: string
+  /** On WebGPU. */
+  readonly device?: unknown
   readonly states?: States
   /** On 1.11. */
   readonly _doStroke?: boolean
@@ -73,7 +79,9 @@ export interface Canvas {
   millis(): number
   pixelDensity(): number
   baseMaterialShader(): Shader
+  /** Not on WebGPU. */
   baseNormalShader(): Shader
+  baseColorShader(): Shader
   baseStrokeShader(): Shader
   shader(shader: Shader): unknown
   /** On 2.x; 1.11's `shader` knows the kind. */
@@ -132,5 +140,5 @@ export function sketchRemoved(this: Canvas) {
 /** The 3D renderer that `canvas` draws with at this moment, if it has one. */
 export function rendererOf(canvas: Canvas): Renderer | undefined {
   const renderer = removed.has(sketchOf(canvas)) ? undefined : canvas._renderer
-  return renderer?.isP3D && renderer.GL ? renderer : undefined
+  return renderer?.isP3D && (renderer.GL || renderer.device) ? renderer : undefined
 }

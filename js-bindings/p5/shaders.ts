@@ -1,6 +1,7 @@
 /** The shaders of one warp for one renderer: each is made when it is first drawn with. */
 import { type KeptWarp, writeMoves, writeWarp } from '../compile/warp-text.js'
 import { WarpError } from '../checks/errors.js'
+import type { Target } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
 import { readsVariation } from './add-surface-variation.js'
 import { hookStyleOf, isOfLines, weave } from './hooks.js'
@@ -11,11 +12,14 @@ import { results, targetOf } from './styles.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()
-  const style = material && hookStyleOf(material)
+  const style = material && hookStyleOf(material, targetOf(rendererOf(canvas)!))
   if (!style)
     throw new WarpError('createWarp: this p5 has no shader hooks; version 1.11 or newer is needed.')
   return { material, style }
 }
+
+const normalShaderOf = (canvas: Canvas, target: Target) =>
+  target === 'wgsl' ? canvas.baseColorShader() : canvas.baseNormalShader()
 
 /** What lines and points are drawn with. */
 export interface MovingShaders {
@@ -42,7 +46,7 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
     varies: readsVariation(woven.text),
     shaderFor: (type: WarpType): Shader =>
       (shaders[type] ??= weave(
-        type === 'normal' ? canvas.baseNormalShader() : material,
+        type === 'normal' ? normalShaderOf(canvas, target) : material,
         style,
         woven,
         type,

@@ -1,20 +1,20 @@
 // Lines, wireframes and points under a warp, against p5's own `rotate`: the oracle is the host's own transformation.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { launchBrowser } from './support/browser.js'
+import { launchBrowser, launchBrowserWithWebGPU } from './support/browser.js'
 import { colorAt, differingPixels, litPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions } from './support/sketch.js'
+import { drawScenes, p5Versions, p5WebGPU } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 
-let browser, server
+let browsers, server
 before(async () => {
   server = await servePages()
-  browser = await launchBrowser()
+  browsers = { WEBGL: await launchBrowser(), WEBGPU: await launchBrowserWithWebGPU() }
 })
 after(async () => {
-  await browser.close()
+  for (const browser of Object.values(browsers)) await browser.close()
   await server.close()
 })
 
@@ -52,10 +52,16 @@ const shapes = {
   },
 }
 
-for (const [version, p5] of Object.entries(p5Versions)) {
-  const draw = (options) => drawScenes(browser, server, [p5, addon], options)
+const hosts = [
+  ...Object.entries(p5Versions).map(([version, p5]) => [version, 'WEBGL', [p5]]),
+  ['2.x', 'WEBGPU', [p5Versions['2.x'], p5WebGPU]],
+]
 
-  describe(`strokes on p5 ${version}`, () => {
+for (const [version, renderer, scripts] of hosts) {
+  const draw = (options) =>
+    drawScenes(browsers[renderer], server, [...scripts, addon], { renderer, ...options })
+
+  describe(`strokes on p5 ${version} by ${renderer}`, () => {
     test('follow a warp as they follow p5, in each space', async () => {
       const setup = `
         const turn = ${turned}
