@@ -39,7 +39,9 @@ export function createWarp(
   const offset = offsetFor(given, settings)
   if (!rendererOf(canvas))
     throw new WarpError(
-      'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
+      canvas._renderer?.isP3D
+        ? 'createWarp: this WEBGPU canvas is not ready yet; write "await createCanvas(width, height, WEBGPU)" in an "async function setup()".'
+        : 'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
     )
   const warp = keepFor(canvas, offset, settings)
   let written = shadersFor(canvas, warp, settings)
@@ -86,7 +88,7 @@ function keepFor(
 ): KeptWarp {
   const { style } = styleFor(canvas)
   if (surfaceVariation && !style.hasVariation)
-    throw new WarpError('createWarp: surfaceVariation needs p5 2; leave it out.')
+    throw new WarpError('createWarp: surfaceVariation needs p5 2 and WEBGL; leave it out.')
   const settings = readWarpOptions('createWarp', offset, {
     target: targetOf(rendererOf(canvas)!),
     names: namesFor(style),

@@ -34,7 +34,7 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
   const target = targetOf(renderer)
   const weavable = ({ text, parameters }: ReturnType<typeof writeWarp>, base: Shader) => {
     const own = declaredUniforms(settings.uniforms, parameters)
-    refuseUndeclared(parameters, base, own, settings)
+    refuseUndeclared(parameters, base, own, settings, target)
     const { space, defs } = settings
     return { text, space, defs, uniforms: [...declaredInputs(text.uniforms), ...own] }
   }

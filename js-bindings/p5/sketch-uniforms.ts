@@ -1,6 +1,7 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
 import { WarpError, describe } from '../checks/errors.js'
 import { type Declared, declared as declaredOf } from '../module/result.js'
+import type { Target } from '../module/kept-module.js'
 import { type Variable, typeOf } from '../expression/shapes.js'
 import {
   type DeclaredUniforms,
@@ -67,13 +68,23 @@ export function declaredUniforms(declared: DeclaredUniforms, parameters: readonl
   return parameters.filter(({ name }) => labels.has(name)).map(declaredOf)
 }
 
+const valueFor = (name: string) =>
+  `give it a value by the option { uniforms: { ${name}: 0.5 } }, and read it as uniforms.${name}`
+
 /** A parameter that neither p5 nor `defs` declares would break the shader, and p5 would print all of it. */
 export function refuseUndeclared(
   parameters: readonly Variable[],
   shader: Shader,
   own: readonly Declared[],
   { defs, uniforms }: WarpSettings,
+  target: Target,
 ) {
+  const isWgsl = target === 'wgsl'
+  const uniform = isWgsl && /\buniform\s+\w+\s+(\w+)/.exec(defs)
+  if (uniform)
+    throw new WarpError(
+      `createWarp: on a WEBGPU canvas the option "defs" is WGSL, which declares no uniforms so; ${valueFor(uniform[1]!)}.`,
+    )
   const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
   for (const { name } of own) declared.add(name)
   for (const { name, shape } of parameters) {
@@ -81,7 +92,7 @@ export function refuseUndeclared(
       throw new WarpError(
         uniforms.has(name)
           ? `createWarp: the warp reads "${name}" by glsl.${shape[1] > 1 ? `${typeOf(shape)}Param` : 'param'}; a uniform of the option "uniforms" is read as uniforms.${name}.`
-          : `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform ${glslType(typeOf(shape))} ${name};" }.`,
+          : `createWarp: the warp reads "${name}", which nothing declares; ${isWgsl ? valueFor(name) : `add the option { defs: "uniform ${glslType(typeOf(shape))} ${name};" }`}.`,
       )
   }
 }

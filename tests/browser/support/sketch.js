@@ -36,7 +36,7 @@ ${code}
 
 /**
  * Runs a global mode sketch and draws each of `scenes`, p5 code by name, as a frame of its own → images by name.
- * `setup` runs after createCanvas, and may keep things in the object `warps`; push() and pop() stand around each scene unless
+ * `setup` runs after createCanvas, and may keep things in the object `warps`; on p5 2.x it may await; push() and pop() stand around each scene unless
  * `isPushed` is false; the mouse is at 30, 10. `renderer` is WEBGL or WEBGPU. Fails if the page prints anything.
  */
 export async function drawScenes(
@@ -45,6 +45,7 @@ export async function drawScenes(
   scripts,
   { size = 200, setup = '', scenes, isPushed = true, renderer = 'WEBGL' },
 ) {
+  const isAsync = renderer === 'WEBGPU' || /\bawait\b/.test(setup)
   const functions = Object.entries(scenes).map(
     ([name, code]) => `${JSON.stringify(name)}: () => { ${code} }`,
   )
@@ -55,7 +56,7 @@ export async function drawScenes(
     `const warps = {}
 let scene = () => (window.done = true)
 const scenes = { ${functions.join(',\n')} }
-${renderer === 'WEBGL' ? '' : 'async '}function setup() {
+${isAsync ? 'async ' : ''}function setup() {
   pixelDensity(1)
   ${renderer === 'WEBGL' ? '' : 'await '}createCanvas(${size}, ${size}, ${renderer})
   noLoop()
