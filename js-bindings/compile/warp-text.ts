@@ -25,6 +25,7 @@ import {
   resultsOf,
   writeText,
 } from '../module/kept-module.js'
+import { didYouMean, refusing } from '../checks/nearest.js'
 import { checkCallback, checkOptions } from '../checks/options.js'
 import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from '../types/types.js'
 import type { Variable } from '../expression/shapes.js'
@@ -319,25 +320,42 @@ function checkMerged(
 const part = (session: Session, vector: Expression, i: number) =>
   session.swizzle('xyz'[i]!, vector, [i])
 
+/** What other shaders call inputs. */
+const meant = {
+  time: 'millis',
+  frameCount: 'millis',
+  texCoord: 'uv',
+  texcoord: 'uv',
+  vertex: 'position',
+  pos: 'position',
+  resolution: 'size',
+}
+
 function warpInputs(session: Session, inputs: Record<string, Expression>): WarpInputs {
   const given = Object.entries(inputs).filter(
     ([name]) => name !== 'tangent' && !(name in variationInputs),
   )
   const { mouse, size } = inputs as Record<string, Expression>
-  return {
+  const all = {
     glsl: createBuilder(session),
     ...Object.fromEntries(given),
     mouseX: part(session, mouse!, 0),
     mouseY: part(session, mouse!, 1),
     width: part(session, size!, 0),
     height: part(session, size!, 1),
-  } as unknown as WarpInputs
+  }
+  const names = Object.keys(all)
+  const unknown = (name: string) =>
+    `An offset function gets no "${name}"; ${didYouMean(name, names, `it gets ${names.join(', ')}, and uniforms by the option "uniforms".`, meant)}`
+  return Object.setPrototypeOf(all, refusing(unknown)) as unknown as WarpInputs
 }
 
 function checkOffset(session: Session, method: string, offset: unknown): Expression {
   const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
   if (!isExpression(offset))
-    throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
+    throw new WarpError(
+      `${method}: ${expected}, but returned ${describe(offset)}${offset === undefined ? ' (is its "return" missing?)' : ''}.`,
+    )
   const vector = toExpression(session, method, offset, 'the offset')
   const [columns, rows] = session.shapeOf(vector)
   if (columns !== 1 || rows !== 3)

@@ -1,8 +1,11 @@
 /** `createWarp` itself: calls the offset function once, and makes the function that a sketch calls to draw with the warp. */
 import { type KeptWarp, keepWarp, readOptions as readWarpOptions } from '../compile/warp-text.js'
+import { isExpression } from '../checks/describe.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { noteApproximation } from '../checks/notes.js'
+import { guarded } from './guards.js'
 import { namesFor } from './hooks.js'
+import { located } from './places.js'
 import {
   type Canvas,
   type Shader,
@@ -30,13 +33,15 @@ export type Distort<Uniforms = {}> = (uniforms?: UniformOverrides<Uniforms> & Wa
 /** For a shader that is in use: puts its warp on again, after the sketch changed the material. */
 const reapply = new WeakMap<Shader, () => void>()
 
-export function createWarp(
+export const createWarp = (
   canvas: Canvas,
-  given: OffsetFunction,
+  offset: OffsetFunction,
   options?: CreateWarpOptions,
-): Distort {
+): Distort => located(() => create(canvas, offset, options))
+
+function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptions): Distort {
   const settings = readOptions(options)
-  const offset = offsetFor(given, settings)
+  const offset = guarded(canvas, offsetFor(given, settings))
   if (!rendererOf(canvas))
     throw new WarpError(
       canvas._renderer?.isP3D
@@ -64,20 +69,26 @@ export function createWarp(
     reapply.set(shader, () => apply(uniforms))
   }
 
-  return (uniforms = {}) => {
-    if (uniforms === null || typeof uniforms !== 'object' || Array.isArray(uniforms))
-      throw new WarpError(
-        `The function that createWarp returned takes an object of uniforms, such as { size: 0.5 }, but ${describe(uniforms)} came.`,
-      )
-    apply(uniforms)
-  }
+  return (uniforms = {}) =>
+    located(() => {
+      if (uniforms === null || typeof uniforms !== 'object' || Array.isArray(uniforms))
+        throw new WarpError(
+          `The function that createWarp returned takes an object of uniforms, such as { size: 0.5 }, but ${describe(uniforms)} came.`,
+        )
+      apply(uniforms)
+    })
 }
 
 /** It reads its uniforms by the names that they have in the shader. */
-function offsetFor(given: OffsetFunction, { uniforms }: WarpSettings): OffsetFunction {
+function offsetFor(given: OffsetFunction, { uniforms, returns }: WarpSettings): OffsetFunction {
   checkCallback('createWarp', given)
   const labels = labelsOf(uniforms)
-  return withUniforms('createWarp', given, uniforms, (name) => labels.get(name)!)
+  const offset = withUniforms('createWarp', given, uniforms, (name) => labels.get(name)!)
+  if (returns === 'offset') return offset
+  return (inputs) => {
+    const place = offset(inputs)
+    return isExpression(place) ? place.sub(inputs.position) : place
+  }
 }
 
 /** Calls the offset function, for all shaders that will ever be written. */

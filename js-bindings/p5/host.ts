@@ -72,6 +72,7 @@ export interface Renderer extends MaterialState {
 export interface Canvas {
   readonly _renderer?: Renderer
   readonly _pInst?: Canvas
+  readonly _isGlobal?: boolean
   readonly width: number
   readonly height: number
   readonly mouseX: number
