@@ -1,5 +1,5 @@
 // Checks of what a caller hands in beside the callback.
-import { isClass } from './describe.js'
+import { isClass, isExpression } from './describe.js'
 import { WarpError, describe } from './errors.js'
 
 /** An object of options, or nothing; `known` names what it may hold. */
@@ -18,9 +18,9 @@ export function checkCallback(method: string, callback: unknown) {
     throw new WarpError(`${method}: a function was expected, but ${describe(callback)} came.`)
 }
 
-/** A function, and no class. */
+/** A function, and neither a class nor a component, which may be called too. */
 export const isCallable = (value: unknown): value is (...inputs: never[]) => unknown =>
-  typeof value === 'function' && !isClass(value)
+  typeof value === 'function' && !isClass(value) && !isExpression(value)
 
 /** What an object itself holds under a name: `constructor` and `toString` every object has, from `Object`. */
 export const own = (object: object, name: string): unknown =>

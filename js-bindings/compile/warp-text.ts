@@ -1,5 +1,5 @@
 // From an offset function to the module of its warp, once, and from there to texts.
-import { createBuilder } from '../expression/builder.js'
+import { createBuilder, operationNumber } from '../expression/builder.js'
 import {
   type Compiled,
   type CompileOptions,
@@ -18,7 +18,14 @@ import {
   variationInputs,
   vertexInputs,
 } from '../inputs/inputs.js'
-import { type KeptModule, type Target, checkTarget, writeText } from '../module/kept-module.js'
+import {
+  type KeptModule,
+  type Target,
+  checkTarget,
+  resultsOf,
+  writeText,
+} from '../module/kept-module.js'
+import { didYouMean, refusing } from '../checks/nearest.js'
 import { checkCallback, checkOptions } from '../checks/options.js'
 import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from '../types/types.js'
 import type { Variable } from '../expression/shapes.js'
@@ -156,14 +163,20 @@ export interface KeptWarp {
   varies: boolean
   /** Whether they count as constant in the text, and nobody said that this will do. */
   isApproximate: boolean
+  /** The number of the offset's Jacobian, which `writeMoves` writes, if that was asked for. */
+  jacobian: number | undefined
 }
 
 /** The number of a result where normal and uv vary over the surface. */
 export const onSurface = (result: number) =>
   result < warpResults.normal ? result : result + turnedResults
 
-/** Calls the offset function. */
-export function keepWarp(offsetFunction: OffsetFunction, settings: Settings): KeptWarp {
+/** Calls the offset function. `moves`: for `writeMoves` too. */
+export function keepWarp(
+  offsetFunction: OffsetFunction,
+  settings: Settings,
+  { moves = false } = {},
+): KeptWarp {
   const { method, target, names, normals, surfaceVariation, isAccepted } = settings
   return withSession(target, (session) => {
     const given: Record<string, Expression> = {}
@@ -180,8 +193,16 @@ export function keepWarp(offsetFunction: OffsetFunction, settings: Settings): Ke
       Object.entries(given).map(([name, input]) => [name, session.numberOf(input)]),
     )
     const isApproximate = varies && !surfaceVariation && !isAccepted
-    return { module: session.finish(), settings, inputs, varies, isApproximate }
+    if (moves) askJacobian(session, offset, given.position!)
+    const module = session.finish()
+    const jacobian = moves ? resultsOf(module).length - 1 : undefined
+    return { module, settings, inputs, varies, isApproximate, jacobian }
   })
+}
+
+function askJacobian(session: Session, offset: Expression, position: Expression) {
+  const operation = operationNumber('jacobian')
+  session.output('jacobian', session.call(operation, 'jacobian', [offset, position]), 'jacobian')
 }
 
 /** What a text is written with, unless as the warp was compiled. */
@@ -190,19 +211,18 @@ export interface TextOptions {
   outputs?: OutputNames | undefined
 }
 
-/** The text, and the sketch's own parameters that it reads. */
-export function writeWarp(
-  { module, settings, inputs }: KeptWarp,
-  target: Target,
-  options: TextOptions = {},
-): { text: WarpText; parameters: Variable[] } {
+/** A text, and the sketch's own parameters that it reads. */
+export interface Written {
+  text: WarpText
+  parameters: Variable[]
+}
+
+export function writeWarp(kept: KeptWarp, target: Target, options: TextOptions = {}): Written {
+  const { settings } = kept
   const { method, normals, tangents, surfaceVariation } = settings
-  const { names, outputs } = {
-    ...settings,
-    ...(options.names && { names: { ...settings.names, ...withoutGaps(options.names) } }),
-    ...(options.outputs && { outputs: { ...settings.outputs, ...withoutGaps(options.outputs) } }),
-  }
-  checkMerged(inputs, settings.names, names)
+  const names = { ...settings.names, ...withoutGaps(options.names) }
+  const outputs = { ...settings.outputs, ...withoutGaps(options.outputs) }
+  checkMerged(kept.inputs, settings.names, names)
   const isWanted = { offset: true, position: true, normal: normals, tangent: tangents }
   const results = (Object.keys(isWanted) as (keyof typeof isWanted)[])
     .filter((name) => isWanted[name])
@@ -210,6 +230,26 @@ export function writeWarp(
       surfaceVariation ? onSurface(warpResults[name]) : warpResults[name],
       resultName(outputs[name], `${method} outputs`),
     ])
+  return writeResults(kept, target, names, results)
+}
+
+/** For what has no surface: the position, and the Jacobian of the offset, J, since a direction t becomes t + J t. */
+export const writeMoves = (
+  kept: KeptWarp,
+  target: Target,
+  outputs: Record<'position' | 'jacobian', string>,
+): Written =>
+  writeResults(kept, target, kept.settings.names, [
+    [warpResults.position, outputs.position],
+    [kept.jacobian!, outputs.jacobian],
+  ])
+
+function writeResults(
+  { module, settings, inputs }: KeptWarp,
+  target: Target,
+  names: Record<string, string>,
+  results: readonly (readonly [number, string])[],
+): Written {
   const given = Object.entries(inputs).map(([name, number]): [number, string] => [
     number,
     names[name]!,
@@ -230,15 +270,16 @@ export function writeWarp(
       const input = read.find(({ number }) => number === inputs[name])
       return input ? declared({ ...input, name }) : []
     })
-  const drawn = among(drawInputs)
-  refuseNamesakes(method, names, drawn, parameters)
+  const uniforms = among(drawInputs)
+  refuseNamesakes(settings.method, names, uniforms, parameters)
+  const attributes = among(vertexInputs)
   return {
     text: {
       code,
       declarations,
       stats,
-      uniforms: [...drawn, ...parameters.map(declared)],
-      attributes: among(vertexInputs),
+      uniforms: [...uniforms, ...parameters.map(declared)],
+      attributes,
     },
     parameters,
   }
@@ -279,25 +320,42 @@ function checkMerged(
 const part = (session: Session, vector: Expression, i: number) =>
   session.swizzle('xyz'[i]!, vector, [i])
 
+/** What other shaders call inputs. */
+const meant = {
+  time: 'millis',
+  frameCount: 'millis',
+  texCoord: 'uv',
+  texcoord: 'uv',
+  vertex: 'position',
+  pos: 'position',
+  resolution: 'size',
+}
+
 function warpInputs(session: Session, inputs: Record<string, Expression>): WarpInputs {
   const given = Object.entries(inputs).filter(
     ([name]) => name !== 'tangent' && !(name in variationInputs),
   )
   const { mouse, size } = inputs as Record<string, Expression>
-  return {
+  const all = {
     glsl: createBuilder(session),
     ...Object.fromEntries(given),
     mouseX: part(session, mouse!, 0),
     mouseY: part(session, mouse!, 1),
     width: part(session, size!, 0),
     height: part(session, size!, 1),
-  } as unknown as WarpInputs
+  }
+  const names = Object.keys(all)
+  const unknown = (name: string) =>
+    `An offset function gets no "${name}"; ${didYouMean(name, names, `it gets ${names.join(', ')}, and uniforms by the option "uniforms".`, meant)}`
+  return Object.setPrototypeOf(all, refusing(unknown)) as unknown as WarpInputs
 }
 
 function checkOffset(session: Session, method: string, offset: unknown): Expression {
   const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
   if (!isExpression(offset))
-    throw new WarpError(`${method}: ${expected}, but returned ${describe(offset)}.`)
+    throw new WarpError(
+      `${method}: ${expected}, but returned ${describe(offset)}${offset === undefined ? ' (is its "return" missing?)' : ''}.`,
+    )
   const vector = toExpression(session, method, offset, 'the offset')
   const [columns, rows] = session.shapeOf(vector)
   if (columns !== 1 || rows !== 3)

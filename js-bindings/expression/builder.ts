@@ -8,6 +8,8 @@ import { declareFunction } from './host-functions.js'
 import { callNoise, noiseKinds } from './noise.js'
 import type { Shape } from './shapes.js'
 import { callTexture } from './texture.js'
+import { madeOf, meantByFunctions, meantByMethods, methodsOf, sameAs } from './aliases.js'
+import { didYouMean, refusing } from '../checks/nearest.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>
 
@@ -74,7 +76,18 @@ export function createBuilder(session: Session): Builder {
         operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
       )
   for (const kind of noiseKinds) builder[kind] = (...operands) => callNoise(session, kind, operands)
-  return builder
+  for (const [alias, name] of Object.entries(sameAs)) builder[alias] = builder[name]!
+  for (const [alias, make] of Object.entries(madeOf))
+    builder[alias] = (operand, ...others) =>
+      make(methodsOf(toExpression(session, alias, operand, 1)), ...others)
+  const names = Object.keys(builder)
+  return Object.setPrototypeOf(
+    builder,
+    refusing(
+      (name) =>
+        `glsl.${name}: there is no such function; ${didYouMean(name, names, lists, meantByFunctions)}`,
+    ),
+  ) as Builder
 }
 
 /** Only a session makes expressions. */
@@ -120,15 +133,13 @@ let installed = false
 function installMethods() {
   if (installed) return
   installed = true
-  for (const [name, indices] of swizzles())
-    define(name, function (...others) {
-      expectNoMore(name, others)
-      return sessionOf(this).swizzle(name, this, indices)
-    })
+  for (const [name, indices] of swizzles()) defineComponents(name, indices)
   for (const { name, number, isConstructor } of getOperations())
     if (!isConstructor)
       define(name, function (...given) {
         const session = sessionOf(this)
+        if (given.length > 0 && /^rotate[XYZ]$/.test(name))
+          throw new WarpError(`${name}: a turn is a matrix; write glsl.${name}(angle).mult(v).`)
         const operands = given.map((operand, i) => toExpression(session, name, operand, i + 1))
         return session.call(number, name, [this, ...operands], true)
       })
@@ -137,13 +148,64 @@ function installMethods() {
       return callNoise(sessionOf(this), kind, [this, ...operands], true)
     })
   for (const [name, method] of Object.entries(results)) define(name, method)
-  Object.setPrototypeOf(methods, Object.prototype)
+  for (const [alias, name] of Object.entries(sameAs))
+    if (Object.hasOwn(methods, name))
+      define(alias, function (...operands) {
+        return methodsOf(this)[name]!(...operands)
+      })
+  for (const [alias, make] of Object.entries(madeOf))
+    define(alias, function (...others) {
+      return make(methodsOf(this), ...others)
+    })
+  Object.setPrototypeOf(methods, refusing(unknownMethod))
   Object.setPrototypeOf(Expression.prototype, methods)
 }
 
 function expectNoMore(name: string, others: readonly unknown[]) {
   if (others.length > 0)
     throw new WarpError(`${name}: it takes fewer arguments; ${describe(others[0])} is too many.`)
+}
+
+const lists = 'web/docs/operations.md lists them all.'
+
+/** Swizzles are not offered: any two letters are near to one. */
+function unknownMethod(name: string) {
+  const names = Object.getOwnPropertyNames(methods).filter(
+    (each) => !/^([xyzwrgba]{1,4}|[stpquv]{1,4})$/.test(each),
+  )
+  return `${name}: an expression has no such method; ${didYouMean(name, [...names, 'x', 'y', 'z', 'w'], lists, meantByMethods)}`
+}
+
+/** `v.y` is the component, and so is `v.y()`. */
+function defineComponents(name: string, indices: readonly number[]) {
+  Object.defineProperty(methods, name, {
+    configurable: true,
+    get(this: unknown) {
+      if (this instanceof Expression)
+        return callable(name, sessionOf(this).swizzle(name, this, indices))
+      return () => {
+        throw new WarpError(`${name}: call it on an expression, as in v.${name}().`)
+      }
+    },
+    set(this: unknown) {
+      throw new WarpError(
+        `${name}: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).`,
+      )
+    },
+  })
+}
+
+/** An expression that gives itself when it is called. */
+function callable(name: string, expression: Expression): Expression {
+  const component = (...others: unknown[]) => {
+    expectNoMore(name, others)
+    return expression
+  }
+  // They are methods of expressions.
+  Reflect.deleteProperty(component, 'length')
+  Reflect.deleteProperty(component, 'name')
+  Object.setPrototypeOf(component, Expression.prototype)
+  return Object.assign(component, expression) as unknown as Expression
 }
 
 function define(name: string, method: (this: Expression, ...operands: unknown[]) => unknown) {

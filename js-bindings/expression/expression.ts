@@ -1,6 +1,6 @@
 // What a sketch holds while it writes an offset: the handle of a number, vector or matrix in the wasm. Its methods come
 // from `builder.ts`; `types.ts` names them.
-import { isExpression } from '../checks/describe.js'
+import { isExpression, vectorOfNumbers } from '../checks/describe.js'
 import { WarpError, describe } from '../checks/errors.js'
 import type { Shape } from './shapes.js'
 
@@ -33,6 +33,8 @@ export class Expression {
   }
 }
 
+const isVector = (value: unknown) => Array.isArray(value) || describe(value) === vectorOfNumbers
+
 /**
  * An operand of `method` as an expression of this session. `place` is its name in messages, or the number of the
  * argument.
@@ -57,7 +59,7 @@ export function toExpression(
   }
   if (!isExpression(operand))
     return refuse(
-      `must be a number or an expression, but is ${describe(operand)}${Array.isArray(operand) ? '; write glsl.vec3(x, y, z) for a vector' : ''}.`,
+      `must be a number or an expression, but is ${describe(operand)}${isVector(operand) ? '; write glsl.vec3(x, y, z) for a vector' : ''}.`,
     )
   if (!(operand instanceof Expression))
     return refuse(

@@ -29,12 +29,15 @@ export function callNoise(
   isMethod = false,
 ): Expression {
   const operand = toExpression(session, kind, point, 1)
+  const isNumber = (value: unknown) => value instanceof Expression || typeof value === 'number'
+  if (isNumber(options) && others.every(isNumber) && others.length < 3)
+    throw new WarpError(
+      `${kind}: make one point of several numbers, such as ${others.length ? 'glsl.vec3(x, y, z)' : 'glsl.vec2(x, y)'}.`,
+    )
   if (others.length > 0)
     throw new WarpError(
       `${kind}: it takes ${isMethod ? 'options' : 'a point and options'}; ${describe(others[0])} is too many.`,
     )
-  if (options instanceof Expression || typeof options === 'number')
-    throw new WarpError(`${kind}: make one point of several numbers, such as glsl.vec2(x, y).`)
   const known = optionsFor[noises[kind]]
   checkOptions(kind, options, known)
   const {

@@ -1,10 +1,11 @@
 // Where in the user's code an operation was written, for `debug` comments.
 
-function stackLines(): string[] {
-  return (new Error().stack ?? '').split('\n').filter((line) => /:\d+:\d+\)?$/.test(line))
+/** Of a stack, those that name a place. */
+export function stackLines(error = new Error()): string[] {
+  return (error.stack ?? '').split('\n').filter((line) => /:\d+:\d+\)?$/.test(line))
 }
 
-const fileOf = (line: string) =>
+export const fileOf = (line: string) =>
   line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at )(?=\S*$)/, '')
 
 /** How the names of our files begin: the one that this code is in, or all that the package's entries share. Found when it is

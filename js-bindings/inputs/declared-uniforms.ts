@@ -171,10 +171,11 @@ export function withUniforms(
 ): OffsetFunction {
   return (inputs) => {
     const { session } = inputs.position as unknown as Expression
-    return offset({
-      ...inputs,
-      uniforms: expressions(method, session as Session, declared, labelOf),
-    })
+    const uniforms = expressions(method, session as Session, declared, labelOf)
+    // What is no input still says so.
+    return offset(
+      Object.assign(Object.create(Object.getPrototypeOf(inputs) as object), inputs, { uniforms }),
+    )
   }
 }
 

@@ -5,7 +5,8 @@
 import { WarpError, describe } from '../checks/errors.js'
 import type { OffsetFunction, UniformValues } from '../types/types.js'
 import { type Distort, createWarp as create, putOnAgain } from './create-warp.js'
-import { type Canvas, sketchRemoved } from './host.js'
+import { type Canvas, rendererOf, sketchRemoved } from './host.js'
+import { dropStrokes, hasStrokes, strokeWasCalled } from './strokes.js'
 import {
   type LoadModelOptions,
   type Makers,
@@ -62,8 +63,12 @@ interface P5 extends Makers {
   registerAddon?(addon: unknown): void
 }
 
-interface Methods extends Partial<Warping> {
-  normalMaterial?(...args: unknown[]): unknown
+type Method = (...args: unknown[]) => unknown
+
+interface Methods
+  extends
+    Partial<Warping>,
+    Partial<Record<'normalMaterial' | 'stroke' | 'shader' | 'resetShader', Method>> {
   registerMethod?(event: 'remove', listener: (this: Canvas) => void): void
 }
 
@@ -102,14 +107,25 @@ function addMethods(methods: Methods) {
   methods.createWarp = function (offset, options) {
     return createWarp(this, offset, options)
   }
-  // On 1.11 a p5.Graphics takes this method from p5 itself.
-  const { normalMaterial } = methods
-  if (!normalMaterial) return
-  methods.normalMaterial = function (this: Canvas, ...args) {
-    const result = normalMaterial.apply(this, args)
-    putOnAgain(this)
+  // On 1.11 a p5.Graphics takes these methods from p5 itself.
+  after(methods, 'normalMaterial', putOnAgain)
+  after(methods, 'stroke', (canvas) => {
+    strokeWasCalled(canvas)
+    if (rendererOf(canvas) && !hasStrokes(canvas)) putOnAgain(canvas)
+  })
+  after(methods, 'shader', dropStrokes)
+  after(methods, 'resetShader', dropStrokes)
+}
+
+/** Lets `work` follow each call of one of p5's methods. */
+function after(methods: Methods, name: keyof Methods, work: (canvas: Canvas) => void) {
+  const method = methods[name] as ((...args: unknown[]) => unknown) | undefined
+  if (!method) return
+  methods[name] = function (this: Canvas, ...args: unknown[]) {
+    const result = method.apply(this, args)
+    work(this)
     return result
-  }
+  } as never
 }
 
 function addLoading(p5: P5, preloads: boolean) {

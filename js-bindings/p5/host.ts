@@ -11,22 +11,35 @@ export interface Uniform {
   readonly texture?: { readonly width: number; readonly height: number }
 }
 
+/** What `modify` takes: the texts of hooks by their names, and more for which p5 has other names. */
+export type Modifications = Record<string, unknown>
+
 export interface Shader {
   readonly hooks: { readonly vertex: Record<string, string> }
   readonly uniforms: Record<string, Uniform | undefined>
-  /** On 2.x. */
+  /** On 2.x; `GL` in WebGL, `getNextBindingIndex` on WebGPU. */
   readonly _renderer?: {
     readonly GL: { disableVertexAttribArray(location: number): void }
     readonly registerEnabled: Set<number>
+    getNextBindingIndex?(sources: { vert: string; frag: string }): number
   }
+  /** On 2.x, before hooks. */
+  _vertSrc?: string
+  readonly _fragSrc?: string
   bindShader?: (...args: unknown[]) => void
   vertSrc(): string
-  modify(hooks: Record<string, string>): Shader
+  modify(hooks: Modifications): Shader
+  /** On 1.11 takes a canvas. */
+  ensureCompiledOnContext?(canvas: object): void
   setUniform(name: string, value: unknown): unknown
 }
 
 interface MaterialState {
   readonly userFillShader?: Shader | null
+  readonly userStrokeShader?: Shader | null
+  /** On 1.11. */
+  readonly userPointShader?: Shader | null
+  readonly curStrokeColor?: unknown
   readonly _useNormalMaterial?: boolean
   // Each call of fill, texture and the other materials makes one of these anew.
   readonly curFillColor?: unknown
@@ -36,18 +49,30 @@ interface MaterialState {
   readonly _tex?: unknown
 }
 
+/** On 2.x, what push() and pop() keep. */
+interface States extends MaterialState {
+  readonly strokeColor?: unknown
+  setValue(name: string, value: unknown): void
+}
+
 /** On 1.11 the material is a set of fields of the renderer itself, on 2.x it lies in `states`. */
 export interface Renderer extends MaterialState {
   readonly isP3D?: boolean
   readonly GL?: unknown
   readonly webglVersion?: string
-  readonly states?: MaterialState
+  /** On WebGPU. */
+  readonly device?: unknown
+  readonly states?: States
+  /** On 1.11. */
+  readonly _doStroke?: boolean
+  _getPointShader?(): Shader
 }
 
 /** Something a sketch draws on: the sketch itself or a p5.Graphics. */
 export interface Canvas {
   readonly _renderer?: Renderer
   readonly _pInst?: Canvas
+  readonly _isGlobal?: boolean
   readonly width: number
   readonly height: number
   readonly mouseX: number
@@ -55,22 +80,36 @@ export interface Canvas {
   millis(): number
   pixelDensity(): number
   baseMaterialShader(): Shader
+  /** Not on WebGPU. */
   baseNormalShader(): Shader
+  baseColorShader(): Shader
+  baseStrokeShader(): Shader
   shader(shader: Shader): unknown
+  /** On 2.x; 1.11's `shader` knows the kind. */
+  strokeShader?(shader: Shader): unknown
   noStroke(): unknown
 }
 
 /** The sketch that a p5.Graphics belongs to: only it has a clock and a mouse. */
 export const sketchOf = (canvas: Canvas): Canvas => canvas._pInst ?? canvas
 
-export const materialOf = (renderer: Renderer): MaterialState => renderer.states ?? renderer
+export const stateOf = (renderer: Renderer): MaterialState => renderer.states ?? renderer
+
+/** So that pop() brings back what was. */
+export function setState(renderer: Renderer, name: keyof MaterialState, value: unknown) {
+  if (renderer.states) renderer.states.setValue(name, value)
+  else Object.assign(renderer, { [name]: value })
+}
+
+/** On 1.11, where points are not lines. */
+export const pointShaderOf = (renderer: Renderer) => renderer._getPointShader?.()
 
 /** For a warp's shader that p5 draws normals with: what else of the material there was then. */
 const besideNormals = new WeakMap<Shader, unknown[]>()
 
 /** To be called when a warp's shader was put on under `normalMaterial()`. */
 export function rememberNormals(renderer: Renderer, shader: Shader) {
-  besideNormals.set(shader, othersOf(materialOf(renderer)))
+  besideNormals.set(shader, othersOf(stateOf(renderer)))
 }
 
 /**
@@ -78,7 +117,7 @@ export function rememberNormals(renderer: Renderer, shader: Shader) {
  * brings that shader back without it: so it holds as long as the shader is there and no other material came.
  */
 export function drawsNormals(renderer: Renderer): boolean {
-  const material = materialOf(renderer)
+  const material = stateOf(renderer)
   if (material._useNormalMaterial) return true
   const others = material.userFillShader && besideNormals.get(material.userFillShader)
   return others?.every((value, i) => value === othersOf(material)[i]) ?? false
@@ -99,8 +138,8 @@ export function sketchRemoved(this: Canvas) {
   removed.add(this)
 }
 
-/** The WebGL renderer that `canvas` draws with at this moment, if it has one. */
-export function webglOf(canvas: Canvas): Renderer | undefined {
+/** The 3D renderer that `canvas` draws with at this moment, if it has one. */
+export function rendererOf(canvas: Canvas): Renderer | undefined {
   const renderer = removed.has(sketchOf(canvas)) ? undefined : canvas._renderer
-  return renderer?.isP3D && renderer.GL ? renderer : undefined
+  return renderer?.isP3D && (renderer.GL || renderer.device) ? renderer : undefined
 }

@@ -31,6 +31,16 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    * knows nothing else.
    */
   surfaceVariation?: boolean
+  /**
+   * Whether lines and points are warped too, those of `stroke()`, `line()`, `bezier()` and text: left out, if the sketch has
+   * called `stroke()` and the offset reads neither normal, uv nor color, which lines lack; otherwise they are turned off.
+   */
+  stroke?: boolean
+  /**
+   * What the offset function returns: `'offset'`, left out, is how far the vertex is moved; `'position'` is where it goes, as in
+   * `({ glsl, position }) => glsl.rotateY(1).mult(position)`.
+   */
+  returns?: 'offset' | 'position'
 }
 
 export interface WarpSettings {
@@ -39,16 +49,31 @@ export interface WarpSettings {
   readonly space: WarpSpace
   readonly defs: string
   readonly surfaceVariation: boolean | undefined
+  readonly stroke: boolean | undefined
+  readonly returns: 'offset' | 'position'
 }
 
 const types = ['specular', 'normal']
 const spaces = ['local', 'world', 'camera']
 
 export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
-  checkOptions('createWarp', options, ['uniforms', 'type', 'space', 'defs', 'surfaceVariation'])
-  const { type, space = 'local', defs = '', surfaceVariation } = options
+  checkOptions('createWarp', options, [
+    'uniforms',
+    'type',
+    'space',
+    'defs',
+    'surfaceVariation',
+    'stroke',
+    'returns',
+  ])
+  const { type, space = 'local', defs = '', surfaceVariation, stroke, returns = 'offset' } = options
+  if (stroke !== undefined && typeof stroke !== 'boolean')
+    throw new WarpError(
+      `createWarp: the option "stroke" must be true or false, but is ${describe(stroke)}.`,
+    )
   if (type !== undefined) mustBeOneOf('type', types, type)
   mustBeOneOf('space', spaces, space)
+  mustBeOneOf('returns', ['offset', 'position'], returns)
   if (typeof defs !== 'string')
     throw new WarpError(
       `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
@@ -60,7 +85,7 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       throw new WarpError(
         `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
       )
-  return { uniforms, type, space, defs, surfaceVariation }
+  return { uniforms, type, space, defs, surfaceVariation, stroke, returns }
 }
 
 /** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */

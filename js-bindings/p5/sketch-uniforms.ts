@@ -1,7 +1,8 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
 import { WarpError, describe } from '../checks/errors.js'
-import type { Declared } from '../module/result.js'
-import { type Shape, type Variable, typeOf } from '../expression/shapes.js'
+import { type Declared, declared as declaredOf } from '../module/result.js'
+import type { Target } from '../module/kept-module.js'
+import { type Variable, typeOf } from '../expression/shapes.js'
 import {
   type DeclaredUniforms,
   componentsOf,
@@ -11,6 +12,7 @@ import {
   unlisted,
 } from '../inputs/declared-uniforms.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
+import { glslType } from './styles.js'
 import { own } from '../checks/options.js'
 import type { WarpSettings } from './settings.js'
 
@@ -50,42 +52,47 @@ export const inputUniforms = Object.fromEntries(
 const inputsAmong = (read: readonly Declared[]) =>
   read.flatMap(({ name, type }) => (Object.hasOwn(inputs, name) ? { type, ...inputs[name]! } : []))
 
-export const uniformDeclarations = (read: readonly Declared[]) =>
-  inputsAmong(read)
-    .map(({ type, uniform }) => `uniform ${type} ${uniform};`)
-    .join('\n')
+/** What the shader is to declare of them. */
+export const declaredInputs = (read: readonly Declared[]): Declared[] =>
+  inputsAmong(read).map(({ type, uniform }) => ({ type, name: uniform }))
 
 /** What the shader calls the sketch's uniforms: numbered, so that any name will do, also one that GLSL or p5 has. */
 export const labelsOf = (declared: DeclaredUniforms) =>
   new Map([...declared.keys()].map((name, i) => [name, `uWarpjet${i}`]))
 
-/** Of those that the warp reads, which `parameters` tells. */
-export function declarationsOf(declared: DeclaredUniforms, parameters: readonly Variable[]) {
+/** Of those that the warp reads, which `parameters` tells, what the shader is to declare. */
+export function declaredUniforms(declared: DeclaredUniforms, parameters: readonly Variable[]) {
   const labels = new Set(
     [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`]),
   )
-  return parameters
-    .filter(({ name }) => labels.has(name))
-    .map(({ name, shape }) => `uniform ${precisely(shape)} ${name};\n`)
-    .join('')
+  return parameters.filter(({ name }) => labels.has(name)).map(declaredOf)
 }
 
-/** Images have low precision unless told otherwise, which cuts heights off. */
-const precisely = (shape: Shape) => (shape[0] === 0 ? 'highp ' : '') + typeOf(shape)
+const valueFor = (name: string) =>
+  `give it a value by the option { uniforms: { ${name}: 0.5 } }, and read it as uniforms.${name}`
 
 /** A parameter that neither p5 nor `defs` declares would break the shader, and p5 would print all of it. */
 export function refuseUndeclared(
   parameters: readonly Variable[],
   shader: Shader,
+  own: readonly Declared[],
   { defs, uniforms }: WarpSettings,
+  target: Target,
 ) {
+  const isWgsl = target === 'wgsl'
+  const uniform = isWgsl && /\buniform\s+\w+\s+(\w+)/.exec(defs)
+  if (uniform)
+    throw new WarpError(
+      `createWarp: on a WEBGPU canvas the option "defs" is WGSL, which declares no uniforms so; ${valueFor(uniform[1]!)}.`,
+    )
   const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
+  for (const { name } of own) declared.add(name)
   for (const { name, shape } of parameters) {
     if (/^(?!gl_)[A-Za-z_]\w*$/.test(name) && !declared.has(name))
       throw new WarpError(
         uniforms.has(name)
           ? `createWarp: the warp reads "${name}" by glsl.${shape[1] > 1 ? `${typeOf(shape)}Param` : 'param'}; a uniform of the option "uniforms" is read as uniforms.${name}.`
-          : `createWarp: the warp reads "${name}", which nothing declares; add the option { defs: "uniform ${precisely(shape)} ${name};" }.`,
+          : `createWarp: the warp reads "${name}", which nothing declares; ${isWgsl ? valueFor(name) : `add the option { defs: "uniform ${glslType(typeOf(shape))} ${name};" }`}.`,
       )
   }
 }

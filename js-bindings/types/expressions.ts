@@ -11,19 +11,41 @@ import type {
   Vec3Methods,
   VectorMethods,
 } from './methods.js'
+import type { AliasesOf, MadeMethods, MadeVectorMethods } from './aliases.js'
 import type { CurlMethod, FieldMethods, NoiseMethods } from './noise.js'
 import type { MatrixOf, Shape, Size, VectorOf } from './signatures.js'
 
 /** An expression of one number a vertex. A condition is one too: 1 or 0 where it is used as a number. */
-export interface Scalar extends Shape<1, 1>, ScalarMethods, NoiseMethods, Results {}
+export interface Scalar
+  extends
+    Shape<1, 1>,
+    ScalarMethods,
+    NoiseMethods,
+    AliasesOf<ScalarMethods>,
+    MadeMethods<Scalar>,
+    Results {}
 
 export interface Vec2
-  extends Shape<1, 2>, VectorMethods<Vec2>, NoiseMethods, Results, XY, RG, ST, UV {}
+  extends
+    Shape<1, 2>,
+    VectorMethods<Vec2>,
+    NoiseMethods,
+    AliasesOf<VectorMethods<Vec2>>,
+    MadeMethods<Vec2>,
+    MadeVectorMethods,
+    Results,
+    XY,
+    RG,
+    ST,
+    UV {}
 
 export interface Vec3
   extends
     Shape<1, 3>,
     VectorMethods<Vec3>,
+    AliasesOf<VectorMethods<Vec3>>,
+    MadeMethods<Vec3>,
+    MadeVectorMethods,
     Vec3Methods,
     NoiseMethods,
     CurlMethod,
@@ -37,6 +59,9 @@ export interface Vec4
   extends
     Shape<1, 4>,
     VectorMethods<Vec4>,
+    AliasesOf<VectorMethods<Vec4>>,
+    MadeMethods<Vec4>,
+    MadeVectorMethods,
     FieldMethods,
     CurlMethod,
     Results,
@@ -70,11 +95,14 @@ interface Results {
   outputDeriv(name: string, input: Scalar): void
 }
 
-/** All selections of one to four components, such as `x()`, `zy()` and `xxx()`. */
-type Swizzles<Letter extends string> = { [Name in Letter]: () => Scalar } & {
-  [Name in `${Letter}${Letter}`]: () => Vec2
-} & { [Name in `${Letter}${Letter}${Letter}`]: () => Vec3 } & {
-  [Name in `${Letter}${Letter}${Letter}${Letter}`]: () => Vec4
+/** `v.y` and `v.y()` are the same. */
+type Component<Value> = Value & (() => Value)
+
+/** All selections of one to four components, such as `x`, `zy` and `xxx`. */
+type Swizzles<Letter extends string> = { [Name in Letter]: Component<Scalar> } & {
+  [Name in `${Letter}${Letter}`]: Component<Vec2>
+} & { [Name in `${Letter}${Letter}${Letter}`]: Component<Vec3> } & {
+  [Name in `${Letter}${Letter}${Letter}${Letter}`]: Component<Vec4>
 }
 
 interface XY extends Swizzles<'x' | 'y'> {}

@@ -11,6 +11,7 @@ import type {
   Vec4,
   Vector,
 } from './expressions.js'
+import type { AliasesOf, MadeFunctions } from './aliases.js'
 import type { Functions } from './methods.js'
 import type { NoiseFunctions } from './noise.js'
 import type { ByComponent, Shape, Size, VectorOf } from './signatures.js'
@@ -35,7 +36,7 @@ interface FromRows<Self, Row> {
 }
 
 /** `glsl`: inputs, constants, and every operation as a function. */
-export interface Glsl extends Functions, NoiseFunctions {
+export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, MadeFunctions {
   /** A float of the shader, by its name there or the expression that reads it. */
   param(name: string): Scalar
   /** A vec2 of the shader, by its name there or the expression that reads it. */

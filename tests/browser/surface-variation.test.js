@@ -208,7 +208,7 @@ describe('a note that normals are approximate', () => {
       const attempt = `window.problem = await addSurfaceVariation(buildGeometry(() => sphere(20))).catch(({ message }) => message)
         if (problem !== 'addSurfaceVariation: this p5 keeps no properties of vertices; use p5 2.') throw new Error(problem)
         try { createWarp(({ normal }) => normal, { surfaceVariation: true }) } catch ({ message }) { problem = message }
-        if (problem !== 'createWarp: surfaceVariation needs p5 2; leave it out.') throw new Error(problem)`
+        if (problem !== 'createWarp: surfaceVariation needs p5 2 and WEBGL; leave it out.') throw new Error(problem)`
       assert.deepEqual(await printed('1.11', '{ surfaceVariation: false }', '', attempt), [])
     })
 })

@@ -2,6 +2,7 @@
 // that there is no operation without one.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
+import { madeOf, sameAs } from '../operations/aliases.js'
 import { compile } from '../../dist/warpjet.js'
 import { brokenConventions, inDouble, problemsOf } from '../operations/check.js'
 import { conventions } from '../operations/conventions.js'
@@ -29,6 +30,9 @@ const functions = [
 /** Results are asked for, not computed; and those of a warp: tests/js/compile.test.js and tests/cpp/warp_test.cpp have them. */
 const results = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent']
 
+/** Other names, which tests/js/front-door.test.js proves. */
+const aliases = [...Object.keys(sameAs), ...Object.keys(madeOf)]
+
 /** The names that a user can call, { builder, method }. */
 function surface() {
   const names = {}
@@ -40,7 +44,8 @@ function surface() {
       names.method.push(...Object.getOwnPropertyNames(at))
     return { y: x }
   })
-  const isOperation = (name) => !['constructor', ...results, ...functions].includes(name)
+  const isOperation = (name) =>
+    !['constructor', ...results, ...functions, ...aliases].includes(name)
   return {
     builder: names.builder.filter(isOperation),
     method: names.method.filter(isOperation),

@@ -451,3 +451,16 @@ export async function load(sketch: Loading): Promise<number> {
   await sketch.addSurfaceVariation(told.vertices.length)
   return model.vertices.length + (model.texture ? 1 : 0) + model.warnings.length
 }
+
+// A component is a value that may also be called; other trades' names are there.
+compileWarp(({ glsl, position, uv }) => {
+  const y: Scalar = position.y.mul(2).oneMinus().saturate()
+  const pair: Vec2 = position.zx.add(uv.yx(), position.y())
+  const v: Vec3 = position.times(2).negate().pow2()
+  const square: Scalar = position.magSq()
+  const low: Scalar = glsl.lerp(y, 1, 0.5)
+  const high: Scalar = glsl.oneMinus(low)
+  // @ts-expect-error a vec2 has no z
+  uv.z.add(1)
+  return v.add(glsl.vec3(pair, high.add(square)))
+})

@@ -7,10 +7,21 @@ import { softwareFlags } from '../../../.scripts/lib/flags.mjs'
  * the CPU: through a WebGL that is one itself, that would cost as much again as what the canvases show.
  */
 export const launchBrowser = (moreFlags = []) =>
-  chromium.launch({
-    executablePath: process.env.WARPJET_CHROMIUM ?? '/usr/bin/chromium',
-    args: [...softwareFlags, '--disable-gpu-compositing', ...moreFlags],
-  })
+  launch([...softwareFlags, '--disable-gpu-compositing', ...moreFlags])
+
+const launch = (args) =>
+  chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM ?? '/usr/bin/chromium', args })
+
+/** One whose WebGPU draws on canvases: that is lost where pages are put together otherwise. */
+export const launchBrowserWithWebGPU = () =>
+  launch([...softwareFlags, ...webgpuFlags, '--use-vulkan=swiftshader'])
+
+/** For WebGPU without a GPU, on pages of `servePages`. */
+export const webgpuFlags = [
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--enable-features=Vulkan',
+]
 
 /** What the driver says of a page that is put together on the CPU, and so reads its canvas. */
 const isOfDriver = (text) => /GL Driver Message .*: GPU stall due to ReadPixels/.test(text)

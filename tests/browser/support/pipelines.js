@@ -2,7 +2,7 @@
 // that it computed: the text of `glsl100` in WebGL 1, that of `glsl300` in WebGL 2, that of `wgsl`
 // in WebGPU.
 import { isRun } from '../../../.scripts/lib/tiers.mjs'
-import { launchBrowser, openPage } from './browser.js'
+import { launchBrowser, openPage, webgpuFlags } from './browser.js'
 import { servePages } from './server.js'
 
 const modules = { glsl300: 'webgl2', glsl100: 'webgl1', wgsl: 'webgpu' }
@@ -35,12 +35,6 @@ window.run = async (target, program, points) => {
   return textOf(new Uint8Array(results.buffer))
 }
 </script>`
-
-const webgpuFlags = [
-  '--enable-unsafe-webgpu',
-  '--use-webgpu-adapter=swiftshader',
-  '--enable-features=Vulkan',
-]
 
 /** The dialects that there are pipelines for. */
 export const targets = Object.keys(modules)

@@ -11,6 +11,25 @@ export async function readPixels(page) {
     const binary = Array.from(data, (byte) => String.fromCharCode(byte)).join('')
     return { width, height, bytes: btoa(binary) }
   })
+  return upright(width, height, bytes)
+}
+
+/** The same of a WebGPU canvas, of what `draw`, a text, draws: it is gone when the page goes on. */
+export async function readWebGPUPixels(page, draw) {
+  const { width, height, bytes } = await page.evaluate(`(async () => {
+    await (${draw})
+    const canvas = document.querySelector('canvas')
+    const { width, height } = canvas
+    const copy = new OffscreenCanvas(width, height).getContext('2d')
+    copy.drawImage(canvas, 0, 0)
+    const { data } = copy.getImageData(0, 0, width, height)
+    const binary = Array.from(data, (byte) => String.fromCharCode(byte)).join('')
+    return { width, height, bytes: btoa(binary) }
+  })()`)
+  return { width, height, data: Buffer.from(bytes, 'base64') }
+}
+
+function upright(width, height, bytes) {
   const upwards = Buffer.from(bytes, 'base64')
   const rows = Array.from({ length: height }, (_, y) =>
     upwards.subarray((height - 1 - y) * width * 4, (height - y) * width * 4),

@@ -2,13 +2,16 @@
 import assert from 'node:assert/strict'
 import { isRun } from '../../../.scripts/lib/tiers.mjs'
 import { leavePage, openPage } from './browser.js'
-import { readPixels } from './pixels.js'
+import { readPixels, readWebGPUPixels } from './pixels.js'
 
 /** The p5 versions that the addon promises to work with; the full files, which have p5's friendly errors in them. */
 export const p5Versions = {
   '2.x': '/node_modules/p5/lib/p5.js',
   1.11: '/node_modules/p5-v1/lib/p5.js',
 }
+
+/** What p5 2.x draws with on WebGPU, to be loaded after p5 itself. */
+export const p5WebGPU = '/node_modules/p5/lib/p5.webgpu.js'
 
 /** Those that this run draws with, [[version, file]]. */
 export const p5InThisRun = Object.entries(p5Versions).filter(
@@ -33,15 +36,16 @@ ${code}
 
 /**
  * Runs a global mode sketch and draws each of `scenes`, p5 code by name, as a frame of its own → images by name.
- * `setup` runs after createCanvas, and may keep things in the object `warps`; push() and pop() stand around each scene unless
- * `isPushed` is false; the mouse is at 30, 10. Fails if the page prints anything.
+ * `setup` runs after createCanvas, and may keep things in the object `warps`; on p5 2.x it may await; push() and pop() stand around each scene unless
+ * `isPushed` is false; the mouse is at 30, 10. `renderer` is WEBGL or WEBGPU. Fails if the page prints anything.
  */
 export async function drawScenes(
   browser,
   server,
   scripts,
-  { size = 200, setup = '', scenes, isPushed = true },
+  { size = 200, setup = '', scenes, isPushed = true, renderer = 'WEBGL' },
 ) {
+  const isAsync = renderer === 'WEBGPU' || /\bawait\b/.test(setup)
   const functions = Object.entries(scenes).map(
     ([name, code]) => `${JSON.stringify(name)}: () => { ${code} }`,
   )
@@ -52,9 +56,9 @@ export async function drawScenes(
     `const warps = {}
 let scene = () => (window.done = true)
 const scenes = { ${functions.join(',\n')} }
-function setup() {
+${isAsync ? 'async ' : ''}function setup() {
   pixelDensity(1)
-  createCanvas(${size}, ${size}, WEBGL)
+  ${renderer === 'WEBGL' ? '' : 'await '}createCanvas(${size}, ${size}, ${renderer})
   noLoop()
   ${setup}
 }
@@ -68,8 +72,12 @@ function draw() {
   await page.mouse.move(30, 10)
   const images = {}
   for (const name of Object.keys(scenes)) {
-    await page.evaluate(`scene = scenes[${JSON.stringify(name)}]; redraw()`)
-    images[name] = await readPixels(page)
+    await page.evaluate(`scene = scenes[${JSON.stringify(name)}]`)
+    if (renderer === 'WEBGPU') images[name] = await readWebGPUPixels(page, 'redraw()')
+    else {
+      await page.evaluate('redraw()')
+      images[name] = await readPixels(page)
+    }
   }
   await leavePage(page)
   assert.deepEqual(messages, [])

@@ -1,0 +1,74 @@
+// Other names that people bring along, from three's TSL, p5.strands, p5 and GLSL: each is an alias of what there is, and no
+// operation of its own.
+import type { Expression } from './expression.js'
+
+type Methods = Record<string, (...operands: unknown[]) => Expression>
+
+/** Names of one operation. */
+export const sameAs = {
+  mul: 'mult',
+  multiply: 'mult',
+  times: 'mult',
+  plus: 'add',
+  minus: 'sub',
+  subtract: 'sub',
+  divide: 'div',
+  negate: 'neg',
+  modulo: 'mod',
+  power: 'pow',
+  inverseSqrt: 'inversesqrt',
+  lerp: 'mix',
+  constrain: 'clamp',
+  mag: 'length',
+  magnitude: 'length',
+  normalized: 'normalize',
+  fraction: 'fract',
+  atan2: 'atan',
+  lessThan: 'lt',
+  lessThanEqual: 'le',
+  lessEqual: 'le',
+  greaterThan: 'gt',
+  greaterThanEqual: 'ge',
+  greaterEqual: 'ge',
+  equal: 'eq',
+  equals: 'eq',
+  equalTo: 'eq',
+  notEqual: 'ne',
+  select: 'ifElse',
+  perlin: 'noise',
+} as const
+
+/** Of an expression and what follows it. */
+export const madeOf: Readonly<
+  Record<string, (x: Expression & Methods, ...others: unknown[]) => Expression>
+> = {
+  oneMinus: (x) => methodsOf(x.neg!()).add!(1),
+  saturate: (x) => x.clamp!(0, 1),
+  reciprocal: (x) => x.pow!(-1),
+  pow2: (x) => x.mult!(x),
+  pow3: (x) => methodsOf(x.mult!(x)).mult!(x),
+  magSq: (x) => x.dot!(x),
+  lengthSq: (x) => x.dot!(x),
+}
+
+export const methodsOf = (expression: Expression) => expression as Expression & Methods
+
+/** What is no alias, but has a way. */
+export const meantByMethods: Readonly<Record<string, string>> = {
+  map: 'x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow)',
+  squareRoot: 'sqrt',
+  sine: 'sin',
+  cosine: 'cos',
+  tangent: 'tan',
+  absolute: 'abs',
+  toFixed: 'round',
+}
+
+export const meantByFunctions: Readonly<Record<string, string>> = {
+  time: 'millis, which the offset function is given',
+  PI: 'Math.PI',
+  vector: 'vec3',
+  createVector: 'vec3',
+  float: 'val',
+  number: 'val',
+}

@@ -1,0 +1,45 @@
+/** Where in the sketch a WarpError comes from, added to its sentence. */
+import { WarpError } from '../checks/errors.js'
+import { fileOf, stackLines } from '../expression/source-lines.js'
+
+/** p5's own files, by whatever name they are served. */
+const isOfP5 = (file: string) =>
+  /\/(?:@?p5(?:@[\w.]+)?\/lib\/)?p5(?:\.\w+)*\.js\b|\/p5@?[^/]*\/lib\//.test(file)
+
+let ours: string | undefined
+
+/** Such as `sketch.js, line 12`; nothing where the browser does not tell. */
+function placeOf(error: Error): string | undefined {
+  ours ??= fileOf(stackLines()[0] ?? '')
+  const line = stackLines(error).find((each) => {
+    const file = fileOf(each)
+    return file !== ours && !isOfP5(file) && !/\/dist\/(?:shared\/)?[\w.-]+\.js$/.test(file)
+  })
+  const [, number] = /:(\d+):\d+\)?$/.exec(line ?? '') ?? []
+  const name = fileOf(line ?? '')
+    .replace(/[?#].*$/, '')
+    .replace(/^.*\//, '')
+  return number && `${name || 'the page'}, line ${number}`
+}
+
+/** Does some work of ours for a sketch. */
+export function located<Result>(work: () => Result): Result {
+  const { stackTraceLimit } = Error
+  // Some ten places are our own.
+  Error.stackTraceLimit = 50
+  try {
+    return work()
+  } catch (error) {
+    if (error instanceof WarpError && !/ \(\S+, line \d+\)$/.test(error.message)) {
+      const place = placeOf(error)
+      const { message, stack } = error
+      if (place) {
+        error.message = `${message} (${place})`
+        if (stack) error.stack = stack.replace(message, error.message)
+      }
+    }
+    throw error
+  } finally {
+    Error.stackTraceLimit = stackTraceLimit
+  }
+}

@@ -1,0 +1,70 @@
+/** The shaders of one warp for one renderer: each is made when it is first drawn with. */
+import { type KeptWarp, writeMoves, writeWarp } from '../compile/warp-text.js'
+import { WarpError } from '../checks/errors.js'
+import type { Target } from '../module/kept-module.js'
+import { lazily } from '../module/lazily.js'
+import { readsVariation } from './add-surface-variation.js'
+import { hookStyleOf, isOfLines, weave } from './hooks.js'
+import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
+import type { WarpSettings, WarpType } from './settings.js'
+import { declaredInputs, declaredUniforms, refuseUndeclared } from './sketch-uniforms.js'
+import { results, targetOf } from './styles.js'
+
+export function styleFor(canvas: Canvas) {
+  const material = canvas.baseMaterialShader?.()
+  const style = material && hookStyleOf(material, targetOf(rendererOf(canvas)!))
+  if (!style)
+    throw new WarpError('createWarp: this p5 has no shader hooks; version 1.11 or newer is needed.')
+  return { material, style }
+}
+
+const normalShaderOf = (canvas: Canvas, target: Target) =>
+  target === 'wgsl' ? canvas.baseColorShader() : canvas.baseNormalShader()
+
+/** What lines and points are drawn with. */
+export interface MovingShaders {
+  stroke: Shader
+  /** Where points have a shader of their own. */
+  point: Shader | undefined
+}
+
+export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSettings) {
+  const { material, style } = styleFor(canvas)
+  const renderer = rendererOf(canvas)!
+  const target = targetOf(renderer)
+  const weavable = ({ text, parameters }: ReturnType<typeof writeWarp>, base: Shader) => {
+    const own = declaredUniforms(settings.uniforms, parameters)
+    refuseUndeclared(parameters, base, own, settings, target)
+    const { space, defs } = settings
+    return { text, space, defs, uniforms: [...declaredInputs(text.uniforms), ...own] }
+  }
+  const woven = weavable(writeWarp(kept, target), material)
+  const shaders: Partial<Record<WarpType, Shader>> = {}
+  return {
+    renderer,
+    inputs: woven.text.uniforms,
+    varies: readsVariation(woven.text),
+    shaderFor: (type: WarpType): Shader =>
+      (shaders[type] ??= weave(
+        type === 'normal' ? normalShaderOf(canvas, target) : material,
+        style,
+        woven,
+        type,
+      )),
+    /** Nothing where the warp reads what lines lack: then they cannot follow the fill. */
+    moving: lazily((): MovingShaders | undefined => {
+      const written = writeMoves(kept, target, results)
+      if (!isOfLines(written.text)) return undefined
+      const base = canvas.baseStrokeShader()
+      const along = weavable(written, base)
+      const points = style.point && pointShaderOf(renderer)
+      return {
+        stroke: base.modify(style.stroke(along, base)),
+        // 1.11 asks for it, and has none.
+        point:
+          points &&
+          Object.assign(points.modify(style.point!(along)), { isPointShader: () => true }),
+      }
+    }),
+  }
+}

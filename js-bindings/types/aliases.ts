@@ -1,0 +1,42 @@
+// Other names of operations; js-bindings/expression/aliases.ts has them and says where they come from.
+import type { sameAs } from '../expression/aliases.js'
+import type { Operand, Scalar } from './expressions.js'
+
+type Names = typeof sameAs
+
+/** Of the methods that there are. */
+export type AliasesOf<Methods> = {
+  [
+    Alias in keyof Names as Names[Alias] extends keyof Methods ? Alias : never
+  ]: Methods[Names[Alias] & keyof Methods]
+}
+
+/** Of numbers and vectors, by component. */
+export interface MadeMethods<Self> {
+  /** 1 - x */
+  oneMinus(): Self
+  /** Between 0 and 1. */
+  saturate(): Self
+  /** 1 / x */
+  reciprocal(): Self
+  /** x * x */
+  pow2(): Self
+  /** x * x * x */
+  pow3(): Self
+}
+
+export interface MadeVectorMethods {
+  /** The square of the length. */
+  magSq(): Scalar
+  /** The square of the length. */
+  lengthSq(): Scalar
+}
+
+type OfOne<Result> = <Value extends Operand | object>(
+  value: Value,
+) => Result extends 'same' ? Value : Scalar
+
+/** The same as functions of the builder. */
+export type MadeFunctions = {
+  [Name in keyof MadeMethods<unknown>]: OfOne<'same'>
+} & { [Name in keyof MadeVectorMethods]: OfOne<'number'> }

@@ -1,0 +1,195 @@
+// What people get wrong in their first sketches, each with the sentence that they see, and where it says that it was.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { launchBrowser, leavePage } from './support/browser.js'
+import { servePages } from './support/server.js'
+import { p5Versions, runSketch } from './support/sketch.js'
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** What an offset function returns or, in braces, does. */
+const offsets = {
+  5: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the number 5.',
+  'glsl.vec3(position.sine(), 0, 0)': 'sine: an expression has no such method; did you mean sin?',
+  'position.rotateY(1)': 'rotateY: a turn is a matrix; write glsl.rotateY(angle).mult(v).',
+  'glsl.vec3(position.y.squareRoot(), 0, 0)':
+    'squareRoot: an expression has no such method; did you mean sqrt?',
+  'position.multply(2)': 'multply: an expression has no such method; did you mean multiply?',
+  'position.normalise()': 'normalise: an expression has no such method; did you mean normalize?',
+  'glsl.vec3(position.y.smoothStep(0, 1), 0, 0)':
+    'smoothStep: an expression has no such method; did you mean smoothstep?',
+  'glsl.vec3(position.x.toFixed(2), 0, 0)':
+    'toFixed: an expression has no such method; did you mean round?',
+  'position.map((x) => x)':
+    'map: an expression has no such method; did you mean x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow)?',
+  'glsl.vec33(1, 2, 3)': 'glsl.vec33: there is no such function; did you mean vec3?',
+  'glsl.Vec3(1, 2, 3)': 'glsl.Vec3: there is no such function; did you mean vec3?',
+  'glsl.vector(1, 2, 3)': 'glsl.vector: there is no such function; did you mean vec3?',
+  'glsl.rotate_y(1)': 'glsl.rotate_y: there is no such function; did you mean rotateY?',
+  'glsl.time':
+    'glsl.time: there is no such function; did you mean millis, which the offset function is given?',
+  'glsl.vec3(position.w, 0, 0)': 'w: a vec3 has no such components.',
+  'glsl.vec3(millis.x, 0, 0)': 'x: a single number has no such components.',
+  '(({ postion }) => postion)(inputs)':
+    'An offset function gets no "postion"; did you mean position?',
+  '(({ normals }) => normals)(inputs)':
+    'An offset function gets no "normals"; did you mean normal?',
+  '(({ time }) => time)(inputs)': 'An offset function gets no "time"; did you mean millis?',
+  '(({ texCoord }) => texCoord)(inputs)': 'An offset function gets no "texCoord"; did you mean uv?',
+  'glsl.vec3(inputs.uniforms.amount, 0, 0)':
+    'createWarp: the offset reads uniforms.amount, which nothing declares; add the option { uniforms: { amount: 0.5 } }.',
+  'glsl.vec3(position.y * 4, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  'glsl.vec3(position.y + 1, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  'glsl.vec3(-position.y, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  'glsl.vec3(position.y > 0 ? 1 : 0, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  'glsl.vec3(position.y ** 2, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  '{ let x = position.x; x += 1; return glsl.vec3(x, 0, 0) }': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  '{ position.x = 3; return position }':
+    'x: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).',
+  '{ for (let i = 0; i < position.x; i++) {} return position }': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  'glsl.vec3(Math.sin(position.y), 0, 0)':
+    'Math.sin works on numbers, not on expressions of a warp; write x.sin().',
+  'glsl.vec3(Math.max(position.y, 0), 0, 0)':
+    'Math.max works on numbers, not on expressions of a warp; write x.max(y).',
+  'glsl.vec3(Math.PI * position.y, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  'glsl.vec3(sin(position.y), 0, 0)': `p5's sin works on numbers, not on expressions of a warp; write x.sin().`,
+  'glsl.vec3(noise(position.x, position.y), 0, 0)': `p5's noise works on numbers, not on expressions of a warp; write position.mult(0.01).noise(), or glsl.vec3(x, y, z).noise().`,
+  'glsl.vec3(map(position.y, -1, 1, 0, 10), 0, 0)': `p5's map works on numbers, not on expressions of a warp; write x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow).`,
+  'glsl.vec3(lerp(0, 10, position.y), 0, 0)': `p5's lerp works on numbers, not on expressions of a warp; write from.mix(to, amount).`,
+  'glsl.vec3(constrain(position.y, 0, 1), 0, 0)': `p5's constrain works on numbers, not on expressions of a warp; write x.clamp(low, high).`,
+  'glsl.vec3(dist(0, 0, position.x, position.y), 0, 0)': `p5's dist works on numbers, not on expressions of a warp; write a.dist(b) of two vectors.`,
+  'glsl.vec3(atan2(position.y, position.x), 0, 0)': `p5's atan2 works on numbers, not on expressions of a warp; write y.atan(x).`,
+  'glsl.vec3(pow(position.y, 2), 0, 0)': `p5's pow works on numbers, not on expressions of a warp; write x.pow(2).`,
+  'createVector(position.x, 0, 0)': `p5's createVector works on numbers, not on expressions of a warp; write glsl.vec3(x, y, z).`,
+  'glsl.noise(position.x, position.y, position.z)':
+    'noise: make one point of several numbers, such as glsl.vec3(x, y, z).',
+  'glsl.vec3(position.x.noise(position.y), 0, 0)':
+    'noise: make one point of several numbers, such as glsl.vec2(x, y).',
+  '{ position.mult(2) }':
+    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned undefined (is its "return" missing?).',
+  'position.y':
+    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a single number.',
+  'glsl.vec2(1, 2)':
+    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a vec2.',
+  '[position.x, 0, 0]':
+    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned an array of 3.',
+  'createVector(1, 0, 0)':
+    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a vector of numbers.',
+  '`${position.x}`':
+    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the text "an expression of warpjet".',
+  '(async () => position)()':
+    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a promise.',
+  null: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned null.',
+  'glsl.vec3()': 'vec3: 3 components were expected, but 0 came.',
+  'glsl.vec3(1, 2)': 'vec3: 3 components were expected, but 2 came.',
+  'glsl.vec3([1, 2, 3])':
+    'vec3: argument 1 must be a number or an expression, but is an array of 3; write glsl.vec3(x, y, z) for a vector.',
+  'glsl.vec3("1", 0, 0)':
+    'vec3: argument 1 must be a number or an expression, but is the text "1".',
+  'glsl.vec3(NaN, 0, 0)':
+    'vec3: argument 1 is NaN, but a shader can only hold numbers between -3.4e38 and 3.4e38.',
+  'glsl.vec3(undefined, 0, 0)':
+    'vec3: argument 1 must be a number or an expression, but is undefined.',
+  'position.add(glsl.vec2(1, 2))':
+    'add: a vec3 and a vec2 do not fit together; use vectors of one size, or numbers.',
+  'position.add([1, 0, 0])':
+    'add: argument 1 must be a number or an expression, but is an array of 3; write glsl.vec3(x, y, z) for a vector.',
+  'position.add(createVector(1, 0, 0))':
+    'add: argument 1 must be a number or an expression, but is a vector of numbers; write glsl.vec3(x, y, z) for a vector.',
+  'position.mult()': 'mult: 1 argument was expected, but 0 came.',
+  'position.y.clamp(0)': 'clamp: 2 arguments were expected, but 1 came.',
+  'position.sin(2)': 'sin: no arguments were expected, but 1 came.',
+  'position.gt(0).ifElse(1)': 'ifElse: 2 arguments were expected, but 1 came.',
+  'glsl.vec3(position.x(1), 0, 0)': 'x: it takes fewer arguments; the number 1 is too many.',
+  'glsl.vec3(glsl.param("amount"), 0, 0)':
+    'createWarp: the warp reads "amount", which nothing declares; add the option { defs: "uniform float amount;" }.',
+}
+
+/** What a sketch calls. */
+const calls = {
+  'createWarp()': 'createWarp: a function was expected, but undefined came.',
+  'createWarp("twist")': 'createWarp: a function was expected, but the text "twist" came.',
+  [`createWarp(still, 'world')`]:
+    'createWarp: the options must be an object, but are the text "world".',
+  [`createWarp(still, { spaces: 'world' })`]:
+    'createWarp: there is no option "spaces"; there are uniforms, type, space, defs, surfaceVariation, stroke, returns.',
+  [`createWarp(still, { space: 'wold' })`]:
+    'createWarp: the option "space" must be "local" or "world" or "camera", but is the text "wold".',
+  [`createWarp(still, { type: 'phong' })`]:
+    'createWarp: the option "type" must be "specular" or "normal", but is the text "phong".',
+  [`createWarp(still, { stroke: 'red' })`]:
+    'createWarp: the option "stroke" must be true or false, but is the text "red".',
+  [`createWarp(still, { returns: 'normal' })`]:
+    'createWarp: the option "returns" must be "offset" or "position", but is the text "normal".',
+  [`createWarp(still, { uniforms: { amount: 'big' } })`]:
+    'createWarp: the uniform "amount" must be a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a p5.Vector, a p5.Color, an image, or a function that gives one of them, but is the text "big".',
+  'createWarp(warpjet.twist)': 'createWarp: a function was expected, but undefined came.',
+  'flat.createWarp(still)':
+    'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
+  'warp(3)':
+    'The function that createWarp returned takes an object of uniforms, such as { size: 0.5 }, but the number 3 came.',
+  'warp({ amount: 1 })': `The warp has no uniform "amount"; createWarp's option "uniforms" must declare it: { uniforms: { amount: 0.5 } }.`,
+}
+
+const inBraces = (code) => (code.startsWith('{') ? code : `return ${code}`)
+
+for (const [version, p5] of Object.entries(p5Versions))
+  test(`p5 ${version}: each mistake has its sentence, and the line of the sketch`, async () => {
+    const works = [
+      ...Object.keys(offsets).map(
+        (code) =>
+          `createWarp((inputs) => { const { glsl, position, millis } = inputs; ${inBraces(code)} })`,
+      ),
+      ...Object.keys(calls),
+    ]
+    const { page, messages } = await runSketch(
+      browser,
+      server,
+      [p5, '/dist/p5.warpjet.min.js'],
+      `let warp, flat
+const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+const trying = (work) => { try { work(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
+const works = [
+${works.map((work) => `() => ${work},`).join('\n')}
+]
+function setup() {
+  createCanvas(100, 100, WEBGL)
+  flat = createGraphics(10, 10)
+  warp = createWarp(still)
+  window.said = works.map(trying)
+  // What was guarded meanwhile is as before.
+  window.after = [sin(0), Math.max(1, 2), constrain(5, 0, 1)]
+  noLoop()
+  done = true
+}`,
+    )
+    const said = await page.evaluate('said')
+    const left = await page.evaluate('window.after')
+    const source = await page.evaluate('document.documentElement.outerHTML')
+    await leavePage(page)
+    // p5's own friendly errors speak of some of these calls too.
+    assert.deepEqual(
+      messages.filter((text) => !/p5\.js says/.test(text)),
+      [],
+    )
+    assert.deepEqual(left, [0, 2, 1])
+    const lines = source.split('\n')
+    const first = lines.findIndex((line) => line.startsWith('const works')) + 1
+    const expected = [...Object.values(offsets), ...Object.values(calls)]
+    const number = /, line (\d+)\)$/
+    const shift = number.exec(said[0][1])[1] - first
+    said.forEach(([name, message], i) => {
+      assert.equal(name, 'WarpError', works[i])
+      assert.equal(message.replace(/ \(\S+, line \d+\)$/, ''), expected[i], works[i])
+      assert.match(message, number, works[i])
+      assert.equal(number.exec(message)[1] - first, shift + i, `${works[i]}: ${message}`)
+    })
+  })

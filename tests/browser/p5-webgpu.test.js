@@ -1,0 +1,195 @@
+// createWarp on a canvas of WebGPU: the same pictures as in WebGL, whose own tests say that they are right.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { stress } from '../warps/stress.js'
+import { launchBrowserWithWebGPU, leavePage } from './support/browser.js'
+import { litPixels } from './support/pixels.js'
+import { servePages } from './support/server.js'
+import { drawScenes, p5Versions, p5WebGPU, runSketch } from './support/sketch.js'
+
+const p5 = p5Versions['2.x']
+const scripts = ['/dist/p5.warpjet.min.js', '/dist/warpjet.deformers.min.js']
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowserWithWebGPU()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** The pixels of `image` that are nowhere between the neighbours of the same pixel of `other`, within `tolerance`. */
+function beyondEdges(image, other, tolerance) {
+  const { width, height, data } = image
+  let count = 0
+  for (let y = 1; y < height - 1; y++)
+    for (let x = 1; x < width - 1; x++) {
+      const isBeyond = [0, 1, 2].some((channel) => {
+        const at = (i, j) => other.data[4 * (j * width + i) + channel]
+        const around = [-1, 0, 1].flatMap((j) => [-1, 0, 1].map((i) => at(x + i, y + j)))
+        const value = data[4 * (y * width + x) + channel]
+        return value < Math.min(...around) - tolerance || value > Math.max(...around) + tolerance
+      })
+      count += isBeyond
+    }
+  return count
+}
+
+/** Draws the scenes with both renderers, and compares them. None has p5's highlights, which differ by themselves. */
+async function compare({ setup, scenes, tolerance = 6 }) {
+  const images = {}
+  for (const [renderer, more] of Object.entries({ WEBGL: [], WEBGPU: [p5WebGPU] }))
+    images[renderer] = await drawScenes(browser, server, [p5, ...more, ...scripts], {
+      setup,
+      scenes,
+      renderer,
+    })
+  for (const name of Object.keys(scenes)) {
+    const lit = litPixels(images.WEBGL[name]).length
+    assert.ok(lit > 400, `${name}: ${lit} pixels are lit`)
+    const beyond = beyondEdges(images.WEBGPU[name], images.WEBGL[name], tolerance)
+    assert.ok(beyond <= 5 + 0.005 * lit, `${name}: ${beyond} of ${lit} pixels differ`)
+  }
+  return images.WEBGPU
+}
+
+const wave = `({ glsl, position }) => glsl.vec3(
+  position.y().mult(2.4).add(1).sin().mult(0.15), position.z().mult(3.2).sin().mult(0.11), 0)`
+
+describe('createWarp on WEBGPU draws as in WEBGL', () => {
+  test('by each material, in each space', async () => {
+    const images = await compare({
+      setup: `
+        warps.local = createWarp(${wave})
+        warps.normal = createWarp(${wave}, { type: 'normal' })
+        for (const space of ['world', 'camera'])
+          for (const type of ['specular', 'normal'])
+            warps[space + type] = createWarp(({ glsl, position }) =>
+              glsl.vec3(0, 0, position.x().mult(0.05).sin().mult(20)), { space, type })
+        warps.floor = createWarp(({ glsl, position }) =>
+          glsl.vec3(position.x().mult(5).floor().div(5).sub(position.x()), 0, 0))
+        stripes = createImage(32, 32)
+        for (let y = 0; y < 32; y++)
+          for (let x = 0; x < 32; x++) stripes.set(x, y, color(y < 20 ? 'purple' : 'yellow'))
+        stripes.updatePixels()`,
+      scenes: {
+        lights: 'lights(); warps.local(); sphere(60)',
+        fill: `lights(); warps.local(); fill('orange'); sphere(60)`,
+        ambient: `ambientLight(120); directionalLight(90, 0, 90, 0, 1, -1); warps.local(); ambientMaterial('teal'); sphere(60)`,
+        texture: 'warps.local(); texture(stripes); sphere(60)',
+        'the normal as colour': 'warps.normal(); sphere(60)',
+        'normalMaterial()': 'normalMaterial(); warps.local(); sphere(60)',
+        'normalMaterial() after it': 'warps.local(); normalMaterial(); sphere(60)',
+        'world space':
+          'lights(); rotateZ(1); warps.worldspecular(); fill(200); plane(100, 120, 40, 40)',
+        'camera space':
+          'lights(); rotateZ(1); warps.cameraspecular(); fill(200); plane(100, 120, 40, 40)',
+        'normals in world space': 'rotateX(1); warps.worldnormal(); plane(100, 120, 40, 40)',
+        'normals in camera space': 'rotateX(1); warps.cameranormal(); plane(100, 120, 40, 40)',
+        'where there is no normal':
+          'ambientLight(60); directionalLight(200, 200, 200, 0, 0, -1); warps.floor(); fill(255); plane(120, 120, 40, 40)',
+      },
+    })
+    assert.notDeepEqual(images.lights, images.fill)
+    assert.deepEqual(images['normalMaterial()'], images['the normal as colour'])
+  })
+
+  test('with uniforms of each type, images and WGSL of the sketch', async () => {
+    const move = (x) => `({ glsl, uniforms }) => glsl.vec3(${x}, 0, 0)`
+    const world = `space: 'world'`
+    await compare({
+      setup: `
+        const heights = createImage(16, 16)
+        for (let y = 0; y < 16; y++)
+          for (let x = 0; x < 16; x++) heights.set(x, y, color(128 + 100 * sin(x * 0.7) * cos(y)))
+        heights.updatePixels()
+        const uniforms = { a: 10, b: () => 5, v: [0, 10], w: createVector(0, 0, 10), q: [0, 0, 0, 10],
+          m: [0, 1, 0, -10, 0, 0, 0, 0, 1], n: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 12, 0, 0, 1] }
+        warps.all = createWarp(${move('uniforms.a.add(uniforms.b).add(uniforms.v.y()).add(uniforms.w.z()).add(uniforms.q.w()).add(uniforms.m.mult(glsl.vec3(0, -1, 0)).x()).add(uniforms.n.mult(glsl.vec4(0, 0, 0, 1)).x())')},
+          { ${world}, uniforms })
+        warps.inputs = createWarp(({ glsl, size, millis, pixelDensity }) =>
+          glsl.vec3(size.x().div(10), millis.min(20), pixelDensity), { ${world} })
+        warps.map = createWarp(({ glsl, uv, uniforms }) =>
+          glsl.vec3(0, 0, glsl.texture(uniforms.map, uv, { filter: 'bicubic' }).x().mult(40)),
+          { ${world}, uniforms: { map: heights }, surfaceVariation: false })`,
+      scenes: {
+        uniforms: `warps.all(); fill('red'); plane(60)`,
+        'uniforms replaced': `warps.all({ a: -40 }); fill('red'); plane(60)`,
+        inputs: `warps.inputs(); fill('red'); plane(60)`,
+        image: `lights(); rotateX(0.6); warps.map(); fill('white'); plane(120, 120, 60, 60)`,
+      },
+    })
+  })
+
+  test('each deformer, and what composes them', async () => {
+    const names =
+      'twist bend taper bulge stretch wave ripple melt inflate genie spherify shear noiseDisplace'.split(
+        ' ',
+      )
+    await compare({
+      setup: `
+        const { chain, blend, twist, bend } = warpjet
+        const options = { space: 'world', surfaceVariation: false }
+        const still = (warp) => (inputs) => warp({ ...inputs, millis: inputs.glsl.val(1234) })
+        for (const name of ${JSON.stringify(names)}) warps[name] = createWarp(still(warpjet[name]()), options)
+        warps.chain = createWarp(chain(twist({ length: 200, angle: 1 }), bend({ from: -60, to: 60, angle: 1 })), options)`,
+      scenes: Object.fromEntries(
+        [...names, 'chain'].map((name) => [
+          name,
+          `lights(); warps['${name}'](); fill('coral'); sphere(50, 60, 40)`,
+        ]),
+      ),
+      tolerance: 10,
+    })
+  })
+
+  test("p5.warp's stress test", async () => {
+    await compare({
+      setup: `
+        const { stress } = await import('/tests/warps/stress.js')
+        warps.all = stress.map(({ warp, size }) => {
+          const still = (inputs) => warp({ ...inputs, millis: inputs.glsl.val(1234) })
+          return createWarp(still, { space: size === 1 ? 'local' : 'world' })
+        })`,
+      scenes: Object.fromEntries(
+        stress.map(({ name }, i) => [
+          name,
+          `lights(); warps.all[${i}](); fill('coral'); sphere(60, 60, 40)`,
+        ]),
+      ),
+      tolerance: 12,
+    })
+  })
+})
+
+test('on WEBGPU a WarpError says what is wrong', async () => {
+  const cases = {
+    'createWarp(still, { surfaceVariation: true })': /surfaceVariation/,
+    [`createWarp(still, { defs: 'uniform float size;' })`]:
+      /defs.*WGSL.*uniforms: \{ size: 0\.5 \}/,
+    'createWarp(({ glsl }) => glsl.vec3(glsl.param("size"), 0, 0))': /uniforms/,
+  }
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5, p5WebGPU, ...scripts],
+    `const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+    async function setup() {
+      try { createWarp(still) } catch ({ message }) { early = message }
+      await createCanvas(100, 100, WEBGPU)
+      noLoop()
+      done = true
+    }`,
+  )
+  assert.match(await page.evaluate('early'), /needs a 3D canvas/)
+  for (const [code, expected] of Object.entries(cases)) {
+    const message = await page.evaluate(
+      `(() => { try { ${code} } catch (error) { return error.message } })()`,
+    )
+    assert.match(message ?? 'nothing', expected, code)
+  }
+  await leavePage(page)
+  assert.deepEqual(messages, [])
+})

@@ -1,0 +1,129 @@
+// What people write who come from elsewhere: components without parentheses, and other trades' names.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
+import { madeOf, sameAs } from '../operations/aliases.js'
+
+const textOf = (make) =>
+  compile((glsl) => ({ result: make(glsl, glsl.vec3Param('a'), glsl.param('x')) })).code
+
+test('a component is a value that may also be called', () => {
+  for (const name of ['x', 'yz', 'bgr', 'xyxy', 'length', 'st']) {
+    if (name === 'length') continue
+    const called = textOf((_, a) => a[name]().mult(2))
+    assert.equal(
+      textOf((_, a) => a[name].mult(2)),
+      called,
+      name,
+    )
+    assert.equal(
+      textOf((glsl, a) => glsl.mult(a[name], 2)),
+      called,
+      name,
+    )
+  }
+  // Methods that every function of JavaScript has something of under the same name.
+  assert.equal(
+    textOf((_, a) => a.xy.length()),
+    textOf((_, a) => a.xy().length()),
+  )
+  assert.equal(
+    textOf((_, a) => a.xy),
+    textOf((_, a) => a.xy()),
+  )
+  compile((glsl) => {
+    const { y } = glsl.vec3Param('a')
+    assert.equal(typeof y.sin, 'function')
+    assert.throws(() => y(1), /^WarpError: y: it takes fewer arguments/)
+    assert.throws(() => y + 1, WarpError)
+    return { y }
+  })
+})
+
+test('a component may be a derivative, a result and an option', () => {
+  const bump = (glsl) =>
+    glsl.fn({
+      name: 'bump',
+      source: 'float bump(float x) { return x; }',
+      arity: 1,
+      derivatives: [glsl.vec3(1, 2, 3).y],
+    })
+  assert.equal(
+    textOf((glsl, _, x) => glsl.derivative(bump(glsl)(x), x)),
+    textOf((glsl) => glsl.val(2)),
+  )
+})
+
+const operands = {
+  mix: [2, 0.25],
+  clamp: [0, 1],
+  ifElse: [3, 4],
+}
+const withoutOperands = ['neg', 'inversesqrt', 'length', 'normalize', 'fract', 'noise']
+
+test('other names are the same operation, as methods and as functions', () => {
+  for (const [alias, name] of Object.entries(sameAs)) {
+    const others = withoutOperands.includes(name) ? [] : (operands[name] ?? [2])
+    const isOfVectors = ['length', 'normalize'].includes(name)
+    const on = (a, x) => (isOfVectors ? a : x)
+    const expected = textOf((_, a, x) => on(a, x)[name](...others))
+    assert.equal(
+      textOf((_, a, x) => on(a, x)[alias](...others)),
+      expected,
+      alias,
+    )
+    assert.equal(
+      textOf((glsl, a, x) => glsl[alias](on(a, x), ...others)),
+      expected,
+      `glsl.${alias}`,
+    )
+  }
+})
+
+test('names that are made of operations have their values', () => {
+  for (const [name, expected] of Object.entries(madeOf)) {
+    const isOfVectors = expected.length === 3
+    const program = compile((glsl) => {
+      const x = isOfVectors ? glsl.vec3Param('a') : glsl.param('x')
+      return { method: x[name](), called: glsl[name](x) }
+    })
+    for (const given of [
+      [0.25, 2, -3],
+      [-1.5, 0.5, 4],
+      [3, 1, 1],
+    ]) {
+      const { method, called } = program.evaluate(isOfVectors ? { a: given } : { x: given[0] })
+      const wanted = expected(...given)
+      assert.ok(
+        Math.abs(method - wanted) <= 1e-6 * Math.abs(wanted),
+        `${name}: ${method} for ${wanted}`,
+      )
+      assert.equal(called, method)
+    }
+  }
+})
+
+test('what is unknown offers what is near, and what is asked by consoles and promises is not there', async () => {
+  const said = (make) => {
+    try {
+      compileWarp(make)
+    } catch (error) {
+      return error.message
+    }
+  }
+  assert.equal(
+    said(({ postion }) => postion),
+    'An offset function gets no "postion"; did you mean position?',
+  )
+  assert.match(
+    said(({ position }) => position.sine()),
+    /did you mean sin\?/,
+  )
+  compileWarp((inputs) => {
+    for (const object of [inputs, inputs.glsl, inputs.position])
+      for (const name of ['then', 'toJSON', 'nodeType', 'constructor', Symbol.iterator, '_private'])
+        assert.notEqual(typeof object[name], 'string')
+    assert.equal('sine' in inputs.position, false)
+    return inputs.position
+  })
+})

@@ -1,0 +1,46 @@
+// Names that people bring along from three's TSL, p5.strands, p5 and GLSL, and what each is.
+
+/** By the name of the operation that it is. */
+export const sameAs = {
+  mul: 'mult',
+  multiply: 'mult',
+  times: 'mult',
+  plus: 'add',
+  minus: 'sub',
+  subtract: 'sub',
+  divide: 'div',
+  negate: 'neg',
+  modulo: 'mod',
+  power: 'pow',
+  inverseSqrt: 'inversesqrt',
+  lerp: 'mix',
+  constrain: 'clamp',
+  mag: 'length',
+  magnitude: 'length',
+  normalized: 'normalize',
+  fraction: 'fract',
+  atan2: 'atan',
+  lessThan: 'lt',
+  lessThanEqual: 'le',
+  lessEqual: 'le',
+  greaterThan: 'gt',
+  greaterThanEqual: 'ge',
+  greaterEqual: 'ge',
+  equal: 'eq',
+  equals: 'eq',
+  equalTo: 'eq',
+  notEqual: 'ne',
+  select: 'ifElse',
+  perlin: 'noise',
+}
+
+/** By plain functions of numbers; those of vectors take their squared length. */
+export const madeOf = {
+  oneMinus: (x) => 1 - x,
+  saturate: (x) => Math.min(Math.max(x, 0), 1),
+  reciprocal: (x) => 1 / x,
+  pow2: (x) => x * x,
+  pow3: (x) => x ** 3,
+  magSq: (x, y, z) => x * x + y * y + z * z,
+  lengthSq: (x, y, z) => x * x + y * y + z * z,
+}
