@@ -5,8 +5,8 @@ import { path } from './lib/files.mjs'
 
 const { name, version, license } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
 
-// p5 is the page's own: the addon is handed it, or finds it as a global. The command line runs in Node only.
-const external = ['p5', /^node:/]
+// p5 is the page's own: the addon is handed it, or finds it as a global. So is three. The command line runs in Node only.
+const external = ['p5', /^three(\/|$)/, /^node:/]
 
 const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
@@ -65,6 +65,7 @@ export const modules = settings(
       autodiff: path('js-bindings/autodiff.ts'),
       mesh: path('js-bindings/mesh.ts'),
       deformers: path('js-bindings/deformers.ts'),
+      three: path('js-bindings/three.ts'),
       cli: path('js-bindings/cli.ts'),
       memory: path('js-bindings/memory.ts'),
     },

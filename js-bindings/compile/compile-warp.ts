@@ -1,6 +1,7 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
 import { type Emits, compileOffset } from './offset.js'
 import { type CpuWarp, createCpuWarp } from '../cpu/cpu-warp.js'
+import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
 import { makeProgram } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
 import { warpResults } from '../wasm/tables.js'
@@ -25,18 +26,20 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   options: WarpOptions<Uniforms> = {},
 ): CompiledWarp {
   const { warp, declared, text, emit } = compileOffset(given as OffsetFunction, options)
-  const { normals, isAccepted } = warp.settings
-  const cpu = createCpuWarp({
+  return { ...text, emit, ...runOnCpu(warp, declared) }
+}
+
+/** What is kept of an offset function, on the CPU. */
+export const runOnCpu = (warp: KeptWarp, declared: DeclaredUniforms): CpuWarp =>
+  createCpuWarp({
     declared,
     program: lazily(() => programOf(warp)),
-    hasNormals: normals,
+    hasNormals: warp.settings.normals,
     varies: warp.varies,
-    isAccepted,
+    isAccepted: warp.settings.isAccepted,
     // The tangent is first, for a shader may carry it in the place of another attribute.
     inputs: { tangent: warp.inputs.tangent!, ...warp.inputs },
   })
-  return { ...text, emit, ...cpu }
-}
 
 /** In the order of numbersOf in cpu-warp.ts. */
 function programOf({ module, settings }: KeptWarp) {
