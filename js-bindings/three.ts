@@ -3,6 +3,8 @@
  */
 export { warp, type WarpedObject } from './three/warp.js'
 export { warpMaterial, type Warped, type WarpedMaterial } from './three/material.js'
+export { fromBufferGeometry, toBufferGeometry } from './three/geometry.js'
+export { addSurfaceVariation } from './three/variation.js'
 export type { ThreeOffset, WarpOptions, WarpSpace } from './three/settings.js'
 export type { ThreeUniform, ThreeUniforms, UniformHandles, ValuesOf } from './three/uniforms.js'
 export { WarpError } from './checks/errors.js'

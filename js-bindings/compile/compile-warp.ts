@@ -29,11 +29,15 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   return { ...text, emit, ...runOnCpu(warp, declared) }
 }
 
-/** What is kept of an offset function, on the CPU. */
-export const runOnCpu = (warp: KeptWarp, declared: DeclaredUniforms): CpuWarp =>
+/** What is kept of an offset function, on the CPU. With `place: 'offset'` it gives how far a vertex moves, in place of where. */
+export const runOnCpu = (
+  warp: KeptWarp,
+  declared: DeclaredUniforms,
+  place: 'position' | 'offset' = 'position',
+): CpuWarp =>
   createCpuWarp({
     declared,
-    program: lazily(() => programOf(warp)),
+    program: lazily(() => programOf(warp, place)),
     hasNormals: warp.settings.normals,
     varies: warp.varies,
     isAccepted: warp.settings.isAccepted,
@@ -42,8 +46,8 @@ export const runOnCpu = (warp: KeptWarp, declared: DeclaredUniforms): CpuWarp =>
   })
 
 /** In the order of numbersOf in cpu-warp.ts. */
-function programOf({ module, settings }: KeptWarp) {
-  const { position, normal, tangent, determinant } = warpResults
+function programOf({ module, settings }: KeptWarp, place: 'position' | 'offset') {
+  const { [place]: position, normal, tangent, determinant } = warpResults
   const results = settings.normals ? [position, normal, tangent, determinant] : [position]
   return makeProgram(module, results.map(onSurface))
 }

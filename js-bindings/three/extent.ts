@@ -1,18 +1,22 @@
 // How far a warped object extends, for culling: boxes from `bounds`, which are never too small, again when something changed.
 import { type BatchedMesh, Box3, type InstancedMesh, Matrix4, Sphere, Vector3 } from 'three'
+import type { CpuWarp } from '../cpu/cpu-warp.js'
 import type { ThreeWarp } from './kept.js'
-import { type Warpable, boxOf, poseState, posedBox, posedFrom } from './pose.js'
+import { type Warpable, boxOf, isMoved, poseState, posedBox, posedFrom, sphereOf } from './pose.js'
 
 const everything = () =>
   new Box3(new Vector3().setScalar(-Infinity), new Vector3().setScalar(Infinity))
 
 /** A box around all that the warp makes of one. */
 export function warpedBox(warp: ThreeWarp, object: Warpable, box: Box3): Box3 {
-  if (!warp.runs) return everything()
+  return warp.runs ? boundsBy(warp.cpu, warp, object, box) : everything()
+}
+
+function boundsBy(cpu: CpuWarp, warp: ThreeWarp, object: Warpable, box: Box3): Box3 {
   if (box.isEmpty()) return box
   const { uv } = object.geometry.attributes
   const uvs = warp.reads.has('uv') && uv ? rangeOf(uv as never) : undefined
-  const { min, max } = warp.cpu.bounds(
+  const { min, max } = cpu.bounds(
     { min: box.min.toArray(), max: box.max.toArray(), ...(uvs && { uvs }) },
     { uniforms: warp.given() },
   )
@@ -93,44 +97,89 @@ function idsOf(object: Warpable): number[] {
   return isThere.flatMap((is, i) => (is ? i : []))
 }
 
-/** In the space of the object, as three.js wants it: what is warped of one instance, before its matrix. */
-function boxBefore(warp: ThreeWarp, object: Warpable): Box3 {
-  if (warp.settings.space === 'rest')
-    return posedFrom(
-      object,
-      warpedBox(warp, object, boxOf(object.geometry.attributes.position as never)),
-    )
-  return warpedBox(warp, object, posedBox(object))
+/** A box and a sphere, each around all of something. */
+export interface Extent {
+  box: Box3
+  sphere: Sphere
 }
 
-/** A box around the whole object as it is drawn, before its own matrix. */
-export function extentOf(warp: ThreeWarp, object: Warpable): Box3 {
-  if (!warp.runs) return everything()
-  const { matrices } = instancesOf(object)
-  const all = new Box3()
-  if (warp.settings.space !== 'world') {
-    const box = boxBefore(warp, object)
-    if (isInfinite(box)) return everything()
-    for (const matrix of matrices) all.union(box.clone().applyMatrix4(matrix))
-    return all
+/** Around the object as it is drawn, before its own matrix. */
+export function extentOf(warp: ThreeWarp, object: Warpable): Extent {
+  if (!warp.runs) return whole(everything())
+  if (warp.settings.space === 'world') return extentInWorld(warp, object)
+  const one = extentOfOne(warp, object)
+  if (isInfinite(one.box)) return whole(everything())
+  const all = whole(new Box3())
+  for (const matrix of instancesOf(object).matrices) {
+    all.box.union(one.box.clone().applyMatrix4(matrix))
+    all.sphere.union(one.sphere.clone().applyMatrix4(matrix))
   }
-  // One box around all instances is warped at once: ten thousand of them would take a second.
+  return { box: all.box, sphere: smaller(all.sphere, sphereAround(all.box)) }
+}
+
+/** Of one instance, before its matrix. */
+function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
+  const isRest = warp.settings.space === 'rest' && isMoved(object)
+  const position = object.geometry.attributes.position as never
+  const from = isRest ? boxOf(position) : posedBox(object)
+  const sphere = isMoved(object) ? sphereAround(from) : sphereOf(position)
+  const warped = warpedExtent(warp, object, { box: from, sphere })
+  return isRest ? whole(posedFrom(object, warped.box)) : warped
+}
+
+/** Two ways of bounding, by where the warp takes a box and by how far it moves a sphere; the smaller sphere counts. */
+function warpedExtent(warp: ThreeWarp, object: Warpable, { box, sphere }: Extent): Extent {
+  const warped = whole(warpedBox(warp, object, box))
+  const by = boundsBy(warp.offsets, warp, object, box)
+  if (isInfinite(by) || by.isEmpty()) return warped
+  const moved = new Sphere(
+    by.getCenter(new Vector3()).add(sphere.center),
+    (sphere.radius + by.getSize(new Vector3()).length() / 2) * slack,
+  )
+  return { box: warped.box, sphere: smaller(moved, warped.sphere) }
+}
+
+const smaller = (a: Sphere, b: Sphere) => (a.radius < b.radius ? a : b)
+
+/** Sines of a GPU are less exact than those of the CPU. */
+const slack = 1.001
+
+/** All instances are warped as one: ten thousand of them would take a second. */
+function extentInWorld(warp: ThreeWarp, object: Warpable): Extent {
   const box = posedBox(object)
-  for (const matrix of matrices)
-    all.union(box.clone().applyMatrix4(matrix).applyMatrix4(object.matrixWorld))
-  const warped = warpedBox(warp, object, all)
-  if (isInfinite(warped)) return everything()
-  return warped.applyMatrix4(new Matrix4().copy(object.matrixWorld).invert())
+  const sphere = isMoved(object)
+    ? sphereAround(box)
+    : sphereOf(object.geometry.attributes.position as never)
+  const all = whole(new Box3())
+  for (const matrix of instancesOf(object).matrices) {
+    const toWorld = new Matrix4().multiplyMatrices(object.matrixWorld, matrix)
+    const moved = sphere.clone().applyMatrix4(toWorld)
+    all.box.union(box.clone().applyMatrix4(toWorld).intersect(moved.getBoundingBox(new Box3())))
+    all.sphere.union(moved)
+  }
+  const warped = warpedExtent(warp, object, all)
+  if (isInfinite(warped.box)) return whole(everything())
+  // What three.js will apply, backwards: it makes spheres larger by the largest scale.
+  const back = new Matrix4().copy(object.matrixWorld).invert()
+  return {
+    box: warped.box.applyMatrix4(back),
+    sphere: new Sphere(
+      warped.sphere.center.applyMatrix4(back),
+      warped.sphere.radius / object.matrixWorld.getMaxScaleOnAxis(),
+    ),
+  }
 }
 
 const isInfinite = ({ min, max }: Box3) =>
-  [...min.toArray(), ...max.toArray()].some((number) => !Number.isFinite(number))
+  [...min.toArray(), ...max.toArray()].some((number) => !Number.isFinite(number)) &&
+  !(max.x < min.x)
 
-/** A sphere around a box, by a thousandth larger: sines of a GPU are less exact than those of the CPU. */
+const whole = (box: Box3): Extent => ({ box, sphere: sphereAround(box) })
+
 export function sphereAround(box: Box3): Sphere {
   if (box.isEmpty()) return new Sphere(new Vector3(), -1)
   if (isInfinite(box)) return new Sphere(new Vector3(), Infinity)
   const sphere = box.getBoundingSphere(new Sphere())
-  sphere.radius *= 1.001
+  sphere.radius *= slack
   return sphere
 }

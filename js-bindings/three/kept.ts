@@ -47,6 +47,8 @@ export interface ThreeWarp {
   reads: ReadonlySet<string>
   write: (target: Target, turned: Turned, names: Record<string, string>) => Text
   cpu: CpuWarp
+  /** The same, giving offsets in place of positions. */
+  offsets: CpuWarp
   /** Whether the CPU can run it: not if it calls a `glsl.fn` or reads an image. */
   runs: boolean
   /** The numbers that it depends on now. */
@@ -76,9 +78,12 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
   const positionText = writeFor(warp, 'position', 'glsl300')
   refuseOthers(method, writeFor(warp, 'tangent', 'glsl300'), uniforms)
   const millis = { value: 0 }
-  const cpu = runOnCpu(
-    { ...warp, settings: { ...warp.settings, isAccepted: true } },
+  const silent = { ...warp, settings: { ...warp.settings, isAccepted: true } }
+  const cpu = runOnCpu(silent, onCpu(uniforms))
+  const offsets = runOnCpu(
+    { ...silent, settings: { ...silent.settings, normals: false } },
     onCpu(uniforms),
+    'offset',
   )
   const isRead = (name: string) => positionText.uniforms.some((uniform) => uniform.name === name)
   return {
@@ -94,6 +99,7 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
       return { code, declarations, attributes }
     },
     cpu,
+    offsets,
     runs: cpu[warpProgram].program() !== undefined,
     numbers: () => [
       ...(isRead('millis') ? [millis.value] : []),

@@ -9,6 +9,7 @@ import {
   type Mesh,
   type Points,
   type SkinnedMesh,
+  Sphere,
   Vector3,
 } from 'three'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
@@ -82,7 +83,7 @@ function colorsOf(object: Warpable, color: Attribute | undefined, count: number,
   return colors
 }
 
-const isMoved = (object: Warpable) =>
+export const isMoved = (object: Warpable) =>
   isSkinned(object) || !!object.geometry.morphAttributes.position?.length
 
 const place = new Vector3()
@@ -118,15 +119,26 @@ function morphed(object: Warpable, normals: Float32Array) {
 }
 
 /** Around a geometry at rest, by the version of its positions. */
-const boxes = new WeakMap<object, { version: number; box: Box3 }>()
+const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }>()
 
-export function boxOf(attribute: Attribute): Box3 {
+export const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
+export const sphereOf = (attribute: Attribute): Sphere => boundsAtRest(attribute).sphere
+
+function boundsAtRest(attribute: Attribute) {
   const version = versionOf(attribute)
   const known = boxes.get(attribute)
-  if (known?.version === version) return known.box
+  if (known?.version === version) return known
   const box = new Box3().setFromBufferAttribute(attribute as BufferAttribute)
-  boxes.set(attribute, { version, box })
-  return box
+  const sphere = new Sphere(box.getCenter(new Vector3()), box.isEmpty() ? -1 : 0)
+  for (let i = 0; i < attribute.count; i++) {
+    const distance = sphere.center.distanceTo(
+      place.fromBufferAttribute(attribute as BufferAttribute, i),
+    )
+    sphere.radius = Math.max(sphere.radius, distance)
+  }
+  const made = { version, box, sphere }
+  boxes.set(attribute, made)
+  return made
 }
 
 /** Around what morph targets make of all that is in `box`: never too small. */

@@ -25,7 +25,7 @@ const noted = new WeakSet<ThreeWarp>()
 export function raycastOf(warp: ThreeWarp, object: Warpable, own: Raycast): Raycast {
   if (!warp.runs) return () => noteMiss(warp)
   const state = () => stateOf(warp, object)
-  const extent = remembered(state, () => sphereAround(extentOf(warp, object)))
+  const extent = remembered(state, () => extentOf(warp, object).sphere)
   const cast =
     warp.settings.space === 'world' ? castInWorld(warp, object, own) : castHere(warp, object, own)
   return (raycaster, intersects) => {

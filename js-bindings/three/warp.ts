@@ -140,8 +140,7 @@ function putOn(
   const shadows = shadowMaterials(warp, surface, own)
   const raycast = raycastOf(warp, object, object.raycast)
   const state = () => stateOf(warp, object)
-  const box = remembered(state, () => extentOf(warp, object))
-  const sphere = remembered(state, () => sphereAround(box()))
+  const extent = remembered(state, () => extentOf(warp, object))
   const { onBeforeRender } = object
   object.material = Array.isArray(before) ? before.map(wovenOf) : wovenOf(before)
   const after = object.material
@@ -149,8 +148,8 @@ function putOn(
     ...values(shadows),
     ...values({ raycast, onBeforeRender: refusingWebGPU(warp, onBeforeRender) }),
     // Looked at before anything is drawn, so that uniforms may be set at any time.
-    boundingSphere: answering(sphere),
-    boundingBox: answering(box),
+    boundingSphere: answering(() => extent().sphere),
+    boundingBox: answering(() => extent().box),
     ...values({ computeBoundingSphere() {}, computeBoundingBox() {} }),
     ...((object as BatchedMesh).isBatchedMesh && values(inBatch(warp, object as BatchedMesh))),
   })
@@ -158,7 +157,7 @@ function putOn(
   return {
     object,
     raycast,
-    bounds: () => box().clone(),
+    bounds: () => extent().box.clone(),
     restore() {
       putBack()
       // Another material, put on meanwhile, stays.
