@@ -53,6 +53,7 @@ const sharedFiles = [
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
   { name: 'p5-addon', test: /\/js-bindings\/p5\// },
+  { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu)/ },
 ]
 
 export const modules = settings(
@@ -66,6 +67,7 @@ export const modules = settings(
       mesh: path('js-bindings/mesh.ts'),
       deformers: path('js-bindings/deformers.ts'),
       three: path('js-bindings/three.ts'),
+      'three.webgpu': path('js-bindings/three.webgpu.ts'),
       cli: path('js-bindings/cli.ts'),
       memory: path('js-bindings/memory.ts'),
     },

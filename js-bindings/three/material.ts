@@ -95,12 +95,24 @@ export function checkMaterial(method: string, material: unknown): asserts materi
     )
 }
 
+/** A warped material, and how it becomes what it was. */
+export interface Woven {
+  material: Material
+  restore: () => void
+}
+
+/** Of a mesh that casts shadows in a way of its own. */
+export interface ShadowMaterials {
+  customDepthMaterial?: Material | undefined
+  customDistanceMaterial?: Material | undefined
+}
+
 /** Weaves the warp into a clone of the material, or into itself where it is shared. */
 export function weaveInto(
   material: Material,
   warp: ThreeWarp,
   fill: () => Material = () => material,
-) {
+): Woven {
   const { isShared } = warp.settings
   const made: Material = isShared ? material : material.clone()
   const { onBeforeCompile, customProgramCacheKey } = material
@@ -163,7 +175,7 @@ function inShader(warp: ThreeWarp, fill: () => Material) {
 export function shadowMaterials(
   warp: ThreeWarp,
   surface: () => Material,
-  own: { customDepthMaterial?: Material; customDistanceMaterial?: Material } = {},
+  own: ShadowMaterials = {},
 ) {
   const depth =
     own.customDepthMaterial?.clone() ?? new MeshDepthMaterial({ depthPacking: RGBADepthPacking })

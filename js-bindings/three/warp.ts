@@ -15,10 +15,19 @@ import { noteApproximation } from '../checks/notes.js'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
 import { extentOf, remembered, sphereAround, stateOf, warpedBox } from './extent.js'
 import { type ThreeWarp, keep } from './kept.js'
-import { type Warped, checkMaterial, shadowMaterials, updateOf, weaveInto } from './material.js'
+import {
+  type ShadowMaterials,
+  type Warped,
+  type Woven,
+  checkMaterial,
+  shadowMaterials,
+  updateOf,
+  weaveInto,
+} from './material.js'
 import type { Warpable } from './pose.js'
 import { type Raycast, raycastOf } from './rays.js'
-import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
+import { type Settings, type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
+import type { OffsetFunction } from '../types/types.js'
 import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 
 export interface WarpedObject<Uniforms = {}> extends Warped<Uniforms> {
@@ -43,14 +52,43 @@ export function warp<const Uniforms extends ThreeUniforms = {}>(
   offset: ThreeOffset<ValuesOf<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): WarpedObject<ValuesOf<Uniforms>> {
+  return warpBy(forWebGL, object, offset as never, options) as never
+}
+
+/** What differs between the renderers of three.js. */
+export interface Adapter {
+  check: (method: string, material: unknown) => void
+  /** Throws for what this renderer cannot do with an object in a space. */
+  checkPart?: (settings: Settings, part: Warpable) => void
+  weave: (material: Material, warp: ThreeWarp) => Woven
+  shadows?: (warp: ThreeWarp, surface: () => Material, own: ShadowMaterials) => ShadowMaterials
+  /** Whether it is for a renderer, and what to import from for the other ones. */
+  isFor: (renderer: object) => boolean
+  other: string
+}
+
+const forWebGL: Adapter = {
+  check: checkMaterial,
+  weave: weaveInto,
+  shadows: shadowMaterials,
+  isFor: (renderer) => !('isWebGPURenderer' in renderer),
+  other: "drawn by WebGPURenderer; import warp from 'warpjet/three/webgpu'",
+}
+
+export function warpBy(
+  adapter: Adapter,
+  object: Object3D,
+  offset: OffsetFunction,
+  options: WarpOptions<object>,
+): WarpedObject {
   const method = 'warp'
   const settings = readOptions(method, options)
-  const parts = partsOf(method, object)
-  const kept = keep(offset as never, settings)
-  const materials = new Map<Material, ReturnType<typeof weaveInto>>()
-  const done = parts.map((part) => putOn(kept, part, materials))
+  const parts = partsOf(adapter, settings, object)
+  const kept = keep(offset, settings)
+  const materials = new Map<Material, Woven>()
+  const done = parts.map((part) => putOn(adapter, kept, part, materials))
   return {
-    uniforms: kept.handles as never,
+    uniforms: kept.handles,
     update: updateOf(kept),
     bounds: () => boundsOf(object, done),
     raycast: (raycaster, intersects) =>
@@ -64,7 +102,8 @@ export function warp<const Uniforms extends ThreeUniforms = {}>(
 }
 
 /** What is drawn of an object and all that is in it, checked before anything is changed. */
-function partsOf(method: string, object: Object3D): Warpable[] {
+function partsOf(adapter: Adapter, settings: Settings, object: Object3D): Warpable[] {
+  const { method } = settings
   if (!object?.isObject3D)
     throw new WarpError(
       `${method}: a Mesh, Points, a Line or a group of them was expected, but ${describe(object)} came.`,
@@ -83,7 +122,8 @@ function partsOf(method: string, object: Object3D): Warpable[] {
       )
     if (!geometry.attributes?.position)
       throw new WarpError(`${method}: the geometry of ${nameOf(part)} has no attribute "position".`)
-    for (const each of [material].flat()) checkMaterial(method, each)
+    for (const each of [material].flat()) adapter.check(method, each)
+    adapter.checkPart?.(settings, part as Warpable)
     parts.push(part as Warpable)
   })
   if (parts.length) return parts
@@ -124,20 +164,20 @@ function replacing(object: object, properties: PropertyDescriptorMap) {
 }
 
 function putOn(
+  adapter: Adapter,
   warp: ThreeWarp,
   object: Warpable,
-  materials: Map<Material, ReturnType<typeof weaveInto>>,
+  materials: Map<Material, Woven>,
 ): Part {
-  const own = object as Mesh & { customDepthMaterial?: Material; customDistanceMaterial?: Material }
   const wovenOf = (material: Material) => {
-    if (!materials.has(material)) materials.set(material, weaveInto(material, warp))
+    if (!materials.has(material)) materials.set(material, adapter.weave(material, warp))
     return materials.get(material)!.material
   }
   if (warp.varies && warp.settings.surfaceVariation !== false && !hasVariation(object))
     noteApproximation(warp.settings.method, 'await addSurfaceVariation(geometry)')
   const before = object.material
   const surface = () => [object.material].flat()[0]!
-  const shadows = shadowMaterials(warp, surface, own)
+  const shadows = adapter.shadows?.(warp, surface, object as ShadowMaterials) ?? {}
   const raycast = raycastOf(warp, object, object.raycast)
   const state = () => stateOf(warp, object)
   const extent = remembered(state, () => extentOf(warp, object))
@@ -146,7 +186,7 @@ function putOn(
   const after = object.material
   const putBack = replacing(object, {
     ...values(shadows),
-    ...values({ raycast, onBeforeRender: refusingWebGPU(warp, onBeforeRender) }),
+    ...values({ raycast, onBeforeRender: refusingOthers(adapter, onBeforeRender) }),
     // Looked at before anything is drawn, so that uniforms may be set at any time.
     boundingSphere: answering(() => extent().sphere),
     boundingBox: answering(() => extent().box),
@@ -162,8 +202,8 @@ function putOn(
       putBack()
       // Another material, put on meanwhile, stays.
       if (object.material === after) object.material = before
-      shadows.customDepthMaterial.dispose()
-      shadows.customDistanceMaterial.dispose()
+      shadows.customDepthMaterial?.dispose()
+      shadows.customDistanceMaterial?.dispose()
       warpedNow.delete(object)
     },
   }
@@ -183,13 +223,10 @@ const answering = <Value extends Box3 | Sphere>(value: () => Value): PropertyDes
 const hasVariation = ({ geometry }: Warpable) =>
   variationNames.some((name) => variationAttribute(name) in geometry.attributes)
 
-/** That renderer never calls `onBeforeCompile`, so that the object would be drawn as it was. */
-const refusingWebGPU = (warp: ThreeWarp, own: Mesh['onBeforeRender']): Mesh['onBeforeRender'] =>
+/** Another renderer would draw the object as it was. */
+const refusingOthers = (adapter: Adapter, own: Mesh['onBeforeRender']): Mesh['onBeforeRender'] =>
   function (this: Object3D, renderer, ...others) {
-    if ((renderer as { isWebGPURenderer?: boolean }).isWebGPURenderer)
-      throw new WarpError(
-        `${warp.settings.method}: the object is drawn by WebGPURenderer; import ${warp.settings.method} from 'warpjet/three/webgpu'.`,
-      )
+    if (!adapter.isFor(renderer)) throw new WarpError(`warp: the object is ${adapter.other}.`)
     own.call(this, renderer, ...others)
   }
 

@@ -11,7 +11,7 @@ const seen = 300
 
 let pages
 before(async () => {
-  pages = await threePages()
+  pages = await threePages(['--js-flags=--expose-gc', '--enable-precise-memory-info'])
 })
 after(() => pages.close())
 
@@ -76,6 +76,27 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     test('logarithmic and reversed depth', async () => {
       await isSame('plain', { options: { logarithmicDepthBuffer: true } })
       if (version === 'three') await isSame('plain', { options: { reversedDepthBuffer: true } })
+    })
+
+    test('MeshNormalMaterial shows the normals of a wave', async () => {
+      const { worst, unwarped } = await page.evaluate(() => three.normals())
+      assert.ok(worst <= 3 && unwarped > 30, `${worst} of 255, ${unwarped} without the warp`)
+    })
+
+    test('an image among the uniforms', async () => {
+      messages.length = 0
+      const { differing, moved } = await page.evaluate(() => three.image())
+      assert.deepEqual([messages, differing], [[], 0])
+      assert.ok(moved > seen)
+    })
+
+    test('warped and disposed many times, nothing is left', async () => {
+      const times = isRun('every material of three') ? 1000 : 100
+      const { before, after } = await page.evaluate((times) => three.churn(times), times)
+      const { heap: heapBefore, ...countsBefore } = before
+      const { heap, ...counts } = after
+      assert.deepEqual(counts, countsBefore)
+      assert.ok(heap < heapBefore + 2e6, `the heap grew from ${heapBefore} to ${heap}`)
     })
 
     test('without normals, or without the materials of shadows, hundreds of pixels would differ', async () => {

@@ -36,7 +36,7 @@ window.run = async (target, program, points) => {
 }
 </script>`
 
-const webgpuFlags = [
+export const webgpuFlags = [
   '--enable-unsafe-webgpu',
   '--use-webgpu-adapter=swiftshader',
   '--enable-features=Vulkan',

@@ -1,7 +1,9 @@
 // What tests ask of a page with three.js and 'warpjet/three'.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
+import { differing } from './pixels.js'
 import * as scenes from './scenes.js'
+import * as wave from './wave.js'
 
 const { size } = scenes
 
@@ -31,13 +33,6 @@ export function draw(scene, camera = scenes.camera()) {
   const pixels = new Uint8Array(4 * size * size)
   gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels)
   return pixels
-}
-
-export function differing(a, b, tolerance = 12) {
-  let count = 0
-  for (let i = 0; i < a.length; i += 4)
-    if ([0, 1, 2].some((k) => Math.abs(a[i + k] - b[i + k]) > tolerance)) count++
-  return count
 }
 
 /** Materials stay, and their programs with them, which take longest to make. */
@@ -97,8 +92,69 @@ export function compare(
   }
 }
 
-/** What a page shows, for the eye. */
+/** How wrong the normals of a wave are shown, in 255ths; without the warp's, for comparison. */
+export function normals() {
+  renderer = rendererFor({})
+  const { scene, camera, mesh, size } = wave.waveScene()
+  const target = new THREE.WebGLRenderTarget(size, size)
+  const read = () => {
+    renderer.setRenderTarget(target)
+    renderer.render(scene, camera)
+    const bytes = new Uint8Array(4 * size * size)
+    renderer.readRenderTargetPixels(target, 0, 0, size, size, bytes)
+    renderer.setRenderTarget(null)
+    return wave.worstOf(Array.from(bytes, (byte) => byte / 255))
+  }
+  const unwarped = read()
+  const warped = warp(mesh, wave.offset)
+  warped.update(wave.millis)
+  const worst = read()
+  warped.dispose()
+  target.dispose()
+  return { worst, unwarped }
+}
+
+/** A shift whose amount an image holds, against the same by a matrix → how many pixels differ. */
+export function image() {
+  renderer = rendererFor({})
+  const make = { warped: scenes.shapes.plain, moved: scenes.shapes.plain }
+  const object = scenes.unmoved(make)
+  const scene = scenes.sceneOf(object, 'directional')
+  const warped = warp(object, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), {
+    uniforms: { map: scenes.shiftMap() },
+    surfaceVariation: false,
+  })
+  const shown = draw(scene)
+  warped.dispose()
+  const before = draw(scene)
+  object.matrix.multiply(scenes.shiftMatrix())
+  return { differing: differing(shown, draw(scene)), moved: differing(shown, before) }
+}
+
+/** Warps and disposes a mesh in a scene many times → what three.js counts and the heap, before and after. */
+export function churn(times) {
+  renderer = rendererFor({})
+  const object = scenes.shapes.plain()
+  const scene = scenes.sceneOf(object, 'directional')
+  const once = () => {
+    const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
+    warped.update(1000)
+    renderer.render(scene, scenes.camera())
+    warped.dispose()
+    renderer.render(scene, scenes.camera())
+  }
+  const state = () => {
+    globalThis.gc?.()
+    const { memory, programs } = renderer.info
+    return { ...memory, programs: programs.length, heap: performance.memory?.usedJSHeapSize }
+  }
+  for (let i = 0; i < 20; i++) once()
+  const before = state()
+  for (let i = 0; i < times; i++) once()
+  return { before, after: state() }
+}
+
 export const names = Object.keys(scenes.shapes)
 
-window.three = { compare, names }
+window.three = { compare, names, normals, image, churn }
 document.title = 'ready'

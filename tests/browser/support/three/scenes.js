@@ -232,7 +232,16 @@ export const shapes = {
   ),
 }
 
-export const shadows = ['directional', 'spot', 'point']
+const amount = [0.3, -0.2, 0.25]
+
+/** An image that has one shift everywhere, and that shift as a matrix. */
+export function shiftMap() {
+  const data = Float32Array.from({ length: 16 }, (_, i) => [...amount, 1][i % 4])
+  const map = new THREE.DataTexture(data, 2, 2, THREE.RGBAFormat, THREE.FloatType)
+  map.needsUpdate = true
+  return map
+}
+export const shiftMatrix = () => new THREE.Matrix4().makeTranslation(...amount)
 
 function light(kind) {
   const made =
