@@ -30,6 +30,7 @@ const shared = [
   'deformers',
   'three',
   'three.webgpu',
+  'react',
   'cli',
 ]
 const single = ['warpjet', 'mesh', 'p5.warpjet', 'p5.warpjet.slim', 'warpjet.deformers']
