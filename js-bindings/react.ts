@@ -3,6 +3,12 @@
  */
 export { Warp, type WarpProps } from './react/warp.js'
 export type { ThreeOffset, WarpSpace } from './three/settings.js'
-export type { ThreeUniform, ThreeUniforms, UniformHandles, ValuesOf } from './three/uniforms.js'
+export type {
+  ThreeUniform,
+  ThreeUniforms,
+  UniformHandle,
+  UniformHandles,
+  ValuesOf,
+} from './three/uniforms.js'
 export type { WarpedObject } from './three/warp.js'
 export { WarpError } from './checks/errors.js'

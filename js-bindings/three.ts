@@ -6,5 +6,11 @@ export { warpMaterial, type Warped, type WarpedMaterial } from './three/material
 export { fromBufferGeometry, toBufferGeometry } from './three/geometry.js'
 export { addSurfaceVariation } from './three/variation.js'
 export type { ThreeOffset, WarpOptions, WarpSpace } from './three/settings.js'
-export type { ThreeUniform, ThreeUniforms, UniformHandles, ValuesOf } from './three/uniforms.js'
+export type {
+  ThreeUniform,
+  ThreeUniforms,
+  UniformHandle,
+  UniformHandles,
+  ValuesOf,
+} from './three/uniforms.js'
 export { WarpError } from './checks/errors.js'

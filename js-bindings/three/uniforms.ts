@@ -36,7 +36,14 @@ type Widened<Value> = Value extends number ? number : Value extends boolean ? bo
 
 /** As in three.js: `warped.uniforms.amount.value = 2`. A vector may be changed in place. */
 export type UniformHandles<Values> = {
-  readonly [Name in keyof Values]: { value: Values[Name] | (() => Values[Name]) }
+  readonly [Name in keyof Values]: UniformHandle<Values[Name]>
+}
+
+export interface UniformHandle<Value> {
+  /** What it is now. */
+  get value(): Value
+  /** A value of the same type, or a function that gives it. */
+  set value(value: Value | (() => Value))
 }
 
 /** One uniform, by what the shader calls it. */
@@ -89,7 +96,7 @@ export function readUniforms(method: string, option: object | undefined) {
       image ? textureFor(place, valueOf(given)) : unlisted(numbersFor(place, shape, valueOf(given)))
     handles[name] = {
       get value() {
-        return given
+        return isCallable(given) ? (given as () => unknown)() : given
       },
       set value(value) {
         // Looked at here, where the mistake is.
