@@ -21,7 +21,18 @@ const compiled = ['mesh.mjs', ...inlined.map((name) => `${name}.wasm`)].map(
   (name) => `.build/wasm/${name}`,
 )
 
-const shared = ['text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
+const shared = [
+  'text',
+  'p5',
+  'p5.browser',
+  'autodiff',
+  'mesh',
+  'deformers',
+  'three',
+  'three.webgpu',
+  'react',
+  'cli',
+]
 const single = ['warpjet', 'mesh', 'p5.warpjet', 'p5.warpjet.slim', 'warpjet.deformers']
 const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,

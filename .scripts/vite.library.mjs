@@ -5,8 +5,8 @@ import { path } from './lib/files.mjs'
 
 const { name, version, license } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
 
-// p5 is the page's own: the addon is handed it, or finds it as a global. The command line runs in Node only.
-const external = ['p5', /^node:/]
+// p5 is the page's own: the addon is handed it, or finds it as a global. So is three. The command line runs in Node only.
+const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^node:/]
 
 const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
@@ -53,6 +53,7 @@ const sharedFiles = [
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
   { name: 'p5-addon', test: /\/js-bindings\/p5\// },
+  { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu)/ },
 ]
 
 export const modules = settings(
@@ -65,6 +66,9 @@ export const modules = settings(
       autodiff: path('js-bindings/autodiff.ts'),
       mesh: path('js-bindings/mesh.ts'),
       deformers: path('js-bindings/deformers.ts'),
+      three: path('js-bindings/three.ts'),
+      'three.webgpu': path('js-bindings/three.webgpu.ts'),
+      react: path('js-bindings/react.ts'),
       cli: path('js-bindings/cli.ts'),
       memory: path('js-bindings/memory.ts'),
     },

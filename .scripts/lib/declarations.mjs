@@ -5,12 +5,27 @@ import { run } from './run.mjs'
 
 const written = '.build/types'
 
-const entries = ['index', 'text', 'p5', 'autodiff', 'mesh', 'deformers']
+const entries = [
+  'index',
+  'text',
+  'p5',
+  'autodiff',
+  'mesh',
+  'deformers',
+  'three',
+  'three.webgpu',
+  'react',
+]
 
 /** Only names what the entries export. */
 const globals = 'globals.d.ts'
 
-export const declarations = [...entries.map((name) => `${name}.d.ts`), 'shared.d.ts', globals]
+export const declarations = [
+  ...entries.map((name) => `${name}.d.ts`),
+  'shared.d.ts',
+  'three.shared.d.ts',
+  globals,
+]
 
 export async function declareTypes() {
   for (const folder of [written, 'dist/types'])
@@ -29,9 +44,15 @@ export async function declareTypes() {
   })
   await bundle.write({
     dir: path('dist/types'),
-    chunkFileNames: 'shared.d.ts',
+    chunkFileNames: '[name].d.ts',
     minifyInternalExports: false,
-    codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] },
+    codeSplitting: {
+      groups: [
+        // Who has no three.js has none of its types.
+        { name: 'shared', test: /^(?!.*[\\/]types[\\/]three[\\/])/, minShareCount: 2, priority: 2 },
+        { name: 'three.shared', minShareCount: 2 },
+      ],
+    },
   })
   copyFileSync(path(written, globals), path('dist/types', globals))
 }

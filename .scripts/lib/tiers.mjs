@@ -22,6 +22,9 @@ export const leftOut = {
   parts: {
     'p5 1.11':
       'what it does differently is little and changes seldom; p5-1.test.js has a smoke test',
+    'three 0.159': 'what the oldest three.js does differently is little and changes never',
+    'every material of three':
+      'the shaders of three’s materials are made of the same chunks; every day seven go through them',
     'all dialects':
       'WebGL 1 and WebGPU run the same nodes as WebGL 2, in words that tests/golden keeps for each dialect',
     'every example through the page':

@@ -1,6 +1,7 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
 import { type Emits, compileOffset } from './offset.js'
 import { type CpuWarp, createCpuWarp } from '../cpu/cpu-warp.js'
+import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
 import { makeProgram } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
 import { warpResults } from '../wasm/tables.js'
@@ -25,25 +26,31 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   options: WarpOptions<Uniforms> = {},
 ): CompiledWarp {
   const { warp, declared, text, emit } = compileOffset(given as OffsetFunction, options)
-  const { normals, isAccepted } = warp.settings
-  const cpu = createCpuWarp({
+  return { ...text, emit, ...runOnCpu(warp, declared) }
+}
+
+/** What is kept of an offset function, on the CPU. With `place: 'offset'` it gives how far a vertex moves, in place of where. */
+export const runOnCpu = (
+  warp: KeptWarp,
+  declared: DeclaredUniforms,
+  place: 'position' | 'offset' = 'position',
+): CpuWarp =>
+  createCpuWarp({
     declared,
-    program: lazily(() => programOf(warp)),
+    program: lazily(() => programOf(warp, place)),
     directionProgram: lazily(() =>
       makeProgram(warp.module, [warpResults.position, warpResults.direction].map(onSurface)),
     ),
-    hasNormals: normals,
+    hasNormals: warp.settings.normals,
     varies: warp.varies,
-    isAccepted,
+    isAccepted: warp.settings.isAccepted,
     // The tangent is first, for a shader may carry it in the place of another attribute.
     inputs: { tangent: warp.inputs.tangent!, ...warp.inputs },
   })
-  return { ...text, emit, ...cpu }
-}
 
 /** In the order of numbersOf in cpu-warp.ts. */
-function programOf({ module, settings }: KeptWarp) {
-  const { position, normal, tangent, determinant } = warpResults
+function programOf({ module, settings }: KeptWarp, place: 'position' | 'offset') {
+  const { [place]: position, normal, tangent, determinant } = warpResults
   const results = settings.normals ? [position, normal, tangent, determinant] : [position]
   return makeProgram(module, results.map(onSurface))
 }

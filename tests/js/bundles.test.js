@@ -11,6 +11,7 @@ import {
 } from 'node:fs'
 import { describe, test } from 'node:test'
 import { fileURLToPath, pathToFileURL } from 'node:url'
+import { gzipSync } from 'node:zlib'
 import { rolldown } from 'rolldown'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
@@ -35,7 +36,7 @@ const files = ['dist', 'dist/shared'].flatMap((folder) =>
 )
 
 test('files keep their names from one release to the next', () => {
-  const shared = ['basics', 'compiler', 'evaluation', 'meshes', 'p5-addon']
+  const shared = ['basics', 'compiler', 'evaluation', 'meshes', 'p5-addon', 'three-warp']
   assert.deepEqual(
     files.filter((file) => file.startsWith('dist/shared/')),
     shared.map((name) => `dist/shared/${name}.js`),
@@ -100,6 +101,8 @@ describe('one loads what one uses', () => {
     'p5.browser': ['core'],
     mesh: ['mesh'],
     deformers: [],
+    three: ['core', 'evaluation'],
+    'three.webgpu': ['core', 'evaluation'],
     'p5.warpjet.min': ['core', 'evaluation'],
     'p5.warpjet.slim.min': ['core'],
     'warpjet.deformers.min': [],
@@ -123,6 +126,7 @@ async function bundle(name, code, platform) {
     input: `${folder}/${name}.js`,
     platform,
     resolve: { alias: { p5: `${folder}/p5.js` } },
+    external: /^(three|react)(\/|$)/,
   })
   await build.write({ file, minify: true, codeSplitting: false })
   return file
@@ -159,6 +163,25 @@ test('a bundle for text alone has no evaluation, and says where it is', async ()
         `^${method}: this compileWarp makes text only; .* script p5\\.warpjet\\.min\\.js, and of 'warpjet'\\.$`,
       ),
     })
+})
+
+test('warpjet/three adds at most 12 KB to warpjet, and warpjet has nothing of it', async () => {
+  const size = async (name, code) => {
+    const text = readFileSync(await bundle(name, code, 'browser'))
+    return { text: text.toString(), bytes: gzipSync(text, { level: 9 }).length }
+  }
+  const alone = await size('alone', "export { compileWarp } from 'warpjet'")
+  assert.doesNotMatch(alone.text, /onBeforeCompile|begin_vertex|"three/)
+  // What reads models is a file of its own, that addSurfaceVariation fetches.
+  for (const [entry, names] of [
+    ['three', 'warp, warpMaterial'],
+    ['three/webgpu', 'warp, warpMaterial, warpNode'],
+  ]) {
+    const code = `export { compileWarp } from 'warpjet'\nexport { ${names} } from 'warpjet/${entry}'`
+    const { bytes } = await size(entry.replace('/', '-'), code)
+    assert.ok(bytes - alone.bytes <= 12 * 1024, `${entry} adds ${bytes - alone.bytes} bytes`)
+    console.log(`warpjet/${entry} adds ${bytes - alone.bytes} bytes, gzipped`)
+  }
 })
 
 test('no module imports what a bundler cannot follow', () => {

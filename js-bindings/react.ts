@@ -1,0 +1,14 @@
+/**
+ * 'warpjet/react': `<Warp>` for @react-three/fiber. `react`, `@react-three/fiber` and `three` are the application's own.
+ */
+export { Warp, type WarpProps } from './react/warp.js'
+export type { ThreeOffset, WarpSpace } from './three/settings.js'
+export type {
+  ThreeUniform,
+  ThreeUniforms,
+  UniformHandle,
+  UniformHandles,
+  ValuesOf,
+} from './three/uniforms.js'
+export type { WarpedObject } from './three/warp.js'
+export { WarpError } from './checks/errors.js'

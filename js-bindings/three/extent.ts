@@ -1,0 +1,185 @@
+// How far a warped object extends, for culling: boxes from `bounds`, which are never too small, again when something changed.
+import { type BatchedMesh, Box3, type InstancedMesh, Matrix4, Sphere, Vector3 } from 'three'
+import type { CpuWarp } from '../cpu/cpu-warp.js'
+import type { ThreeWarp } from './kept.js'
+import { type Warpable, boxOf, isMoved, poseState, posedBox, posedFrom, sphereOf } from './pose.js'
+
+const everything = () =>
+  new Box3(new Vector3().setScalar(-Infinity), new Vector3().setScalar(Infinity))
+
+/** A box around all that the warp makes of one. */
+export function warpedBox(warp: ThreeWarp, object: Warpable, box: Box3): Box3 {
+  return warp.runs ? boundsBy(warp.cpu, warp, object, box) : everything()
+}
+
+function boundsBy(cpu: CpuWarp, warp: ThreeWarp, object: Warpable, box: Box3): Box3 {
+  if (box.isEmpty()) return box
+  const { uv } = object.geometry.attributes
+  const uvs = warp.reads.has('uv') && uv ? rangeOf(uv as never) : undefined
+  const { min, max } = cpu.bounds(
+    { min: box.min.toArray(), max: box.max.toArray(), ...(uvs && { uvs }) },
+    { uniforms: warp.given() },
+  )
+  return new Box3(new Vector3().fromArray(min), new Vector3().fromArray(max))
+}
+
+/** Of texture coordinates, which have no third one. */
+function rangeOf(uv: Parameters<typeof boxOf>[0]) {
+  const min = [Infinity, Infinity]
+  const max = [-Infinity, -Infinity]
+  for (let i = 0; i < uv.count; i++)
+    for (const [k, value] of [uv.getX(i), uv.getY(i)].entries()) {
+      min[k] = Math.min(min[k]!, value)
+      max[k] = Math.max(max[k]!, value)
+    }
+  return { min, max }
+}
+
+/** Remembers what `work` gave for as long as `state` gives the same numbers. */
+export function remembered<Result>(state: () => number[], work: () => Result): () => Result {
+  let last: number[] | undefined
+  let result: Result
+  return () => {
+    const now = state()
+    if (last?.length !== now.length || now.some((number, i) => number !== last![i])) {
+      result = work()
+      last = now
+    }
+    return result
+  }
+}
+
+/** What changes where an object is, beside the warp. */
+export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
+  const { instanceMatrix, count } = object as InstancedMesh
+  return [
+    ...warp.numbers(),
+    ...poseState(object),
+    ...(warp.settings.space === 'world' ? object.matrixWorld.elements : []),
+    ...(instanceMatrix ? [instanceMatrix.version, count] : []),
+    ...batchState(object as BatchedMesh),
+  ]
+}
+
+/** A batch keeps the matrices of its instances in a texture. */
+function batchState(object: BatchedMesh) {
+  if (!object.isBatchedMesh) return []
+  const { _matricesTexture: matrices } = object as unknown as {
+    _matricesTexture?: { version: number }
+  }
+  return [matrices?.version ?? NaN]
+}
+
+/** The matrix of each instance; of what has none a single one that changes nothing. */
+export function instancesOf(object: Warpable): {
+  matrices: Matrix4[]
+  ids: (number | undefined)[]
+} {
+  const { isInstancedMesh, count } = object as InstancedMesh
+  const { isBatchedMesh } = object as BatchedMesh
+  if (!isInstancedMesh && !isBatchedMesh) return { matrices: [new Matrix4()], ids: [undefined] }
+  const ids = isInstancedMesh ? Array.from({ length: count }, (_, i) => i) : idsOf(object)
+  const matrices = ids.map((i) => {
+    const matrix = new Matrix4()
+    ;(object as InstancedMesh).getMatrixAt(i, matrix)
+    return matrix
+  })
+  return { matrices, ids }
+}
+
+/** Those of a batch that were not deleted; three.js 0.159 keeps them in a list of their own. */
+function idsOf(object: Warpable): number[] {
+  const { _instanceInfo, _active = [] } = object as unknown as {
+    _instanceInfo?: { active: boolean; visible: boolean }[]
+    _active?: boolean[]
+  }
+  const isThere = _instanceInfo?.map(({ active, visible }) => active && visible) ?? _active
+  return isThere.flatMap((is, i) => (is ? i : []))
+}
+
+/** A box and a sphere, each around all of something. */
+export interface Extent {
+  box: Box3
+  sphere: Sphere
+}
+
+/** Around the object as it is drawn, before its own matrix. */
+export function extentOf(warp: ThreeWarp, object: Warpable): Extent {
+  if (!warp.runs) return whole(everything())
+  if (warp.settings.space === 'world') return extentInWorld(warp, object)
+  const one = extentOfOne(warp, object)
+  if (isInfinite(one.box)) return whole(everything())
+  const all = whole(new Box3())
+  for (const matrix of instancesOf(object).matrices) {
+    all.box.union(one.box.clone().applyMatrix4(matrix))
+    all.sphere.union(one.sphere.clone().applyMatrix4(matrix))
+  }
+  return { box: all.box, sphere: smaller(all.sphere, sphereAround(all.box)) }
+}
+
+/** Of one instance, before its matrix. */
+function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
+  const isRest = warp.settings.space === 'rest' && isMoved(object)
+  const position = object.geometry.attributes.position as never
+  const from = isRest ? boxOf(position) : posedBox(object)
+  const sphere = isMoved(object) ? sphereAround(from) : sphereOf(position)
+  const warped = warpedExtent(warp, object, { box: from, sphere })
+  return isRest ? whole(posedFrom(object, warped.box)) : warped
+}
+
+/** Two ways of bounding, by where the warp takes a box and by how far it moves a sphere; the smaller sphere counts. */
+function warpedExtent(warp: ThreeWarp, object: Warpable, { box, sphere }: Extent): Extent {
+  const warped = whole(warpedBox(warp, object, box))
+  const by = boundsBy(warp.offsets, warp, object, box)
+  if (isInfinite(by) || by.isEmpty()) return warped
+  const moved = new Sphere(
+    by.getCenter(new Vector3()).add(sphere.center),
+    (sphere.radius + by.getSize(new Vector3()).length() / 2) * slack,
+  )
+  return { box: warped.box, sphere: smaller(moved, warped.sphere) }
+}
+
+const smaller = (a: Sphere, b: Sphere) => (a.radius < b.radius ? a : b)
+
+/** Sines of a GPU are less exact than those of the CPU. */
+const slack = 1.001
+
+/** All instances are warped as one: ten thousand of them would take a second. */
+function extentInWorld(warp: ThreeWarp, object: Warpable): Extent {
+  const box = posedBox(object)
+  const sphere = isMoved(object)
+    ? sphereAround(box)
+    : sphereOf(object.geometry.attributes.position as never)
+  const all = whole(new Box3())
+  for (const matrix of instancesOf(object).matrices) {
+    const toWorld = new Matrix4().multiplyMatrices(object.matrixWorld, matrix)
+    const moved = sphere.clone().applyMatrix4(toWorld)
+    all.box.union(box.clone().applyMatrix4(toWorld).intersect(moved.getBoundingBox(new Box3())))
+    all.sphere.union(moved)
+  }
+  const warped = warpedExtent(warp, object, all)
+  if (isInfinite(warped.box)) return whole(everything())
+  // What three.js will apply, backwards: it makes spheres larger by the largest scale.
+  const back = new Matrix4().copy(object.matrixWorld).invert()
+  return {
+    box: warped.box.applyMatrix4(back),
+    sphere: new Sphere(
+      warped.sphere.center.applyMatrix4(back),
+      warped.sphere.radius / object.matrixWorld.getMaxScaleOnAxis(),
+    ),
+  }
+}
+
+const isInfinite = ({ min, max }: Box3) =>
+  [...min.toArray(), ...max.toArray()].some((number) => !Number.isFinite(number)) &&
+  !(max.x < min.x)
+
+const whole = (box: Box3): Extent => ({ box, sphere: sphereAround(box) })
+
+export function sphereAround(box: Box3): Sphere {
+  if (box.isEmpty()) return new Sphere(new Vector3(), -1)
+  if (isInfinite(box)) return new Sphere(new Vector3(), Infinity)
+  const sphere = box.getBoundingSphere(new Sphere())
+  sphere.radius *= slack
+  return sphere
+}

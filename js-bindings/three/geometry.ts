@@ -1,0 +1,72 @@
+// Geometries of three.js as the meshes of 'warpjet/mesh', and back.
+import { BufferAttribute, BufferGeometry } from 'three'
+import { WarpError, describe } from '../checks/errors.js'
+import type { Mesh, MeshInput } from '../mesh/mesh-arrays.js'
+import { numbersOf } from './pose.js'
+
+/** What each has of a vertex: three.js' name of it and how many numbers. */
+const known = {
+  positions: ['position', 3],
+  normals: ['normal', 3],
+  uvs: ['uv', 2],
+  colors: ['color', 4],
+  tangents: ['tangent', 4],
+} as const
+
+/**
+ * A geometry as `bakeWarp`, `subdivide`, `exportGLB` and the others of 'warpjet/mesh' take it; its arrays are the
+ * geometry's own where they fit. Throws a `WarpError` for what is no geometry with positions.
+ */
+export function fromBufferGeometry(geometry: BufferGeometry): Mesh {
+  if (!geometry?.isBufferGeometry)
+    throw new WarpError(
+      `fromBufferGeometry: a BufferGeometry was expected, but ${describe(geometry)} came.`,
+    )
+  const { attributes, index } = geometry
+  if (!attributes.position)
+    throw new WarpError('fromBufferGeometry: the geometry has no attribute "position".')
+  const mesh: Record<string, ArrayLike<number>> = {}
+  for (const [name, [attribute, size]] of Object.entries(known)) {
+    const given = attributes[attribute]
+    // Colours without alpha are opaque.
+    if (given) mesh[name] = numbersOf(given, size, 1)
+  }
+  if (index) mesh.indices = Uint32Array.from(index.array)
+  return mesh as unknown as Mesh
+}
+
+/**
+ * A mesh, such as `bakeWarp` and `loadMesh` give it, as a geometry. `like` is the geometry that it was made of: its groups
+ * and those of its attributes that meshes do not have, such as `uv1`, are taken over as they are. Throws a `WarpError` if the
+ * mesh has other vertices than that, as after `subdivide`.
+ */
+export function toBufferGeometry(mesh: MeshInput, like?: BufferGeometry): BufferGeometry {
+  if (typeof mesh !== 'object' || mesh === null || !mesh.positions)
+    throw new WarpError(
+      `toBufferGeometry: a mesh such as { positions, normals, indices } was expected, but ${describe(mesh)} came.`,
+    )
+  const geometry = new BufferGeometry()
+  for (const [name, [attribute, size]] of Object.entries(known)) {
+    const numbers = mesh[name as keyof typeof known]
+    if (numbers)
+      geometry.setAttribute(attribute, new BufferAttribute(Float32Array.from(numbers), size))
+  }
+  const { indices } = mesh
+  if (indices) geometry.setIndex(new BufferAttribute(Uint32Array.from(indices), 1))
+  if (like) takeOver(geometry, like)
+  return geometry
+}
+
+function takeOver(geometry: BufferGeometry, like: BufferGeometry) {
+  const { count } = geometry.attributes.position!
+  const before = like.attributes.position?.count
+  if (before !== count)
+    throw new WarpError(
+      `toBufferGeometry: the mesh has ${count} vertices and the geometry that it is like ${before}, so that nothing can be taken over; leave the second argument out.`,
+    )
+  for (const [name, attribute] of Object.entries(like.attributes))
+    if (!(name in geometry.attributes)) geometry.setAttribute(name, attribute.clone())
+  for (const { start, count, materialIndex } of like.groups)
+    geometry.addGroup(start, count, materialIndex)
+  geometry.userData = { ...like.userData }
+}

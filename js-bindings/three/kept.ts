@@ -1,0 +1,161 @@
+// An offset function as three.js needs it: called once, then texts for its shaders, and the same warp on the CPU.
+import { type KeptWarp, keepWarp, readOptions, writeWarp } from '../compile/warp-text.js'
+import { runOnCpu } from '../compile/compile-warp.js'
+import type { Target } from '../module/kept-module.js'
+import { lazily } from '../module/lazily.js'
+import { WarpError } from '../checks/errors.js'
+import { checkCallback } from '../checks/options.js'
+import type { CpuWarp } from '../cpu/cpu-warp.js'
+import { withUniforms } from '../inputs/declared-uniforms.js'
+import { drawInputs, variationInputs } from '../inputs/inputs.js'
+import type { Declared } from '../module/result.js'
+import type { OffsetFunction } from '../types/types.js'
+import type { Settings } from './settings.js'
+import { type Uniform, onCpu, readUniforms } from './uniforms.js'
+import { warpProgram } from '../cpu/warp-program.js'
+
+/** What a text turns beside the position. */
+export type Turned = 'position' | 'normal' | 'tangent'
+
+/** All of our names in three's shaders begin with warpjet, so that they meet none of anybody else's. */
+export const outputs = {
+  offset: 'warpjetOffset',
+  position: 'warpjetMoved',
+  normal: 'warpjetTurned',
+  tangent: 'warpjetSwung',
+}
+
+export const millisUniform = 'warpjetMillis'
+
+export interface Text {
+  code: string
+  declarations: string
+  attributes: Declared[]
+}
+
+/** A warp for three.js, whatever it is put on. */
+export interface ThreeWarp {
+  settings: Settings
+  uniforms: readonly Uniform[]
+  handles: Record<string, { value: unknown }>
+  /** In milliseconds. */
+  millis: { value: number }
+  readsMillis: boolean
+  /** Whether the turn depends on how normal and uv vary over the surface. */
+  varies: boolean
+  /** Which attributes decide where a vertex goes: position, normal, uv, color. */
+  reads: ReadonlySet<string>
+  write: (target: Target, turned: Turned, names: Record<string, string>) => Text
+  cpu: CpuWarp
+  /** The same, giving offsets in place of positions. */
+  offsets: CpuWarp
+  /** Whether the CPU can run it: not if it calls a `glsl.fn` or reads an image. */
+  runs: boolean
+  /** The numbers that it depends on now. */
+  numbers: () => number[]
+  /** What `evaluate` and its companions take as `uniforms`. */
+  given: () => { millis: number }
+  /** The same for the same text. */
+  key: () => string
+}
+
+export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
+  const { method } = settings
+  checkCallback(method, offset)
+  const { declared, uniforms, labels, handles } = readUniforms(method, settings.uniforms)
+  const labelled = withUniforms(method, offset, declared, (name) => labels.get(name)!)
+  const names = { millis: millisUniform }
+  const warp = keepWarp(
+    labelled,
+    readOptions(method, offset, {
+      target: 'glsl300',
+      outputs,
+      names,
+      tangents: true,
+      surfaceVariation: settings.surfaceVariation ?? true,
+    }),
+  )
+  const positionText = writeFor(warp, 'position', 'glsl300')
+  refuseOthers(method, writeFor(warp, 'tangent', 'glsl300'), uniforms)
+  const millis = { value: 0 }
+  const silent = { ...warp, settings: { ...warp.settings, isAccepted: true } }
+  const cpu = runOnCpu(silent, onCpu(uniforms))
+  const offsets = runOnCpu(
+    { ...silent, settings: { ...silent.settings, normals: false } },
+    onCpu(uniforms),
+    'offset',
+  )
+  const isRead = (name: string) => positionText.uniforms.some((uniform) => uniform.name === name)
+  return {
+    settings,
+    uniforms,
+    handles,
+    millis,
+    readsMillis: isRead('millis'),
+    varies: warp.varies,
+    reads: new Set(positionText.attributes.map(({ name }) => name)),
+    write: (target, turned, names) => {
+      const { code, declarations, attributes } = writeFor(warp, turned, target, names)
+      return { code, declarations, attributes }
+    },
+    cpu,
+    offsets,
+    runs: cpu[warpProgram].program() !== undefined,
+    numbers: () => [
+      ...(isRead('millis') ? [millis.value] : []),
+      ...uniforms.filter(({ label }) => isRead(label)).flatMap(({ numbers }) => numbers()),
+    ],
+    given: () => ({ millis: millis.value }),
+    key: lazily(() => {
+      const { code, declarations } = writeFor(warp, 'tangent', 'glsl300')
+      const types = uniforms.map(({ shape }) => shape.join('x'))
+      return hash([settings.space, types, code, declarations].join('\n'))
+    }),
+  }
+}
+
+function writeFor(
+  warp: KeptWarp,
+  turned: Turned,
+  target: Target,
+  names: Record<string, string> = {},
+) {
+  const settings = {
+    ...warp.settings,
+    normals: turned !== 'position',
+    tangents: turned === 'tangent',
+  }
+  return writeWarp({ ...warp, settings }, target, { names }).text
+}
+
+/** What the shaders of three.js do not have. */
+function refuseOthers(
+  method: string,
+  text: { uniforms: Declared[] },
+  uniforms: readonly Uniform[],
+) {
+  const known = new Set(uniforms.flatMap(({ label }) => [label, `${label}Size`]))
+  for (const { name } of text.uniforms) {
+    if (name === 'millis' || known.has(name)) continue
+    throw new WarpError(
+      name in drawInputs
+        ? `${method}: the offset reads ${name}, which three.js does not have; declare it, as in { uniforms: { my${name[0]!.toUpperCase()}${name.slice(1)}: ${name === 'pixelDensity' ? 1 : '[0, 0]'} } }.`
+        : `${method}: the offset reads "${name}" by glsl.param, which no shader of three.js declares; read it as uniforms.${name}, with the option { uniforms: { ${name}: … } }.`,
+    )
+  }
+}
+
+/** 64 bits, of two hashes that begin and multiply differently. */
+function hash(text: string) {
+  let [low, high] = [0x811c9dc5, 0x9747b28c]
+  for (let i = 0; i < text.length; i++) {
+    low = Math.imul(low ^ text.charCodeAt(i), 0x01000193)
+    high = Math.imul(high ^ text.charCodeAt(i), 0x5bd1e995)
+    high ^= high >>> 13
+  }
+  return `${(low >>> 0).toString(36)}${(high >>> 0).toString(36)}`
+}
+
+/** Whether a text reads how the surface varies. */
+export const readsVariation = ({ attributes }: Text) =>
+  attributes.some(({ name }) => name in variationInputs)

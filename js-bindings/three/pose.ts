@@ -1,0 +1,234 @@
+// An object of three.js before it is warped: its vertices, and boxes around them, with its morph targets and bones.
+import {
+  Box3,
+  type BufferAttribute,
+  type BufferGeometry,
+  type InterleavedBufferAttribute,
+  type Line,
+  Matrix4,
+  type Mesh,
+  type Points,
+  type SkinnedMesh,
+  Sphere,
+  Vector3,
+} from 'three'
+import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import type { Vertices } from '../inputs/vertices.js'
+
+/** What can be warped. */
+export type Warpable = Mesh | Points | Line
+
+type Attribute = BufferAttribute | InterleavedBufferAttribute
+
+const isSkinned = (object: Warpable): object is SkinnedMesh =>
+  (object as SkinnedMesh).isSkinnedMesh === true
+
+const versionOf = (attribute: Attribute | undefined) =>
+  attribute ? ('data' in attribute ? attribute.data.version : attribute.version) : -1
+
+/** Numbers that change when the vertices do. */
+export function poseState(object: Warpable): number[] {
+  const { attributes } = object.geometry
+  const state = [
+    object.geometry.id,
+    ...['position', 'normal', 'uv', 'color'].map((name) => versionOf(attributes[name])),
+    ...((object as Mesh).morphTargetInfluences ?? []),
+  ]
+  if (isSkinned(object))
+    for (const { matrixWorld } of [...object.skeleton.bones, object])
+      state.push(...matrixWorld.elements)
+  return state
+}
+
+/** An attribute's numbers, as floats. */
+export function numbersOf(attribute: Attribute, size: number, missing = 0): Float32Array {
+  const { count, itemSize } = attribute
+  if (isPlain(attribute, size)) return attribute.array as Float32Array
+  const numbers = new Float32Array(count * size).fill(missing)
+  const parts = ['getX', 'getY', 'getZ', 'getW'] as const
+  for (let k = 0; k < Math.min(size, itemSize); k++) {
+    const part = parts[k]!
+    for (let i = 0; i < count; i++) numbers[i * size + k] = attribute[part](i)
+  }
+  return numbers
+}
+
+const isPlain = (attribute: Attribute, size: number) =>
+  !('data' in attribute) &&
+  attribute.array instanceof Float32Array &&
+  attribute.itemSize === size &&
+  attribute.array.length === size * attribute.count
+
+/** The vertices as arrays: `isPosed` says whether morph targets and bones have moved them. */
+export function verticesOf(object: Warpable, isPosed: boolean, fill: number[]): Vertices {
+  const { geometry } = object
+  const { position, normal, uv, color } = geometry.attributes
+  const vertices: Record<string, Float32Array> = { positions: numbersOf(position!, 3) }
+  if (normal) vertices.normals = numbersOf(normal, 3)
+  if (uv) vertices.uvs = numbersOf(uv, 2)
+  vertices.colors = colorsOf(object, color, position!.count, fill)
+  for (const name of variationNames) {
+    const attribute = geometry.attributes[variationAttribute(name)]
+    if (attribute) vertices[`${name}s`] = numbersOf(attribute, 3)
+  }
+  if (isPosed && isMoved(object)) pose(object, vertices)
+  return vertices as unknown as Vertices
+}
+
+function colorsOf(object: Warpable, color: Attribute | undefined, count: number, fill: number[]) {
+  const [material] = [object.material].flat()
+  if (color && material?.vertexColors) return numbersOf(color, 4, 1)
+  const colors = new Float32Array(4 * count)
+  for (let i = 0; i < count; i++) colors.set(fill, 4 * i)
+  return colors
+}
+
+export const isMoved = (object: Warpable) =>
+  isSkinned(object) || !!object.geometry.morphAttributes.position?.length
+
+const place = new Vector3()
+const origin = new Vector3()
+
+function pose(object: Warpable, vertices: Record<string, Float32Array>) {
+  const { positions, normals } = vertices
+  const posed = new Float32Array(positions!.length)
+  const turned = normals && morphed(object, normals)
+  for (let i = 0; 3 * i < posed.length; i++) {
+    ;(object as Mesh).getVertexPosition(i, place).toArray(posed, 3 * i)
+    if (!turned || !isSkinned(object)) continue
+    // Bones move a vertex affinely, and a direction as they move what it ends at, less what it starts from.
+    object.applyBoneTransform(i, place.fromArray(turned, 3 * i))
+    place.sub(object.applyBoneTransform(i, origin.set(0, 0, 0))).toArray(turned, 3 * i)
+  }
+  vertices.positions = posed
+  if (turned) vertices.normals = turned
+}
+
+function morphed(object: Warpable, normals: Float32Array) {
+  const { morphAttributes, morphTargetsRelative } = object.geometry
+  const influences = (object as Mesh).morphTargetInfluences ?? []
+  const turned = normals.slice()
+  morphAttributes.normal?.forEach((attribute, target) => {
+    const influence = influences[target] ?? 0
+    if (influence === 0) return
+    const to = numbersOf(attribute, 3)
+    for (let i = 0; i < turned.length; i++)
+      turned[i]! += influence * (to[i]! - (morphTargetsRelative ? 0 : normals[i]!))
+  })
+  return turned
+}
+
+/** Around a geometry at rest, by the version of its positions. */
+const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }>()
+
+export const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
+export const sphereOf = (attribute: Attribute): Sphere => boundsAtRest(attribute).sphere
+
+function boundsAtRest(attribute: Attribute) {
+  const version = versionOf(attribute)
+  const known = boxes.get(attribute)
+  if (known?.version === version) return known
+  const box = new Box3().setFromBufferAttribute(attribute as BufferAttribute)
+  const sphere = new Sphere(box.getCenter(new Vector3()), box.isEmpty() ? -1 : 0)
+  for (let i = 0; i < attribute.count; i++) {
+    const distance = sphere.center.distanceTo(
+      place.fromBufferAttribute(attribute as BufferAttribute, i),
+    )
+    sphere.radius = Math.max(sphere.radius, distance)
+  }
+  const made = { version, box, sphere }
+  boxes.set(attribute, made)
+  return made
+}
+
+/** Around what morph targets make of all that is in `box`: never too small. */
+function boxOfMorphs(object: Warpable, box: Box3): Box3 {
+  const { morphAttributes, morphTargetsRelative } = object.geometry
+  const targets = morphAttributes.position ?? []
+  const influences = (object as Mesh).morphTargetInfluences ?? []
+  const used = targets.map((_, i) => influences[i] ?? 0)
+  const base = morphTargetsRelative ? 1 : 1 - used.reduce((sum, influence) => sum + influence, 0)
+  const grown = scaled(box, base)
+  targets.forEach((target, i) => {
+    if (used[i] === 0) return
+    const by = scaled(boxOf(target as BufferAttribute), used[i]!)
+    grown.min.add(by.min)
+    grown.max.add(by.max)
+  })
+  return grown
+}
+
+const scaled = ({ min, max }: Box3, factor: number) => {
+  const [a, b] = [min.clone().multiplyScalar(factor), max.clone().multiplyScalar(factor)]
+  return new Box3(a.clone().min(b), a.max(b))
+}
+
+/** By bone, a box around the vertices at rest that it moves; nothing where weights do not sum to 1. */
+const bonesOf = new WeakMap<
+  BufferGeometry,
+  { version: number; boxes: Map<number, Box3> | undefined }
+>()
+
+function boxesOfBones(geometry: BufferGeometry) {
+  const { position, skinIndex, skinWeight } = geometry.attributes as Record<string, Attribute>
+  const version = versionOf(position)
+  const known = bonesOf.get(geometry)
+  if (known?.version === version) return known.boxes
+  let boxes: Map<number, Box3> | undefined = new Map<number, Box3>()
+  const [indices, weights] = [numbersOf(skinIndex!, 4), numbersOf(skinWeight!, 4)]
+  for (let i = 0; i < position!.count && boxes; i++) {
+    place.fromBufferAttribute(position as BufferAttribute, i)
+    let sum = 0
+    for (let k = 4 * i; k < 4 * i + 4; k++) {
+      sum += weights[k]!
+      if (weights[k] === 0) continue
+      const bone = indices[k]!
+      if (!boxes.has(bone)) boxes.set(bone, new Box3())
+      boxes.get(bone)!.expandByPoint(place)
+    }
+    if (Math.abs(sum - 1) > 1e-3) boxes = undefined
+  }
+  bonesOf.set(geometry, { version, boxes })
+  return boxes
+}
+
+const toBone = new Matrix4()
+
+/** Around the object as its morph targets and bones have it, before its own matrix: never too small. */
+export function posedBox(object: Warpable): Box3 {
+  const rest = boxOf(object.geometry.attributes.position as BufferAttribute)
+  if (!isSkinned(object)) return isMoved(object) ? boxOfMorphs(object, rest) : rest
+  const isMorphed = !!object.geometry.morphAttributes.position?.length
+  const boxes = isMorphed ? undefined : boxesOfBones(object.geometry)
+  if (boxes) return throughBones(object, boxes)
+  const box = new Box3()
+  for (let i = 0; i < object.geometry.attributes.position!.count; i++)
+    box.expandByPoint(object.getVertexPosition(i, place))
+  return box
+}
+
+/** What morph targets and bones make of a box. */
+export function posedFrom(object: Warpable, box: Box3): Box3 {
+  const morphed = boxOfMorphs(object, box)
+  if (!isSkinned(object)) return morphed
+  const boxes = boxesOfBones(object.geometry)
+  const bones = boxes ? [...boxes.keys()] : object.skeleton.bones.map((_, i) => i)
+  return throughBones(object, new Map(bones.map((bone) => [bone, morphed])))
+}
+
+function throughBones(
+  { skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh,
+  boxes: Map<number, Box3>,
+) {
+  const all = new Box3()
+  for (const [i, box] of boxes) {
+    const bone = skeleton.bones[i]
+    if (!bone) continue
+    toBone
+      .multiplyMatrices(bone.matrixWorld, skeleton.boneInverses[i]!)
+      .premultiply(bindMatrixInverse)
+      .multiply(bindMatrix)
+    all.union(box.clone().applyMatrix4(toBone))
+  }
+  return all
+}

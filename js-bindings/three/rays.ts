@@ -1,0 +1,150 @@
+// Rays meet what is seen: three's own `raycast` runs on a stand-in of the object whose vertices are warped.
+import {
+  type BatchedMesh,
+  type BufferAttribute,
+  type BufferGeometry,
+  type InstancedMesh,
+  type Intersection,
+  Matrix3,
+  Matrix4,
+  Mesh,
+  type Raycaster,
+  type Sphere,
+  type Vector3,
+} from 'three'
+import { extentOf, instancesOf, remembered, sphereAround, stateOf, warpedBox } from './extent.js'
+import type { ThreeWarp } from './kept.js'
+import { type Warpable, posedBox } from './pose.js'
+import { warpedGeometry } from './surface.js'
+
+export type Raycast = (raycaster: Raycaster, intersects: Intersection[]) => void
+
+const noted = new WeakSet<ThreeWarp>()
+
+/** What replaces `raycast` of a warped object; `own` is what it was. */
+export function raycastOf(warp: ThreeWarp, object: Warpable, own: Raycast): Raycast {
+  if (!warp.runs) return () => noteMiss(warp)
+  const state = () => stateOf(warp, object)
+  const extent = remembered(state, () => extentOf(warp, object).sphere)
+  const cast =
+    warp.settings.space === 'world' ? castInWorld(warp, object, own) : castHere(warp, object, own)
+  return (raycaster, intersects) => {
+    if (object.material === undefined || !isNear(raycaster, object, extent(), object.matrixWorld))
+      return
+    cast(raycaster, intersects, extent())
+  }
+}
+
+/** Rays go through what only the GPU knows, and that is said once. */
+function noteMiss(warp: ThreeWarp) {
+  if (noted.has(warp)) return
+  noted.add(warp)
+  console.warn(
+    `${warp.settings.method}: rays miss a warp that calls a glsl.fn or reads an image, which only the GPU can run; raycast another object in its place.`,
+  )
+}
+
+/** Whether the ray meets the sphere. Points and lines are as thick as the raycaster says, so that they are always looked at. */
+const isNear = ({ ray }: Raycaster, object: Warpable, sphere: Sphere, matrix: Matrix4) =>
+  !(object as Mesh).isMesh || ray.intersectsSphere(sphere.clone().applyMatrix4(matrix))
+
+/** The object with another geometry, which is where it is: no morph targets and no bones move it further. */
+const standInFor = (
+  object: Warpable,
+  geometry: BufferGeometry,
+  more: Record<string, unknown> = {},
+) =>
+  Object.create(
+    object,
+    Object.getOwnPropertyDescriptors({
+      geometry,
+      getVertexPosition: (i: number, target: Vector3) =>
+        target.fromBufferAttribute(geometry.attributes.position as BufferAttribute, i),
+      boundingSphere: geometry.boundingSphere,
+      boundingBox: geometry.boundingBox,
+      ...more,
+    }),
+  ) as Warpable
+
+/** In the spaces before the object's matrix, where all instances have one surface. */
+function castHere(warp: ThreeWarp, object: Warpable, own: Raycast) {
+  const geometry = remembered(
+    () => stateOf(warp, object),
+    () => warpedGeometry(warp, object),
+  )
+  const isRest = warp.settings.space === 'rest'
+  const isMany = (object as InstancedMesh).isInstancedMesh
+  return (raycaster: Raycaster, intersects: Intersection[], extent: Sphere) => {
+    const warped = geometry()
+    // Morph targets and bones go on from there, to at most the extent of the whole.
+    if (isRest) Object.assign(warped, { boundingSphere: extent, boundingBox: null })
+    const standIn = standInFor(object, warped, {
+      ...(isRest && { getVertexPosition: (object as Mesh).getVertexPosition }),
+      ...(isMany && { boundingSphere: extent, boundingBox: null }),
+    })
+    const found: Intersection[] = []
+    own.call(standIn, raycaster, found)
+    for (const hit of found) intersects.push({ ...hit, object })
+  }
+}
+
+/** In the world, each instance by itself. */
+function castInWorld(warp: ThreeWarp, object: Warpable, own: Raycast) {
+  const isBatch = (object as BatchedMesh).isBatchedMesh
+  const isMany = isBatch || (object as InstancedMesh).isInstancedMesh
+  const instances = remembered(
+    () => stateOf(warp, object),
+    () => {
+      const { matrices, ids } = instancesOf(object)
+      return matrices.map((matrix, i) => instanceOf(warp, object, matrix, ids[i]))
+    },
+  )
+  return (raycaster: Raycaster, intersects: Intersection[]) => {
+    for (const { id, toWorld, sphere, geometry } of instances()) {
+      if (!isNear(raycaster, object, sphere(), identity)) continue
+      const warped = geometry()
+      const range = isBatch && rangeOf(object as BatchedMesh, id!)
+      if (range) warped.setDrawRange(range.start, range.count)
+      const standIn = standInFor(object, warped, { matrixWorld: identity })
+      const found: Intersection[] = []
+      ;(isMany ? Mesh.prototype.raycast : own).call(standIn as Mesh, raycaster, found)
+      for (const hit of found)
+        intersects.push({
+          ...turnedBack(hit, toWorld),
+          object,
+          ...(id !== undefined && { [isBatch ? 'batchId' : 'instanceId']: id }),
+        })
+    }
+  }
+}
+
+const identity = new Matrix4()
+
+function instanceOf(warp: ThreeWarp, object: Warpable, matrix: Matrix4, id: number | undefined) {
+  const toWorld = new Matrix4().multiplyMatrices(object.matrixWorld, matrix)
+  const once = <Value>(work: () => Value) => remembered(() => [], work)
+  return {
+    id,
+    toWorld,
+    sphere: once(() =>
+      sphereAround(warpedBox(warp, object, posedBox(object).clone().applyMatrix4(toWorld))),
+    ),
+    geometry: once(() => warpedGeometry(warp, object, toWorld)),
+  }
+}
+
+/** As three.js has them: normals before the matrix of the object, or of the instance. */
+function turnedBack(hit: Intersection, toWorld: Matrix4): Intersection {
+  const back = new Matrix3().setFromMatrix4(toWorld).transpose()
+  for (const normal of [hit.face?.normal, hit.normal]) normal?.applyMatrix3(back).normalize()
+  return hit
+}
+
+/** Which of the batch's triangles an instance shows. */
+function rangeOf(object: BatchedMesh, id: number) {
+  const geometry = object.getGeometryIdAt?.(id) ?? id
+  const range = object.getGeometryRangeAt?.(geometry)
+  if (range) return range
+  const { _drawRanges } = object as unknown as { _drawRanges: { start: number; count: number }[] }
+  return _drawRanges[geometry]!
+}

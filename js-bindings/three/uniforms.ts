@@ -1,0 +1,146 @@
+// The uniforms of a warp, as three.js has them: objects with a `value`, which may be changed at any time.
+import type { Color, Matrix3, Matrix4, Quaternion, Texture, Vector2, Vector3, Vector4 } from 'three'
+import { WarpError, describe } from '../checks/errors.js'
+import { isCallable } from '../checks/options.js'
+import { type Shape, imageShape } from '../expression/shapes.js'
+import {
+  type DeclaredUniforms,
+  numbersFor,
+  readDeclared,
+  unlisted,
+} from '../inputs/declared-uniforms.js'
+
+/** The value of a uniform. */
+export type ThreeUniform =
+  | number
+  | boolean
+  | ArrayLike<number>
+  | Vector2
+  | Vector3
+  | Vector4
+  | Quaternion
+  | Color
+  | Matrix3
+  | Matrix4
+  | Texture
+
+/** By name a value, or a function that gives it. */
+export type ThreeUniforms = Readonly<Record<string, ThreeUniform | (() => ThreeUniform)>>
+
+type ValueOf<Given> = Given extends () => infer Value ? Value : Given
+
+/** What the offset function and the warp's user have of the option `uniforms`. */
+export type ValuesOf<Given> = { -readonly [Name in keyof Given]: Widened<ValueOf<Given[Name]>> }
+
+type Widened<Value> = Value extends number ? number : Value extends boolean ? boolean : Value
+
+/** As in three.js: `warped.uniforms.amount.value = 2`. A vector may be changed in place. */
+export type UniformHandles<Values> = {
+  readonly [Name in keyof Values]: UniformHandle<Values[Name]>
+}
+
+export interface UniformHandle<Value> {
+  /** What it is now. */
+  get value(): Value
+  /** A value of the same type, or a function that gives it. */
+  set value(value: Value | (() => Value))
+}
+
+/** One uniform, by what the shader calls it. */
+export interface Uniform {
+  label: string
+  shape: Shape
+  /** Its numbers now. */
+  numbers: () => number[]
+  /** For three.js, which asks for `value` whenever it sets uniforms. */
+  inShader: { readonly value: unknown }
+}
+
+/** What `inputs/declared-uniforms.ts` knows: lists of numbers, and what has a width and a height. */
+function plain(value: unknown): unknown {
+  if (typeof value !== 'object' || value === null) return value
+  const it = value as Partial<Vector4 & Color & Matrix4 & Texture>
+  if (it.isTexture) return { width: 1, height: 1, texture: value }
+  if (Array.isArray(it.elements)) return it.elements
+  if (it.isColor) return [it.r, it.g, it.b]
+  if ('x' in it && 'y' in it) return [it.x, it.y, it.z, it.w].filter((part) => part !== undefined)
+  return value
+}
+
+const valueOf = (given: unknown) => plain(isCallable(given) ? (given as () => unknown)() : given)
+
+function textureFor(place: string, value: unknown): unknown {
+  const { texture } = (value ?? {}) as { texture?: unknown }
+  if (texture) return texture
+  throw new WarpError(`${place} must be a texture of three.js, but is ${describe(value)}.`)
+}
+
+/** Reads the option `uniforms`. */
+export function readUniforms(method: string, option: object | undefined) {
+  const wrapped =
+    option &&
+    Object.fromEntries(
+      Object.entries(option).map(([name, given]) => [
+        name,
+        isCallable(given) ? () => valueOf(given) : plain(given),
+      ]),
+    )
+  const declared = readDeclared(method, wrapped)
+  const handles: Record<string, { value: unknown }> = {}
+  const uniforms = [...declared].map(([name, { shape, image }], i): Uniform => {
+    let given: unknown = (option as Record<string, unknown>)[name]
+    const place = `The warp's uniform "${name}"`
+    if (image) textureFor(place, valueOf(given))
+    const numbers = () => (image ? [] : numbersFor(place, shape, valueOf(given)))
+    const read = () =>
+      image ? textureFor(place, valueOf(given)) : unlisted(numbersFor(place, shape, valueOf(given)))
+    handles[name] = {
+      get value() {
+        return isCallable(given) ? (given as () => unknown)() : given
+      },
+      set value(value) {
+        // Looked at here, where the mistake is.
+        if (image) textureFor(place, valueOf(value))
+        else numbersFor(place, shape, valueOf(value))
+        given = value
+      },
+    }
+    const inShader = {
+      get value() {
+        return read()
+      },
+    }
+    return { label: `warpjet${i}`, shape, numbers, inShader }
+  })
+  const labels = new Map([...declared.keys()].map((name, i) => [name, uniforms[i]!.label]))
+  return { declared, uniforms, labels, handles: sealed(method, handles) }
+}
+
+/** A name that is none says so, where JavaScript would say that it cannot set a property of undefined. */
+const sealed = (method: string, handles: Record<string, { value: unknown }>) =>
+  new Proxy(Object.freeze(handles), {
+    get(target, name) {
+      if (typeof name === 'symbol' || Object.hasOwn(target, name)) return Reflect.get(target, name)
+      // What promises, React and JSON look for.
+      if (['then', 'toJSON', '$$typeof', 'constructor', 'toString', 'valueOf'].includes(name))
+        return Reflect.get(target, name)
+      const names = Object.keys(target)
+      throw new WarpError(
+        `${method}: the warp has no uniform "${name}"; ${names.length ? `there are ${names.join(', ')}` : `the option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }`}.`,
+      )
+    },
+  })
+
+/** For the CPU, by what the shader calls them, with their numbers of the moment. */
+export const onCpu = (uniforms: readonly Uniform[]): DeclaredUniforms =>
+  new Map(
+    uniforms.map(({ label, shape, numbers }) => [
+      label,
+      {
+        shape,
+        numbers,
+        isFunction: true,
+        ...(shape === imageShape && { image: () => ({ width: 1, height: 1 }) }),
+      },
+    ]),
+  )

@@ -1,0 +1,274 @@
+// `warp`: an object of three.js, its shadows, its bounds and what rays meet, all warped.
+import {
+  type BatchedMesh,
+  Box3,
+  type Intersection,
+  type Material,
+  Matrix4,
+  type Mesh,
+  type Object3D,
+  type Raycaster,
+  type Sphere,
+} from 'three'
+import { WarpError, describe } from '../checks/errors.js'
+import { noteApproximation } from '../checks/notes.js'
+import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import { extentOf, remembered, sphereAround, stateOf, warpedBox } from './extent.js'
+import { type ThreeWarp, keep } from './kept.js'
+import {
+  type ShadowMaterials,
+  type Warped,
+  type Woven,
+  checkMaterial,
+  shadowMaterials,
+  updateOf,
+  weaveInto,
+} from './material.js'
+import type { Warpable } from './pose.js'
+import { type Raycast, raycastOf } from './rays.js'
+import { type Settings, type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
+import type { OffsetFunction } from '../types/types.js'
+import type { ThreeUniforms, ValuesOf } from './uniforms.js'
+
+export interface WarpedObject<Uniforms = {}> extends Warped<Uniforms> {
+  /** Around what is drawn at present, in the units of the object, before its own matrix: never too small. Infinite where
+   * only the GPU can run the warp. */
+  bounds(): Box3
+  /** What a `Raycaster` calls: hits on the warped surface are added to `intersects`. */
+  raycast(raycaster: Raycaster, intersects: Intersection[]): void
+}
+
+/** Those that are warped at present. */
+const warpedNow = new WeakSet<object>()
+
+/**
+ * Warps a mesh, points or lines, or all that is in a group: every vertex moves by the offset, normals and tangents turn as
+ * its derivative says, shadows follow, what is visible is not culled, and rays meet what is seen. The geometry stays as it
+ * is, and so do the materials, which are cloned, unless `share: true` says otherwise. Throws a `WarpError` for what cannot
+ * be warped, such as a sprite, for an offset that returns no vec3 or misuses an operation, and for wrong options.
+ */
+export function warp<const Uniforms extends ThreeUniforms = {}>(
+  object: Object3D,
+  offset: ThreeOffset<ValuesOf<Uniforms>>,
+  options: WarpOptions<Uniforms> = {},
+): WarpedObject<ValuesOf<Uniforms>> {
+  return warpBy(forWebGL, object, offset as never, options) as never
+}
+
+/** What differs between the renderers of three.js. */
+export interface Adapter {
+  check: (method: string, material: unknown) => void
+  /** Throws for what this renderer cannot do with an object in a space. */
+  checkPart?: (settings: Settings, part: Warpable) => void
+  weave: (material: Material, warp: ThreeWarp) => Woven
+  shadows?: (warp: ThreeWarp, surface: () => Material, own: ShadowMaterials) => ShadowMaterials
+  /** Whether it is for a renderer, and what to import from for the other ones. */
+  isFor: (renderer: object) => boolean
+  other: string
+}
+
+const forWebGL: Adapter = {
+  check: checkMaterial,
+  weave: weaveInto,
+  shadows: shadowMaterials,
+  isFor: (renderer) => !('isWebGPURenderer' in renderer),
+  other: "drawn by WebGPURenderer; import warp from 'warpjet/three/webgpu'",
+}
+
+export function warpBy(
+  adapter: Adapter,
+  object: Object3D,
+  offset: OffsetFunction,
+  options: WarpOptions<object>,
+): WarpedObject {
+  const method = 'warp'
+  const settings = readOptions(method, options)
+  const parts = partsOf(adapter, settings, object)
+  const kept = keep(offset, settings)
+  const materials = new Map<Material, Woven>()
+  const done = parts.map((part) => putOn(adapter, kept, part, materials))
+  return {
+    uniforms: kept.handles,
+    update: updateOf(kept),
+    bounds: () => boundsOf(object, done),
+    raycast: (raycaster, intersects) =>
+      done.forEach(({ raycast }) => raycast(raycaster, intersects)),
+    dispose() {
+      for (const { restore } of done.splice(0)) restore()
+      for (const { restore } of materials.values()) restore()
+      materials.clear()
+    },
+  }
+}
+
+/** What is drawn of an object and all that is in it, checked before anything is changed. */
+function partsOf(adapter: Adapter, settings: Settings, object: Object3D): Warpable[] {
+  const { method } = settings
+  if (!object?.isObject3D)
+    throw new WarpError(
+      `${method}: a Mesh, Points, a Line or a group of them was expected, but ${describe(object)} came.`,
+    )
+  const parts: Warpable[] = []
+  object.traverse((part) => {
+    const { geometry, material } = part as Mesh
+    if ((part as { isSprite?: boolean }).isSprite)
+      throw new WarpError(
+        `${method}: ${nameOf(part)} always faces the camera and has no surface to warp; use a Mesh with a PlaneGeometry.`,
+      )
+    if (!geometry || !material) return
+    if (warpedNow.has(part))
+      throw new WarpError(
+        `${method}: ${nameOf(part)} is warped already; call dispose() of that warp first, or make one offset of both, as with chain of warpjet/deformers.`,
+      )
+    if (!geometry.attributes?.position)
+      throw new WarpError(`${method}: the geometry of ${nameOf(part)} has no attribute "position".`)
+    for (const each of [material].flat()) adapter.check(method, each)
+    adapter.checkPart?.(settings, part as Warpable)
+    parts.push(part as Warpable)
+  })
+  if (parts.length) return parts
+  throw new WarpError(
+    `${method}: there is nothing to draw in ${nameOf(object)}; add what is to be warped first.`,
+  )
+}
+
+const nameOf = ({ name, type }: Object3D) => (name ? `the ${type} "${name}"` : `this ${type}`)
+
+interface Part {
+  object: Warpable
+  raycast: Raycast
+  bounds: () => Box3
+  restore: () => void
+}
+
+/** Properties of an object that are given other values, and back. */
+function replacing(object: object, properties: PropertyDescriptorMap) {
+  const before = Object.keys(properties).map(
+    (name) => [name, Object.getOwnPropertyDescriptor(object, name)] as const,
+  )
+  Object.defineProperties(
+    object,
+    Object.fromEntries(
+      Object.entries(properties).map(([name, property]) => [
+        name,
+        { configurable: true, enumerable: true, ...property },
+      ]),
+    ),
+  )
+  return () => {
+    for (const [name, property] of before) {
+      if (property) Object.defineProperty(object, name, property)
+      else Reflect.deleteProperty(object, name)
+    }
+  }
+}
+
+function putOn(
+  adapter: Adapter,
+  warp: ThreeWarp,
+  object: Warpable,
+  materials: Map<Material, Woven>,
+): Part {
+  const wovenOf = (material: Material) => {
+    if (!materials.has(material)) materials.set(material, adapter.weave(material, warp))
+    return materials.get(material)!.material
+  }
+  if (warp.varies && warp.settings.surfaceVariation !== false && !hasVariation(object))
+    noteApproximation(warp.settings.method, 'await addSurfaceVariation(geometry)')
+  const before = object.material
+  const surface = () => [object.material].flat()[0]!
+  const shadows = adapter.shadows?.(warp, surface, object as ShadowMaterials) ?? {}
+  const raycast = raycastOf(warp, object, object.raycast)
+  const state = () => stateOf(warp, object)
+  const extent = remembered(state, () => extentOf(warp, object))
+  const { onBeforeRender } = object
+  object.material = Array.isArray(before) ? before.map(wovenOf) : wovenOf(before)
+  const after = object.material
+  const putBack = replacing(object, {
+    ...values(shadows),
+    ...values({ raycast, onBeforeRender: refusingOthers(adapter, onBeforeRender) }),
+    // Looked at before anything is drawn, so that uniforms may be set at any time.
+    boundingSphere: answering(() => extent().sphere),
+    boundingBox: answering(() => extent().box),
+    ...values({ computeBoundingSphere() {}, computeBoundingBox() {} }),
+    ...((object as BatchedMesh).isBatchedMesh && values(inBatch(warp, object as BatchedMesh))),
+  })
+  warpedNow.add(object)
+  return {
+    object,
+    raycast,
+    bounds: () => extent().box.clone(),
+    restore() {
+      putBack()
+      // Another material, put on meanwhile, stays.
+      if (object.material === after) object.material = before
+      shadows.customDepthMaterial?.dispose()
+      shadows.customDistanceMaterial?.dispose()
+      warpedNow.delete(object)
+    },
+  }
+}
+
+const values = (properties: object): PropertyDescriptorMap =>
+  Object.fromEntries(
+    Object.entries(properties).map(([name, value]) => [name, { value, writable: true }]),
+  )
+
+/** Three.js writes there too, when it computes what it would be without a warp. */
+const answering = <Value extends Box3 | Sphere>(value: () => Value): PropertyDescriptor => ({
+  get: value,
+  set: () => {},
+})
+
+const hasVariation = ({ geometry }: Warpable) =>
+  variationNames.some((name) => variationAttribute(name) in geometry.attributes)
+
+/** Another renderer would draw the object as it was. */
+const refusingOthers = (adapter: Adapter, own: Mesh['onBeforeRender']): Mesh['onBeforeRender'] =>
+  function (this: Object3D, renderer, ...others) {
+    if (!adapter.isFor(renderer)) throw new WarpError(`warp: the object is ${adapter.other}.`)
+    own.call(this, renderer, ...others)
+  }
+
+/** A batch culls each of its geometries by itself. */
+function inBatch(warp: ThreeWarp, object: BatchedMesh) {
+  if (warp.settings.space === 'world') return { perObjectFrustumCulled: false }
+  const { getBoundingBoxAt } = object
+  const boxes = remembered(
+    () => stateOf(warp, object),
+    () => new Map<number, Box3>(),
+  )
+  const boxAt = (id: number) => {
+    const known = boxes()
+    if (!known.has(id)) {
+      const rest = getBoundingBoxAt.call(object, id, new Box3())
+      if (!rest) return null
+      known.set(id, warpedBox(warp, object, rest))
+    }
+    return known.get(id)!
+  }
+  return {
+    getBoundingBoxAt(id: number, target: Box3) {
+      const box = boxAt(id)
+      return box && target.copy(box)
+    },
+    getBoundingSphereAt(id: number, target: Sphere) {
+      const box = boxAt(id)
+      return box && target.copy(sphereAround(box))
+    },
+  }
+}
+
+/** Of all parts, before the matrix of what was warped. */
+function boundsOf(whole: Object3D, parts: readonly Part[]) {
+  const back = new Matrix4().copy(whole.matrixWorld).invert()
+  const all = new Box3()
+  for (const { object, bounds } of parts) {
+    const box = bounds()
+    const isWhole = object === (whole as unknown)
+    all.union(
+      isWhole ? box : box.applyMatrix4(new Matrix4().multiplyMatrices(back, object.matrixWorld)),
+    )
+  }
+  return all
+}

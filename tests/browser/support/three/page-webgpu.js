@@ -1,0 +1,116 @@
+// What tests ask of a page with WebGPURenderer, on both its backends, and 'warpjet/three/webgpu'.
+import * as THREE from 'three/webgpu'
+import { warp, warpNode } from 'warpjet/three/webgpu'
+import * as scenes from './scenes.js'
+import * as wave from './wave.js'
+import { differing } from './pixels.js'
+
+const { size } = scenes
+const renderers = {}
+let target
+
+async function rendererFor(backend) {
+  if (renderers[backend]) return renderers[backend]
+  const made = new THREE.WebGPURenderer({ antialias: false, forceWebGL: backend === 'webgl' })
+  await made.init()
+  if ((made.backend.isWebGPUBackend === true) !== (backend === 'webgpu'))
+    throw new Error(`this browser has no ${backend}`)
+  made.setSize(size, size)
+  made.shadowMap.enabled = true
+  document.body.append(made.domElement)
+  return (renderers[backend] = made)
+}
+
+async function draw(renderer, scene, camera = scenes.camera()) {
+  target ??= new THREE.RenderTarget(size, size)
+  renderer.setRenderTarget(target)
+  renderer.render(scene, camera)
+  renderer.setRenderTarget(null)
+  return renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size)
+}
+
+const { Fn, positionLocal, normalLocal, normalGeometry } = THREE.TSL
+
+const sabotages = {
+  normals: ({ material }) => {
+    const warped = material.positionNode
+    material.positionNode = Fn(() => {
+      positionLocal.assign(warped)
+      normalLocal.assign(normalGeometry)
+      return positionLocal
+    })()
+  },
+}
+
+/** How many pixels differ between the warp and the motion → { differing, moved, afterwards }. */
+async function compare(name, { backend, light = 'directional', space, sabotage }) {
+  const renderer = await rendererFor(backend)
+  const make = scenes.shapes[name]
+  const before = await draw(renderer, scenes.sceneOf(scenes.unmoved(make), light))
+  const expected = await draw(renderer, scenes.sceneOf(scenes.moved(make, space), light))
+  const object = scenes.unmoved(make)
+  const scene = scenes.sceneOf(object, light)
+  const warped = warp(object, scenes.offset, { space, uniforms: scenes.uniforms() })
+  warped.update(1000)
+  sabotages[sabotage]?.(object)
+  const shown = await draw(renderer, scene)
+  warped.dispose()
+  const after = await draw(renderer, scene)
+  return {
+    differing: differing(shown, expected),
+    moved: differing(shown, before),
+    afterwards: differing(after, before, 0),
+  }
+}
+
+/** As in page.js. Of a target with floats: the material's colours are made linear there. */
+async function normals({ backend, asNode }) {
+  const renderer = await rendererFor(backend)
+  const { scene, camera, mesh, size } = wave.waveScene(
+    asNode ? new THREE.MeshNormalNodeMaterial() : undefined,
+  )
+  const target = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
+  const read = async () => {
+    renderer.setRenderTarget(target)
+    renderer.render(scene, camera)
+    renderer.setRenderTarget(null)
+    const numbers = await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size)
+    const shown = Array.from(numbers, (x) =>
+      x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055,
+    )
+    return wave.worstOf(shown, backend === 'webgl')
+  }
+  const unwarped = await read()
+  let update
+  if (asNode) {
+    const made = warpNode(wave.offset)
+    Object.assign(mesh.material, { positionNode: made.node, needsUpdate: true })
+    update = made.update
+  } else update = warp(mesh, wave.offset).update
+  update(wave.millis)
+  return { worst: await read(), unwarped }
+}
+
+async function image({ backend }) {
+  const renderer = await rendererFor(backend)
+  const object = scenes.unmoved(scenes.shapes.plain)
+  const scene = scenes.sceneOf(object, 'directional')
+  const warped = warp(object, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), {
+    uniforms: { map: scenes.shiftMap() },
+    surfaceVariation: false,
+  })
+  const shown = await draw(renderer, scene)
+  warped.dispose()
+  const before = await draw(renderer, scene)
+  object.matrix.multiply(scenes.shiftMatrix())
+  return {
+    differing: differing(shown, await draw(renderer, scene)),
+    moved: differing(shown, before),
+  }
+}
+
+window.three = { compare, names: Object.keys(scenes.shapes), normals, image }
+// Without somebody who holds it, the browser loses the device.
+window.gpu = navigator.gpu
+window.lib = { THREE, warp, warpNode, rendererFor, draw, scenes }
+document.title = 'ready'

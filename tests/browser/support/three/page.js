@@ -1,0 +1,160 @@
+// What tests ask of a page with three.js and 'warpjet/three'.
+import * as THREE from 'three'
+import { warp } from 'warpjet/three'
+import { differing } from './pixels.js'
+import * as scenes from './scenes.js'
+import * as wave from './wave.js'
+
+const { size } = scenes
+
+const renderers = {}
+
+/** One for each set of options, such as logarithmicDepthBuffer. */
+function rendererFor(options) {
+  const key = JSON.stringify(options)
+  if (renderers[key]) return renderers[key]
+  const made = new THREE.WebGLRenderer({
+    antialias: false,
+    preserveDrawingBuffer: true,
+    ...options,
+  })
+  made.setSize(size, size)
+  made.shadowMap.enabled = true
+  made.localClippingEnabled = true
+  document.body.append(made.domElement)
+  return (renderers[key] = made)
+}
+
+export let renderer = rendererFor({})
+
+export function draw(scene, camera = scenes.camera()) {
+  renderer.render(scene, camera)
+  const gl = renderer.getContext()
+  const pixels = new Uint8Array(4 * size * size)
+  gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels)
+  return pixels
+}
+
+/** Materials stay, and their programs with them, which take longest to make. */
+function free(scene) {
+  scene.traverse((part) => {
+    part.geometry?.dispose()
+    part.shadow?.map?.dispose()
+  })
+}
+
+/** What can be left out, to see that a test would notice. */
+const sabotages = {
+  normals: (object) =>
+    object.traverse(({ material }) => {
+      for (const each of [material ?? []].flat()) {
+        const weave = each.onBeforeCompile
+        each.onBeforeCompile = function (shader, ...others) {
+          weave.call(this, shader, ...others)
+          shader.vertexShader = shader.vertexShader.replaceAll('objectNormal = warpjetTurned', '')
+        }
+        each.customProgramCacheKey = () => 'without normals'
+      }
+    }),
+  depth: (object) =>
+    object.traverse((part) => {
+      part.customDepthMaterial = part.customDistanceMaterial = undefined
+    }),
+}
+
+/** How many pixels differ between the warp and the motion → { differing, moved, covered }. */
+export function compare(
+  name,
+  { light = 'directional', space, sabotage, map = 'PCF', options = {} },
+) {
+  const make = scenes.shapes[name]
+  renderer = rendererFor(options)
+  renderer.shadowMap.type = THREE[`${map}ShadowMap`]
+  const still = scenes.sceneOf(scenes.unmoved(make), light)
+  const before = draw(still)
+  free(still)
+  const reference = scenes.sceneOf(scenes.moved(make, space), light)
+  const expected = draw(reference)
+  free(reference)
+  const object = scenes.unmoved(make)
+  const scene = scenes.sceneOf(object, light)
+  const warped = warp(object, scenes.offset, { space, uniforms: scenes.uniforms() })
+  warped.update(1000)
+  sabotages[sabotage]?.(object)
+  const shown = draw(scene)
+  warped.dispose()
+  const after = draw(scene)
+  free(scene)
+  return {
+    differing: differing(shown, expected),
+    moved: differing(shown, before),
+    afterwards: differing(after, before, 0),
+  }
+}
+
+/** How wrong the normals of a wave are shown, in 255ths; without the warp's, for comparison. */
+export function normals() {
+  renderer = rendererFor({})
+  const { scene, camera, mesh, size } = wave.waveScene()
+  const target = new THREE.WebGLRenderTarget(size, size)
+  const read = () => {
+    renderer.setRenderTarget(target)
+    renderer.render(scene, camera)
+    const bytes = new Uint8Array(4 * size * size)
+    renderer.readRenderTargetPixels(target, 0, 0, size, size, bytes)
+    renderer.setRenderTarget(null)
+    return wave.worstOf(Array.from(bytes, (byte) => byte / 255))
+  }
+  const unwarped = read()
+  const warped = warp(mesh, wave.offset)
+  warped.update(wave.millis)
+  const worst = read()
+  warped.dispose()
+  target.dispose()
+  return { worst, unwarped }
+}
+
+/** A shift whose amount an image holds, against the same by a matrix → how many pixels differ. */
+export function image() {
+  renderer = rendererFor({})
+  const make = { warped: scenes.shapes.plain, moved: scenes.shapes.plain }
+  const object = scenes.unmoved(make)
+  const scene = scenes.sceneOf(object, 'directional')
+  const warped = warp(object, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), {
+    uniforms: { map: scenes.shiftMap() },
+    surfaceVariation: false,
+  })
+  const shown = draw(scene)
+  warped.dispose()
+  const before = draw(scene)
+  object.matrix.multiply(scenes.shiftMatrix())
+  return { differing: differing(shown, draw(scene)), moved: differing(shown, before) }
+}
+
+/** Warps and disposes a mesh in a scene many times → what three.js counts and the heap, before and after. */
+export function churn(times) {
+  renderer = rendererFor({})
+  const object = scenes.shapes.plain()
+  const scene = scenes.sceneOf(object, 'directional')
+  const once = () => {
+    const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
+    warped.update(1000)
+    renderer.render(scene, scenes.camera())
+    warped.dispose()
+    renderer.render(scene, scenes.camera())
+  }
+  const state = () => {
+    globalThis.gc?.()
+    const { memory, programs } = renderer.info
+    return { ...memory, programs: programs.length, heap: performance.memory?.usedJSHeapSize }
+  }
+  for (let i = 0; i < 20; i++) once()
+  const before = state()
+  for (let i = 0; i < times; i++) once()
+  return { before, after: state() }
+}
+
+export const names = Object.keys(scenes.shapes)
+
+window.three = { compare, names, normals, image, churn }
+document.title = 'ready'

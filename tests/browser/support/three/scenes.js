@@ -1,0 +1,322 @@
+// Scenes for the tests of 'warpjet/three', in a page: each drawn warped, and with the same motion done by three.js itself.
+import * as THREE from 'three'
+
+/** A rotation, a shear and a shift, as a matrix. */
+export const motion = new THREE.Matrix4()
+  .makeRotationFromEuler(new THREE.Euler(0.4, 0.7, -0.3))
+  .multiply(new THREE.Matrix4().makeShear(0.3, 0, 0, 0.2, 0, 0))
+  .setPosition(0.2, 0.1, -0.15)
+
+const linear = new THREE.Matrix4().copy(motion).setPosition(0, 0, 0).elements
+const shift = new THREE.Vector3().setFromMatrixPosition(motion).toArray()
+
+/** The offset that does it. The matrix is a uniform, and the shift a function of the time. */
+export const offset = ({ glsl, position, uniforms, millis }) =>
+  uniforms.linear
+    .mult(position)
+    .sub(position)
+    .add(uniforms.shift.mult(millis.div(1000)))
+
+export const uniforms = () => ({
+  linear: new THREE.Matrix3().setFromMatrix4(new THREE.Matrix4().fromArray(linear)),
+  shift: new THREE.Vector3(...shift),
+})
+
+function normalMap() {
+  const data = new Uint8Array(4 * 16 * 16)
+  for (let i = 0; i < 256; i++) {
+    const [x, y] = [Math.sin(i * 0.8), Math.cos(Math.floor(i / 16) * 0.9)]
+    data.set([128 + 60 * x, 128 + 60 * y, 220, 255], 4 * i)
+  }
+  const texture = new THREE.DataTexture(data, 16, 16)
+  texture.needsUpdate = true
+  texture.magFilter = THREE.LinearFilter
+  return texture
+}
+
+const knot = () => new THREE.TorusKnotGeometry(0.45, 0.16, 48, 10)
+
+function withTangents(geometry) {
+  geometry.computeTangents()
+  return geometry
+}
+
+function withMorphs(geometry) {
+  const { position, normal } = geometry.attributes
+  const grown = (attribute, by) => {
+    const made = attribute.clone()
+    for (let i = 0; i < made.count; i++)
+      made.setXYZ(i, made.getX(i) * by, made.getY(i) + 0.2 * made.getX(i), made.getZ(i))
+    return made
+  }
+  geometry.morphAttributes.position = [grown(position, 1.3), grown(position, 0.6)]
+  geometry.morphAttributes.normal = [grown(normal, 0.8), grown(normal, 1.5)]
+  return geometry
+}
+
+function skinned(material, geometry = new THREE.CylinderGeometry(0.25, 0.25, 1.4, 12, 12)) {
+  const { position } = geometry.attributes
+  const [indices, weights] = [[], []]
+  for (let i = 0; i < position.count; i++) {
+    const at = (position.getY(i) + 0.7) / 0.7
+    const bone = Math.min(1, Math.floor(at))
+    indices.push(bone, bone + 1, 0, 0)
+    weights.push(1 - (at - bone), at - bone, 0, 0)
+  }
+  geometry.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(indices, 4))
+  geometry.setAttribute('skinWeight', new THREE.Float32BufferAttribute(weights, 4))
+  const bones = [0, 1, 2].map(() => new THREE.Bone())
+  bones[0].position.y = -0.7
+  bones[1].position.y = bones[2].position.y = 0.7
+  bones[0].add(bones[1])
+  bones[1].add(bones[2])
+  const mesh = new THREE.SkinnedMesh(geometry, material)
+  mesh.add(bones[0])
+  mesh.bind(new THREE.Skeleton(bones))
+  bones[1].rotation.z = 0.7
+  bones[2].rotation.x = -0.8
+  return mesh
+}
+
+const places = [
+  [-0.6, 0.5, 0, 0.5, 0.5, 0.5],
+  [0.6, 0.4, 0.2, 0.3, 0.8, 0.5],
+  [0, -0.5, 0, 0.9, 0.4, 0.6],
+].map(([x, y, z, ...scale], i) =>
+  new THREE.Matrix4().compose(
+    new THREE.Vector3(x, y, z),
+    new THREE.Quaternion().setFromEuler(new THREE.Euler(0.3 * i, 0.5, 0.2 * i)),
+    new THREE.Vector3(...scale),
+  ),
+)
+
+const standard = (more) =>
+  new THREE.MeshStandardMaterial({ color: 0xff9060, roughness: 0.5, ...more })
+
+function instanced(material) {
+  const mesh = new THREE.InstancedMesh(knot(), material, places.length)
+  places.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
+  return mesh
+}
+
+function batched(material) {
+  const [a, b] = [knot(), new THREE.SphereGeometry(0.4, 16, 12)]
+  const isOld = !THREE.BatchedMesh?.prototype.addInstance
+  const count = a.attributes.position.count + b.attributes.position.count
+  const mesh = new THREE.BatchedMesh(
+    places.length,
+    3 * count,
+    3 * (a.index.count + b.index.count),
+    material,
+  )
+  const geometries = isOld ? [] : [mesh.addGeometry(a), mesh.addGeometry(b)]
+  places.forEach((matrix, i) => {
+    const id = isOld ? mesh.addGeometry(i % 2 ? b : a) : mesh.addInstance(geometries[i % 2])
+    mesh.setMatrixAt(id, matrix)
+  })
+  return mesh
+}
+
+const separate = (material, geometries) => {
+  const group = new THREE.Group()
+  places.forEach((matrix, i) => {
+    const mesh = new THREE.Mesh(geometries[i % geometries.length], material)
+    mesh.userData.before = matrix
+    group.add(mesh)
+  })
+  return group
+}
+
+/** By name what is warped, and where three.js has nothing of the kind that shears, what is moved instead. */
+export const shapes = {
+  plain: () => new THREE.Mesh(knot(), standard()),
+  'normal map': () =>
+    new THREE.Mesh(
+      knot(),
+      standard({ normalMap: normalMap(), normalScale: new THREE.Vector2(1, 1) }),
+    ),
+  'vertex tangents': () =>
+    new THREE.Mesh(withTangents(knot()), standard({ normalMap: normalMap() })),
+  'flat shading': () => new THREE.Mesh(knot(), standard({ flatShading: true })),
+  'back side': () => new THREE.Mesh(knot(), standard({ side: THREE.BackSide })),
+  'double side': () =>
+    new THREE.Mesh(new THREE.PlaneGeometry(1, 1, 8, 8), standard({ side: THREE.DoubleSide })),
+  wireframe: () =>
+    new THREE.Mesh(new THREE.SphereGeometry(0.6, 8, 6), standard({ wireframe: true })),
+  morphs: () => {
+    const mesh = new THREE.Mesh(withMorphs(knot()), standard())
+    mesh.morphTargetInfluences = [0.4, 0.3]
+    return mesh
+  },
+  skin: () => skinned(standard()),
+  instances: { warped: () => instanced(standard()), moved: () => separate(standard(), [knot()]) },
+  batch: {
+    warped: () => batched(standard()),
+    moved: () => separate(standard(), [knot(), new THREE.SphereGeometry(0.4, 16, 12)]),
+  },
+  group: () => {
+    const group = new THREE.Group()
+    group.add(
+      new THREE.Mesh(knot(), standard()),
+      new THREE.Mesh(new THREE.SphereGeometry(0.4), [standard()]),
+    )
+    group.children[1].geometry.clearGroups()
+    group.children[1].geometry.addGroup(0, Infinity, 0)
+    return group
+  },
+  points: () =>
+    new THREE.Points(knot(), new THREE.PointsMaterial({ size: 3, sizeAttenuation: false })),
+  line: () => new THREE.Line(knot(), new THREE.LineBasicMaterial({ color: 0xffff00 })),
+  'dashed line': () => {
+    const line = new THREE.LineSegments(
+      knot().toNonIndexed(),
+      new THREE.LineDashedMaterial({ dashSize: 0.05, gapSize: 0.05 }),
+    )
+    return line.computeLineDistances()
+  },
+  clipping: () =>
+    new THREE.Mesh(
+      knot(),
+      standard({
+        clippingPlanes: [new THREE.Plane(new THREE.Vector3(1, 0.2, 0), 0.1)],
+        clipShadows: true,
+        side: THREE.DoubleSide,
+      }),
+    ),
+  displacement: () =>
+    new THREE.Mesh(knot(), standard({ displacementMap: normalMap(), displacementScale: 0.1 })),
+  'environment map': () => {
+    const material = new THREE.MeshBasicMaterial({ envMap: normalMap() })
+    material.envMap.mapping = THREE.EquirectangularReflectionMapping
+    return new THREE.Mesh(knot(), material)
+  },
+  'a shader that is changed already': () => {
+    const material = standard()
+    const isRed = { value: 1 }
+    material.onBeforeCompile = (shader) => {
+      shader.uniforms.isRed = isRed
+      shader.fragmentShader = `uniform float isRed;\n${shader.fragmentShader}`.replace(
+        '#include <opaque_fragment>',
+        '#include <opaque_fragment>\ngl_FragColor.r += 0.5 * isRed;',
+      )
+    }
+    return new THREE.Mesh(knot(), material)
+  },
+  "a ShaderMaterial of three's chunks": () =>
+    new THREE.Mesh(
+      knot(),
+      new THREE.ShaderMaterial({
+        vertexShader: THREE.ShaderLib.normal.vertexShader,
+        fragmentShader: THREE.ShaderLib.normal.fragmentShader,
+        uniforms: THREE.UniformsUtils.clone(THREE.ShaderLib.normal.uniforms),
+      }),
+    ),
+  'alpha test': () => {
+    const alphaMap = normalMap()
+    return new THREE.Mesh(knot(), standard({ alphaMap, alphaTest: 0.5 }))
+  },
+  ...Object.fromEntries(
+    [
+      ['Basic', { color: 0x80ff40 }],
+      ['Lambert', {}],
+      ['Phong', { shininess: 40 }],
+      ['Physical', { clearcoat: 1, roughness: 0.4 }],
+      ['Toon', {}],
+      ['Normal', {}],
+      ['Matcap', { matcap: normalMap() }],
+      ['Depth', {}],
+    ].map(([name, more]) => [
+      `Mesh${name}Material`,
+      () => new THREE.Mesh(knot(), new THREE[`Mesh${name}Material`](more)),
+    ]),
+  ),
+}
+
+const amount = [0.3, -0.2, 0.25]
+
+/** An image that has one shift everywhere, and that shift as a matrix. */
+export function shiftMap() {
+  const data = Float32Array.from({ length: 16 }, (_, i) => [...amount, 1][i % 4])
+  const map = new THREE.DataTexture(data, 2, 2, THREE.RGBAFormat, THREE.FloatType)
+  map.needsUpdate = true
+  return map
+}
+export const shiftMatrix = () => new THREE.Matrix4().makeTranslation(...amount)
+
+function light(kind) {
+  const made =
+    kind === 'point'
+      ? new THREE.PointLight(0xffffff, 12)
+      : kind === 'spot'
+        ? new THREE.SpotLight(0xffffff, 20, 0, 0.7)
+        : new THREE.DirectionalLight(0xffffff, 2)
+  made.position.set(1.5, 2.5, 2)
+  made.castShadow = true
+  made.shadow.mapSize.set(128, 128)
+  made.shadow.bias = -0.002
+  const { camera } = made.shadow
+  Object.assign(camera, { near: 0.5, far: 12 })
+  if (kind === 'directional') Object.assign(camera, { left: -3, right: 3, top: 3, bottom: -3 })
+  return made
+}
+
+export const size = 96
+
+/** A scene with a floor and a wall behind `object`, lit with shadows. */
+export function sceneOf(object, kind) {
+  const scene = new THREE.Scene()
+  scene.add(new THREE.HemisphereLight(0xffffff, 0x404060, 0.4), light(kind), object)
+  const wall = new THREE.Mesh(new THREE.PlaneGeometry(8, 8), new THREE.MeshStandardMaterial())
+  wall.position.z = -1.2
+  const floor = wall.clone()
+  floor.rotation.x = -Math.PI / 2
+  floor.position.set(0, -1.2, 0)
+  wall.receiveShadow = floor.receiveShadow = true
+  scene.add(wall, floor)
+  scene.fog = new THREE.Fog(0x8080ff, 3, 14)
+  // The size of points is not defined in the shaders that draw their shadows.
+  object.traverse((part) =>
+    Object.assign(part, { castShadow: !part.isPoints, receiveShadow: true }),
+  )
+  return scene
+}
+
+export const camera = () => {
+  const made = new THREE.PerspectiveCamera(50, 1, 0.1, 50)
+  made.position.set(0.4, 0.6, 3.2)
+  made.lookAt(0, -0.1, 0)
+  return made
+}
+
+/** The object's own place, which is neither even nor the origin. */
+export const place = new THREE.Matrix4().compose(
+  new THREE.Vector3(0.1, 0.1, 0),
+  new THREE.Quaternion().setFromEuler(new THREE.Euler(0.2, -0.4, 0.1)),
+  new THREE.Vector3(1.1, 0.9, 1),
+)
+
+/** The motion by three's own matrices; `space` says before or after the object's place. */
+export function moved(make, space) {
+  const object = (make.moved ?? make)()
+  const set = (part, before = new THREE.Matrix4()) => {
+    const matrix = space === 'world' ? [motion, place, before] : [place, before, motion]
+    part.matrixAutoUpdate = false
+    part.matrix.identity()
+    for (const each of matrix) part.matrix.multiply(each)
+  }
+  if (space === 'rest') {
+    // This leaves morph targets as they are.
+    object.geometry.applyMatrix4(motion)
+    object.matrixAutoUpdate = false
+    object.matrix.copy(place)
+  } else if (object.isGroup) for (const child of object.children) set(child, child.userData.before)
+  else set(object)
+  return object
+}
+
+export function unmoved(make) {
+  const object = (make.warped ?? make)()
+  object.matrixAutoUpdate = false
+  object.matrix.copy(place)
+  return object
+}

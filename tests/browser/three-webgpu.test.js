@@ -1,0 +1,86 @@
+// 'warpjet/three/webgpu': what three.test.js shows for WebGLRenderer, for WebGPURenderer on both its backends.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { webgpuFlags } from './support/browser.js'
+import { threePages } from './support/three/open.js'
+
+const seen = 200
+
+let pages, page, messages
+before(async () => {
+  pages = await threePages(webgpuFlags)
+  ;({ page, messages } = await pages.open('three', 'page-webgpu.js'))
+})
+after(() => pages.close())
+
+/** Those that WebGPURenderer draws otherwise, or not at all. */
+const others = new Set([
+  'a shader that is changed already',
+  "a ShaderMaterial of three's chunks",
+  'clipping',
+  'environment map',
+  'MeshDepthMaterial',
+  'wireframe',
+])
+
+for (const backend of ['webgl', 'webgpu'])
+  describe(`the backend ${backend}`, () => {
+    async function isSame(name, settings) {
+      messages.length = 0
+      const { differing, moved, afterwards } = await page.evaluate(
+        ([name, settings]) => three.compare(name, settings),
+        [name, { backend, ...settings }],
+      )
+      assert.deepEqual(messages, [], name)
+      // A line is as thin as what rounding decides.
+      const most = name.endsWith('line') ? 2 : 0
+      assert.ok(
+        differing <= most,
+        `${name}: ${differing} pixels differ from the motion by three.js`,
+      )
+      assert.ok(moved > seen, `${name}: ${moved} pixels differ from no motion`)
+      assert.equal(afterwards, 0, `${name}: pixels that dispose() leaves otherwise than they were`)
+    }
+
+    test('shapes and materials, in the space of the object', async () => {
+      const all = await page.evaluate(() => three.names)
+      const names = isRun('every material of three')
+        ? all.filter((name) => !others.has(name))
+        : ['vertex tangents', 'skin', 'instances', 'batch']
+      const lights = ['directional', 'spot', 'point']
+      for (const [i, name] of names.entries()) await isSame(name, { light: lights[i % 3] })
+    })
+
+    test('in the world', async () => {
+      for (const name of ['vertex tangents', 'instances', 'skin'])
+        await isSame(name, { space: 'world' })
+    })
+
+    test('MeshNormalMaterial shows the normals of a wave, and so does a node', async () => {
+      for (const asNode of [false, true]) {
+        const { worst, unwarped } = await page.evaluate((settings) => three.normals(settings), {
+          backend,
+          asNode,
+        })
+        assert.ok(worst <= 3 && unwarped > 30, `${worst} of 255, ${unwarped} without the warp`)
+      }
+    })
+
+    test('an image among the uniforms', async () => {
+      messages.length = 0
+      const { differing, moved } = await page.evaluate((settings) => three.image(settings), {
+        backend,
+      })
+      assert.deepEqual([messages, differing], [[], 0])
+      assert.ok(moved > seen)
+    })
+
+    test('without normals hundreds of pixels would differ', async () => {
+      const { differing } = await page.evaluate((settings) => three.compare('plain', settings), {
+        backend,
+        sabotage: 'normals',
+      })
+      assert.ok(differing > 100, `${differing} pixels differ`)
+    })
+  })

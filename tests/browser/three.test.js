@@ -1,0 +1,114 @@
+// 'warpjet/three' with WebGLRenderer: a motion that matrices can do, done by a warp and by three.js itself, is the same picture,
+// shadows and all, on the three.js of today and on the oldest that is supported.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { leavePage } from './support/browser.js'
+import { threePages, versions } from './support/three/open.js'
+
+/** A fifth of what the smallest of the shapes covers. */
+const seen = 300
+
+let pages
+before(async () => {
+  pages = await threePages(['--js-flags=--expose-gc', '--enable-precise-memory-info'])
+})
+after(() => pages.close())
+
+for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
+  describe(version, () => {
+    let page, messages
+    before(async () => ({ page, messages } = await pages.open(version)))
+    after(() => leavePage(page))
+
+    const compare = (name, settings = {}) =>
+      page.evaluate(([name, settings]) => three.compare(name, settings), [name, settings])
+
+    async function isSame(name, settings) {
+      messages.length = 0
+      const { differing, moved, afterwards } = await compare(name, settings)
+      assert.deepEqual(messages, [])
+      assert.equal(differing, 0, 'pixels that differ from the motion by three.js')
+      assert.ok(moved > seen, `${moved} pixels differ from no motion`)
+      assert.equal(afterwards, 0, 'pixels that dispose() leaves otherwise than they were')
+    }
+
+    test('every shape and every material, in the space of the object', async () => {
+      const all = await page.evaluate(() => three.names)
+      assert.ok(all.length > 25)
+      const names = isRun('every material of three')
+        ? all
+        : ['vertex tangents', 'skin', 'morphs', 'instances', 'batch', 'line', 'MeshNormalMaterial']
+      const lights = ['directional', 'spot', 'point']
+      for (const [i, name] of names.entries())
+        await isSame(name, { light: lights[i % 3] }).catch((error) => {
+          error.message = `${name}: ${error.message}`
+          throw error
+        })
+    })
+
+    test('in the world', async () => {
+      for (const name of [
+        'plain',
+        'vertex tangents',
+        'skin',
+        'instances',
+        'batch',
+        'group',
+        'points',
+      ])
+        await isSame(name, { space: 'world', light: name === 'skin' ? 'point' : 'spot' })
+    })
+
+    test('at rest, before morph targets and bones', async () => {
+      for (const name of ['plain', 'vertex tangents', 'morphs', 'skin'])
+        await isSame(name, { space: 'rest', light: 'spot' })
+    })
+
+    test('soft, hard and variance shadows', async () => {
+      for (const map of ['Basic', 'PCF', 'VSM'])
+        for (const light of map === 'VSM'
+          ? ['directional', 'spot']
+          : ['directional', 'spot', 'point'])
+          await isSame('plain', { light, map })
+    })
+
+    test('logarithmic and reversed depth', async () => {
+      await isSame('plain', { options: { logarithmicDepthBuffer: true } })
+      if (version === 'three') await isSame('plain', { options: { reversedDepthBuffer: true } })
+    })
+
+    test('MeshNormalMaterial shows the normals of a wave', async () => {
+      const { worst, unwarped } = await page.evaluate(() => three.normals())
+      assert.ok(worst <= 3 && unwarped > 30, `${worst} of 255, ${unwarped} without the warp`)
+    })
+
+    test('an image among the uniforms', async () => {
+      messages.length = 0
+      const { differing, moved } = await page.evaluate(() => three.image())
+      assert.deepEqual([messages, differing], [[], 0])
+      assert.ok(moved > seen)
+    })
+
+    test('warped and disposed many times, nothing is left', async () => {
+      const times = isRun('every material of three') ? 1000 : 100
+      const { before, after } = await page.evaluate((times) => three.churn(times), times)
+      const { heap: heapBefore, ...countsBefore } = before
+      const { heap, ...counts } = after
+      assert.deepEqual(counts, countsBefore)
+      assert.ok(heap < heapBefore + 2e6, `the heap grew from ${heapBefore} to ${heap}`)
+    })
+
+    test('without normals, or without the materials of shadows, hundreds of pixels would differ', async () => {
+      for (const [sabotage, name, light] of [
+        ['normals', 'plain', 'directional'],
+        ['normals', 'skin', 'point'],
+        ['depth', 'plain', 'directional'],
+        ['depth', 'plain', 'point'],
+        ['depth', 'instances', 'spot'],
+      ]) {
+        const { differing } = await compare(name, { light, sabotage })
+        assert.ok(differing > 100, `${name} without ${sabotage}: ${differing} pixels differ`)
+      }
+    })
+  })

@@ -1,0 +1,504 @@
+// 'warpjet/three' where no pixel is needed: rays, bounds, uniforms, what is refused, and that dispose() leaves nothing.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import * as THREE from 'three'
+import { compileWarp, WarpError } from 'warpjet'
+import {
+  fromBufferGeometry,
+  toBufferGeometry,
+  warp,
+  warpMaterial,
+  addSurfaceVariation,
+} from 'warpjet/three'
+import { bakeWarp } from 'warpjet/mesh'
+
+const wave = ({ glsl, position, uniforms, millis }) =>
+  glsl.vec3(0, 0, position.x().mult(3).add(millis.div(500)).sin().mult(uniforms.height))
+
+const plane = (more = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })) =>
+  new THREE.Mesh(new THREE.PlaneGeometry(2, 2, 40, 40), more)
+
+/** Numbers from 0 to 1, the same in each run. */
+function numbers(seed = 1) {
+  let state = seed
+  return () => (state = (state * 16807) % 2147483647) / 2147483647
+}
+
+const rayFrom = (random, target, spread) => {
+  const from = new THREE.Vector3(random() - 0.5, random() - 0.5, random() - 0.5)
+    .normalize()
+    .multiplyScalar(8)
+  const to = new THREE.Vector3(random() - 0.5, random() - 0.5, random() - 0.5)
+    .multiplyScalar(spread)
+    .add(target)
+  return new THREE.Raycaster(from, to.sub(from).normalize())
+}
+
+/** What three.js hits on a plain mesh that has the vertices where the warp must put them, moved in double. */
+function reference(mesh, place, instance = new THREE.Matrix4()) {
+  const geometry = mesh.geometry.toNonIndexed()
+  const { position } = geometry.attributes
+  for (let i = 0; i < position.count; i++) {
+    const [x, y, z] = [position.getX(i), position.getY(i), position.getZ(i)]
+    position.setXYZ(i, ...place(x, y, z))
+  }
+  geometry.computeBoundingSphere()
+  const made = new THREE.Mesh(geometry, mesh.material)
+  made.matrixWorld.multiplyMatrices(mesh.matrixWorld, instance)
+  return made
+}
+
+function placed(mesh) {
+  mesh.position.set(0.3, -0.2, 0.1)
+  mesh.rotation.set(0.4, 0.8, -0.3)
+  mesh.scale.set(1.2, 0.8, 1)
+  mesh.updateMatrixWorld(true)
+  return mesh
+}
+
+/** Both rays hit at the same places, or neither does; how many did. */
+function sameHits(mesh, others, { rays = 200, spread = 1.5, random = numbers() } = {}) {
+  let hits = 0
+  for (let i = 0; i < rays; i++) {
+    const ray = rayFrom(random, new THREE.Vector3(0.3, -0.2, 0.1), spread)
+    const found = ray.intersectObject(mesh)
+    const expected = others.flatMap((other) => ray.intersectObject(other, false))
+    expected.sort((a, b) => a.distance - b.distance)
+    assert.equal(found.length, expected.length, `ray ${i}`)
+    found.forEach((hit, k) => {
+      assert.ok(
+        hit.point.distanceTo(expected[k].point) < 1e-4,
+        `ray ${i}: ${hit.distance} and ${expected[k].distance}`,
+      )
+      assert.equal(hit.object, mesh)
+    })
+    hits += found.length
+  }
+  assert.ok(hits > rays / 5, `${hits} hits`)
+}
+
+describe('rays meet the warped surface', () => {
+  const height = 0.3
+  const at = (millis) => (x, y, z) => [x, y, z + height * Math.sin(3 * x + millis / 500)]
+
+  test('of a mesh, also when the uniforms change', () => {
+    const mesh = placed(plane())
+    const warped = warp(mesh, wave, { uniforms: { height } })
+    for (const millis of [0, 700]) {
+      warped.update(millis)
+      sameHits(mesh, [reference(mesh, at(millis))])
+    }
+    warped.uniforms.height.value = 0
+    sameHits(mesh, [reference(mesh, (...place) => place)])
+    warped.dispose()
+    sameHits(mesh, [reference(mesh, (...place) => place)])
+  })
+
+  test('of instances, with their number', () => {
+    const { geometry, material } = plane()
+    const mesh = placed(new THREE.InstancedMesh(geometry, material, 3))
+    const matrices = [0, 1, 2].map((i) =>
+      new THREE.Matrix4().compose(
+        new THREE.Vector3(i - 1, 0.3 * i, 0),
+        new THREE.Quaternion().setFromEuler(new THREE.Euler(i, 0.5, 0)),
+        new THREE.Vector3(0.5, 0.4 + 0.2 * i, 0.6),
+      ),
+    )
+    matrices.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
+    const warped = warp(mesh, wave, { uniforms: { height } })
+    sameHits(
+      mesh,
+      matrices.map((matrix) => reference(mesh, at(0), matrix)),
+    )
+    const ray = new THREE.Raycaster(new THREE.Vector3(0, 0, 9), new THREE.Vector3(0, 0, -1))
+    for (const hit of ray.intersectObject(mesh)) assert.ok(hit.instanceId in matrices)
+    warped.dispose()
+  })
+
+  test('in the world, of a mesh and of instances', () => {
+    const offset = ({ glsl, position }) => glsl.vec3(0, position.x().mult(3).sin().mult(0.3), 0)
+    const inWorld = (mesh, instance = new THREE.Matrix4()) => {
+      const all = new THREE.Matrix4().multiplyMatrices(mesh.matrixWorld, instance)
+      const made = reference(mesh, (x, y, z) => {
+        const place = new THREE.Vector3(x, y, z).applyMatrix4(all)
+        return [place.x, place.y + 0.3 * Math.sin(3 * place.x), place.z]
+      })
+      made.matrixWorld.identity()
+      return made
+    }
+    const mesh = placed(plane())
+    warp(mesh, offset, { space: 'world' })
+    sameHits(mesh, [inWorld(mesh)])
+    const many = placed(new THREE.InstancedMesh(mesh.geometry, mesh.material, 2))
+    const matrices = [
+      new THREE.Matrix4().makeTranslation(1, 0, 0),
+      new THREE.Matrix4().makeScale(0.5, 1, 1),
+    ]
+    matrices.forEach((matrix, i) => many.setMatrixAt(i, matrix))
+    many.material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
+    warp(many, offset, { space: 'world' })
+    sameHits(
+      many,
+      matrices.map((matrix) => inWorld(many, matrix)),
+    )
+  })
+
+  test('of points and lines', () => {
+    const { geometry } = plane()
+    const points = new THREE.Points(geometry, new THREE.PointsMaterial())
+    const line = new THREE.Line(geometry, new THREE.LineBasicMaterial())
+    const up = ({ glsl }) => glsl.vec3(0, 0, 5)
+    const ray = new THREE.Raycaster(new THREE.Vector3(0.5, -9, 5), new THREE.Vector3(0, 1, 0))
+    ray.params.Points.threshold = ray.params.Line.threshold = 0.01
+    for (const object of [points, line]) {
+      assert.equal(ray.intersectObject(object).length, 0)
+      warp(object, up)
+      const [hit] = ray.intersectObject(object)
+      assert.equal(hit.object, object)
+      assert.ok(Math.abs(hit.point.z - 5) < 0.011)
+    }
+  })
+
+  test('of one that only the GPU can run they miss, and say so once', (t) => {
+    const said = t.mock.method(console, 'warn', () => {})
+    const mesh = plane()
+    const map = new THREE.DataTexture(new Uint8Array(4), 1, 1)
+    const warped = warp(mesh, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), {
+      uniforms: { map },
+      surfaceVariation: false,
+    })
+    const ray = new THREE.Raycaster(new THREE.Vector3(0, 0, 9), new THREE.Vector3(0, 0, -1))
+    assert.equal(ray.intersectObject(mesh).length + ray.intersectObject(mesh).length, 0)
+    assert.equal(said.mock.callCount(), 1)
+    assert.match(said.mock.calls[0].arguments[0], /^warp: rays miss a warp that/)
+    assert.equal(mesh.boundingSphere.radius, Infinity)
+    warped.dispose()
+  })
+})
+
+function skinned() {
+  const geometry = new THREE.CylinderGeometry(0.2, 0.2, 2, 8, 10)
+  const { position } = geometry.attributes
+  const weights = []
+  for (let i = 0; i < position.count; i++) {
+    const amount = (position.getY(i) + 1) / 2
+    weights.push(1 - amount, amount, 0, 0)
+  }
+  geometry.setAttribute(
+    'skinIndex',
+    new THREE.Uint16BufferAttribute(
+      weights.map((_, i) => [0, 1, 0, 0][i % 4]),
+      4,
+    ),
+  )
+  geometry.setAttribute('skinWeight', new THREE.Float32BufferAttribute(weights, 4))
+  const bones = [new THREE.Bone(), new THREE.Bone()]
+  bones[0].add(bones[1])
+  const mesh = new THREE.SkinnedMesh(
+    geometry,
+    new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }),
+  )
+  mesh.add(bones[0])
+  mesh.bind(new THREE.Skeleton(bones))
+  return mesh
+}
+
+function morphing() {
+  const mesh = plane()
+  const to = mesh.geometry.attributes.position.clone()
+  for (let i = 0; i < to.count; i++) to.setXYZ(i, 2 * to.getX(i), to.getY(i), 1)
+  mesh.geometry.morphAttributes.position = [to]
+  mesh.updateMorphTargets()
+  return mesh
+}
+
+test('nothing that is visible is culled, in ten thousand settings, and little else is drawn', () => {
+  const random = numbers(7)
+  const { geometry, material } = plane()
+  const kinds = [
+    () => plane(),
+    () => new THREE.Mesh(new THREE.SphereGeometry(1, 16, 12), material),
+    () => {
+      const mesh = new THREE.InstancedMesh(geometry, material, 2)
+      mesh.setMatrixAt(0, new THREE.Matrix4().makeTranslation(1, 1, 0))
+      mesh.setMatrixAt(1, new THREE.Matrix4().makeScale(0.5, 0.2, 1))
+      return mesh
+    },
+    skinned,
+    morphing,
+  ]
+  const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 30)
+  const frustum = new THREE.Frustum()
+  let [drawn, visible, settings] = [0, 0, 0]
+  for (const space of ['local', 'world', 'rest'])
+    for (const kind of kinds) {
+      const mesh = kind()
+      const warped = warp(mesh, wave, { space, uniforms: { height: 0 } })
+      for (let i = 0; i < 68; i++) {
+        warped.uniforms.height.value = 2 * random()
+        mesh.userData.millis = 5000 * random()
+        warped.update(mesh.userData.millis)
+        mesh.position.set(random(), random(), random())
+        mesh.rotation.set(6 * random(), 6 * random(), 6 * random())
+        mesh.scale.setScalar(0.5 + random())
+        for (const bone of mesh.skeleton?.bones ?? [])
+          bone.rotation.set(random(), random(), random())
+        if (mesh.morphTargetInfluences) mesh.morphTargetInfluences[0] = random()
+        mesh.updateMatrixWorld(true)
+        // Where the vertices are, by what rays meet: a ray to each of some of them.
+        const places = placesOf(mesh, space, warped)
+        for (let k = 0; k < 10; k++) {
+          settings++
+          camera.position.set(random() - 0.5, random() - 0.5, random() - 0.5).multiplyScalar(12)
+          camera.rotation.set(6 * random(), 6 * random(), 6 * random())
+          camera.updateMatrixWorld()
+          frustum.setFromProjectionMatrix(
+            new THREE.Matrix4().multiplyMatrices(
+              camera.projectionMatrix,
+              camera.matrixWorldInverse,
+            ),
+          )
+          const isVisible = places.some((place) => frustum.containsPoint(place))
+          const isDrawn = frustum.intersectsObject(mesh)
+          assert.ok(isDrawn || !isVisible, `${space}, ${mesh.type}: culled`)
+          drawn += isDrawn
+          visible += isVisible
+        }
+      }
+    }
+  assert.ok(settings > 10_000)
+  assert.ok(visible > 500 && drawn <= 2 * visible, `${drawn} drawn, ${visible} visible`)
+})
+
+/** The vertices in the world, each computed by itself in double. */
+function placesOf(mesh, space, { uniforms }) {
+  const height = uniforms.height.value
+  const { millis } = mesh.userData
+  const lift = (place) => {
+    place.z += height * Math.sin(3 * place.x + millis / 500)
+    return place
+  }
+  const matrices = mesh.isInstancedMesh
+    ? [0, 1].map((i) => {
+        const matrix = new THREE.Matrix4()
+        mesh.getMatrixAt(i, matrix)
+        return matrix
+      })
+    : [new THREE.Matrix4()]
+  const { position } = mesh.geometry.attributes
+  const posed = space === 'rest' ? withLifted(mesh, lift) : mesh
+  const places = []
+  for (const matrix of matrices)
+    for (let i = 0; i < position.count; i += 1) {
+      const place = posed.getVertexPosition(i, new THREE.Vector3())
+      if (space === 'local') lift(place)
+      place.applyMatrix4(matrix).applyMatrix4(mesh.matrixWorld)
+      places.push(space === 'world' ? lift(place) : place)
+    }
+  return places
+}
+
+/** The mesh, the vertices of its geometry moved before anything else is. */
+function withLifted(mesh, lift) {
+  const position = mesh.geometry.attributes.position.clone()
+  for (let i = 0; i < position.count; i++) {
+    const { x, y, z } = lift(new THREE.Vector3().fromBufferAttribute(position, i))
+    position.setXYZ(i, x, y, z)
+  }
+  const attributes = { ...mesh.geometry.attributes, position }
+  const geometry = Object.create(mesh.geometry, { attributes: { value: attributes } })
+  return Object.create(mesh, { geometry: { value: geometry } })
+}
+
+test('uniforms are those of three.js, and say what is wrong with them', () => {
+  const { uniforms, dispose } = warp(
+    plane(),
+    ({ uniforms }) =>
+      uniforms.tint
+        .mult(uniforms.place.x())
+        .add(uniforms.turn.mult(uniforms.shift))
+        .mult(uniforms.follow),
+    {
+      uniforms: {
+        tint: new THREE.Color(1, 0, 0),
+        place: new THREE.Vector2(1, 2),
+        turn: new THREE.Matrix3(),
+        shift: [1, 2, 3],
+        follow: () => 2,
+      },
+    },
+  )
+  uniforms.shift.value = new THREE.Vector3(4, 5, 6)
+  uniforms.shift.value.x = 7
+  uniforms.follow.value = 3
+  assert.throws(() => (uniforms.shift.value = 3), {
+    name: 'WarpError',
+    message: `The warp's uniform "shift" is a vec3 and takes an array of 3 numbers, but a float came.`,
+  })
+  assert.throws(() => (uniforms.follow.value = NaN), WarpError)
+  assert.equal(uniforms.follow.value, 3)
+  assert.throws(() => uniforms.heigth.value, {
+    message: 'warp: the warp has no uniform "heigth"; there are tint, place, turn, shift, follow.',
+  })
+  dispose()
+})
+
+describe('what cannot be warped is refused by a sentence, and nothing is changed', () => {
+  const none = ({ position }) => position
+  const mesh = plane()
+  const { material } = mesh
+  const group = new THREE.Group().add(new THREE.Sprite())
+  const cases = {
+    'a sprite': [
+      () => warp(new THREE.Sprite(), none),
+      /^warp: this Sprite always faces the camera/,
+    ],
+    'a sprite in a group': [() => warp(group, none), /^warp: this Sprite /],
+    nothing: [() => warp(undefined, none), /^warp: a Mesh, .* but undefined came\.$/],
+    'an empty group': [
+      () => warp(new THREE.Group(), none),
+      /^warp: there is nothing to draw in this Group/,
+    ],
+    'an offset that is none': [
+      () => warp(mesh, 5),
+      /^warp: a function was expected, but the number 5 came/,
+    ],
+    'an offset that gives a number': [
+      () => warp(mesh, () => 5),
+      /^warp: the offset function must return a vec3/,
+    ],
+    'a space that is none': [
+      () => warp(mesh, none, { space: 'view' }),
+      /^warp: the option "space" must be 'local', 'rest' or 'world', but is the text "view"\.$/,
+    ],
+    'an option that is none': [
+      () => warp(mesh, none, { colour: 1 }),
+      /^warp: there is no option "colour"/,
+    ],
+    'the mouse': [
+      () => warp(mesh, ({ glsl, mouse }) => glsl.vec3(mouse, 0)),
+      /^warp: the offset reads mouse, which three\.js does not have/,
+    ],
+    'a parameter': [
+      () => warp(mesh, ({ glsl }) => glsl.vec3(glsl.param('wind'), 0, 0)),
+      /^warp: the offset reads "wind" by glsl\.param/,
+    ],
+    'a shader without chunks': [
+      () => warpMaterial(new THREE.ShaderMaterial(), none),
+      /^warpMaterial: the vertex shader of this ShaderMaterial has no "#include <begin_vertex>"/,
+    ],
+    'a material of WebGPURenderer': [
+      () =>
+        warpMaterial(
+          Object.assign(new THREE.Material(), { isNodeMaterial: true, type: 'MeshNode' }),
+          none,
+        ),
+      /import warpMaterial from 'warpjet\/three\/webgpu'\.$/,
+    ],
+    'no material': [
+      () => warpMaterial(mesh, none),
+      /^warpMaterial: a material of three\.js was expected/,
+    ],
+  }
+  for (const [name, [work, message]] of Object.entries(cases))
+    test(name, () => {
+      assert.throws(work, (error) => {
+        assert.equal(error.name, 'WarpError')
+        assert.match(error.message, message)
+        return true
+      })
+      assert.equal(mesh.material, material)
+      assert.equal(Object.hasOwn(mesh, 'raycast'), false)
+    })
+
+  test('a mesh that is warped already', () => {
+    const warped = warp(mesh, none)
+    assert.throws(() => warp(mesh, none), /^WarpError: warp: this Mesh is warped already/)
+    warped.dispose()
+    warp(mesh, none).dispose()
+  })
+})
+
+test('dispose() leaves everything as it was, and a second one does nothing', () => {
+  for (const mesh of [plane(), skinned(), new THREE.Points(plane().geometry)]) {
+    const own = (object) => Object.entries(Object.getOwnPropertyDescriptors(object))
+    const [before, materialBefore] = [own(mesh), own(mesh.material)]
+    const warped = warp(mesh, wave, { uniforms: { height: 1 } })
+    assert.notDeepEqual(own(mesh), before)
+    warped.dispose()
+    warped.dispose()
+    assert.deepEqual(own(mesh), before)
+    assert.deepEqual(own(mesh.material), materialBefore)
+    const { material } = mesh
+    const shared = warp(mesh, wave, { uniforms: { height: 1 }, share: true })
+    assert.equal(mesh.material, material)
+    assert.ok(Object.hasOwn(material, 'onBeforeCompile'))
+    shared.dispose()
+    assert.deepEqual(
+      own(material).filter(([name]) => name !== 'version'),
+      materialBefore.filter(([name]) => name !== 'version'),
+    )
+  }
+})
+
+test('a material put on meanwhile stays', () => {
+  const mesh = plane()
+  const warped = warp(mesh, ({ position }) => position)
+  const other = (mesh.material = new THREE.MeshBasicMaterial())
+  warped.dispose()
+  assert.equal(mesh.material, other)
+})
+
+test('bounds() is around what is drawn, of a group around all of it', () => {
+  const [left, right] = [plane(), plane()]
+  left.position.x = -3
+  right.position.x = 3
+  const group = new THREE.Group().add(left, right)
+  group.updateMatrixWorld(true)
+  const warped = warp(group, ({ glsl }) => glsl.vec3(0, 0, 2))
+  const { min, max } = warped.bounds()
+  for (const [k, expected] of [-4, -1, 2].entries())
+    assert.ok(Math.abs(min.toArray()[k] - expected) < 1e-4)
+  for (const [k, expected] of [4, 1, 2].entries())
+    assert.ok(Math.abs(max.toArray()[k] - expected) < 1e-4)
+  warped.dispose()
+})
+
+test('a geometry becomes a mesh, is baked, and comes back with what only three.js knows', () => {
+  const { geometry } = plane()
+  geometry.setAttribute('uv1', geometry.attributes.uv.clone())
+  geometry.setAttribute(
+    'color',
+    new THREE.Uint8BufferAttribute(
+      new Uint8Array(3 * geometry.attributes.position.count).fill(255),
+      3,
+      true,
+    ),
+  )
+  geometry.addGroup(0, 30, 1)
+  const baked = bakeWarp(
+    fromBufferGeometry(geometry),
+    compileWarp(({ glsl }) => glsl.vec3(0, 0, 1)),
+  )
+  const made = toBufferGeometry(baked, geometry)
+  assert.equal(made.attributes.position.getZ(5), 1)
+  assert.equal(made.index.count, geometry.index.count)
+  assert.deepEqual([...made.attributes.uv1.array], [...geometry.attributes.uv1.array])
+  assert.deepEqual(made.attributes.color.array.slice(0, 4), new Float32Array([1, 1, 1, 1]))
+  assert.deepEqual(made.groups, geometry.groups)
+  assert.throws(() => toBufferGeometry(baked, new THREE.BoxGeometry()), WarpError)
+  assert.throws(() => fromBufferGeometry(new THREE.BufferGeometry()), WarpError)
+  assert.throws(() => fromBufferGeometry(3), WarpError)
+})
+
+test('a geometry can say how its normals vary', async () => {
+  const geometry = await addSurfaceVariation(new THREE.SphereGeometry(2, 40, 30))
+  const { position, aWarpjet_normalXGradient: gradient } = geometry.attributes
+  // The normal of a sphere is position / radius: its gradients are the axes, projected, over the radius.
+  for (const i of [300, 500, 700]) {
+    const normal = new THREE.Vector3().fromBufferAttribute(position, i).normalize()
+    const expected = new THREE.Vector3(1, 0, 0).addScaledVector(normal, -normal.x).divideScalar(2)
+    assert.ok(new THREE.Vector3().fromBufferAttribute(gradient, i).distanceTo(expected) < 0.02)
+  }
+  await assert.rejects(addSurfaceVariation(5), WarpError)
+})
