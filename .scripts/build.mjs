@@ -16,13 +16,13 @@ const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
 // Of .cmake/wasm.cmake.
-const inlined = ['core', 'evaluation', 'mesh']
+const inlined = ['core', 'evaluation', 'mesh', 'glsl']
 const compiled = ['mesh.mjs', ...inlined.map((name) => `${name}.wasm`)].map(
   (name) => `.build/wasm/${name}`,
 )
 
-const shared = ['text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
-const single = ['warpjet', 'mesh', 'p5.warpjet', 'p5.warpjet.slim', 'warpjet.deformers']
+const shared = ['text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'glsl', 'cli']
+const single = ['warpjet', 'mesh', 'glsl', 'p5.warpjet', 'p5.warpjet.slim', 'warpjet.deformers']
 const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,
 )

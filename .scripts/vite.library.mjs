@@ -65,6 +65,7 @@ export const modules = settings(
       autodiff: path('js-bindings/autodiff.ts'),
       mesh: path('js-bindings/mesh.ts'),
       deformers: path('js-bindings/deformers.ts'),
+      glsl: path('js-bindings/glsl.ts'),
       cli: path('js-bindings/cli.ts'),
       memory: path('js-bindings/memory.ts'),
     },
@@ -95,6 +96,7 @@ const single = (entry, fileName, format, others) =>
 export const singleModules = [
   single('js-bindings/index.ts', 'warpjet.min.js', 'es'),
   single('js-bindings/mesh.ts', 'mesh.min.js', 'es'),
+  single('js-bindings/glsl.ts', 'glsl.min.js', 'es'),
 ]
 
 /** `alias` names modules that are others in it. */

@@ -5,7 +5,7 @@ import { run } from './run.mjs'
 
 const written = '.build/types'
 
-const entries = ['index', 'text', 'p5', 'autodiff', 'mesh', 'deformers']
+const entries = ['index', 'text', 'p5', 'autodiff', 'mesh', 'deformers', 'glsl']
 
 /** Only names what the entries export. */
 const globals = 'globals.d.ts'

@@ -47,6 +47,15 @@ const params: Record<string, Shape> = {
   mat4Param: [4, 4],
 }
 
+/** What reads shader text: 'warpjet/glsl', which says so where every copy of warpjet on a page can see it. */
+export const frontEndKey = Symbol.for('warpjet.glsl')
+
+function frontEnd(): (builder: Builder, ...given: unknown[]) => unknown {
+  const read = Reflect.get(globalThis, frontEndKey) as ReturnType<typeof frontEnd> | undefined
+  if (read) return read
+  throw new WarpError("source: import 'warpjet/glsl' first, which reads shader text.")
+}
+
 /** Functions that need no `this`, so that `const { vec3, sin } = glsl` works. */
 export function createBuilder(session: Session): Builder {
   installMethods()
@@ -57,6 +66,7 @@ export function createBuilder(session: Session): Builder {
     },
     texture: (...operands) => callTexture(session, operands),
     fn: ((options: unknown) => declareFunction(session, options)) as never,
+    source: ((...given: unknown[]) => frontEnd()(builder, ...given)) as never,
   }
   for (const [name, shape] of Object.entries(params))
     builder[name] = (label, ...others) => {
