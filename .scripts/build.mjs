@@ -22,11 +22,18 @@ const compiled = ['mesh.mjs', ...inlined.map((name) => `${name}.wasm`)].map(
 )
 
 const shared = ['text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'glsl', 'cli']
-const single = ['warpjet', 'mesh', 'glsl', 'p5.warpjet', 'p5.warpjet.slim', 'warpjet.deformers']
+const single = [
+  'warpjet',
+  'mesh',
+  'warpjet.glsl',
+  'p5.warpjet',
+  'p5.warpjet.slim',
+  'warpjet.deformers',
+]
 const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,
 )
-const entries = ['index', ...shared, 'p5.global', 'deformers.global'].map(
+const entries = ['index', ...shared, 'p5.global', 'deformers.global', 'glsl.global'].map(
   (name) => `js-bindings/${name}.ts`,
 )
 

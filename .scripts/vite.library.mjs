@@ -52,6 +52,10 @@ const sharedFiles = [
   { name: 'compiler', test: /\/js-bindings\/compile\/(compile|compile-warp-text)\.ts$/ },
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
+  {
+    name: 'front-end',
+    test: /\/js-bindings\/(glsl[/.]|wasm\/glsl|p5\/exact-normals|generated\/glsl)/,
+  },
   { name: 'p5-addon', test: /\/js-bindings\/p5\// },
 ]
 
@@ -96,7 +100,6 @@ const single = (entry, fileName, format, others) =>
 export const singleModules = [
   single('js-bindings/index.ts', 'warpjet.min.js', 'es'),
   single('js-bindings/mesh.ts', 'mesh.min.js', 'es'),
-  single('js-bindings/glsl.ts', 'glsl.min.js', 'es'),
 ]
 
 /** `alias` names modules that are others in it. */
@@ -122,6 +125,18 @@ export const scripts = () => [
       replacement: path('js-bindings/compile/compile-warp-text.ts'),
     },
   ]),
+  // The compiler is that of the script of p5.
+  single('js-bindings/glsl.global.ts', 'warpjet.glsl.min.js', 'iife', {
+    resolve: {
+      alias: [
+        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
+        {
+          find: /^.*\/compile\/(compile|compile-warp-text)\.js$/,
+          replacement: path('js-bindings/glsl/compile.global.ts'),
+        },
+      ],
+    },
+  }),
   single('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js', 'iife', {
     resolve: {
       alias: [

@@ -3,6 +3,7 @@
 import type { Session } from './session.js'
 import { getCore } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
+import { frontEndKey } from '../checks/front-end.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './host-functions.js'
 import { callNoise, noiseKinds } from './noise.js'
@@ -46,9 +47,6 @@ const params: Record<string, Shape> = {
   mat3Param: [3, 3],
   mat4Param: [4, 4],
 }
-
-/** What reads shader text: 'warpjet/glsl', which says so where every copy of warpjet on a page can see it. */
-export const frontEndKey = Symbol.for('warpjet.glsl')
 
 function frontEnd(): (builder: Builder, ...given: unknown[]) => unknown {
   const read = Reflect.get(globalThis, frontEndKey) as ReturnType<typeof frontEnd> | undefined

@@ -4,7 +4,7 @@ import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import { inputSizes, variationInputs } from '../inputs/inputs.js'
 import type { WarpInputs } from '../types/types.js'
-import type { Outside } from './listing.js'
+import type { Named, Outside } from './listing.js'
 import type { Given } from './replay.js'
 
 const hidden = new Set(['tangent', ...Object.keys(variationInputs)])
@@ -35,14 +35,17 @@ export function bindOutsides(
   outsides: readonly Outside[],
   inputs: Inputs,
 ): Pick<Given, 'outside' | 'texture'> {
-  const declared = (inputs.uniforms ?? {}) as unknown as Record<string, Expression | string>
+  const declared = (inputs.uniforms ?? Object.create(null)) as unknown as Record<
+    string,
+    Expression | string
+  >
   const made = new Map<number, Expression>()
   const find = (outside: Outside): Expression => {
     const { name, type, isAttribute } = outside
     if (!isAttribute && name in declared) return checked(method, outside, declared[name]!)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     if (input) return input
-    if (!isAttribute) return parameter(method, glsl, outside)
+    if (!isAttribute) return parameterOf(method, glsl, outside)
     throw new WarpError(
       `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv and color.`,
     )
@@ -72,13 +75,17 @@ function checked(method: string, { name, type, shape }: Outside, value: Expressi
   )
 }
 
-/** A variable of the host's shader. */
-function parameter(method: string, glsl: Builder, { name, type, shape }: Outside): Expression {
-  const [columns, rows] = shape
-  if (columns > 1 && columns !== rows)
+/** A variable of the host's shader: a parameter of a function, or a uniform. */
+export function parameterOf(method: string, glsl: Builder, { name, type }: Named): Expression {
+  const [, word, base, digit] = /^([iub]?)(float|int|uint|bool|vec|mat)(\dx?\d?)?$/.exec(type) ?? []
+  if (base === undefined || digit?.includes('x'))
     throw new WarpError(
-      `${method}: the uniform ${name} is a ${type}; only matrices of as many rows as columns can be given.`,
+      `${method}: ${name} is a ${type}; only numbers, vectors and matrices of as many rows as columns can be given.`,
     )
-  const kind = columns > 1 ? `mat${columns}Param` : rows > 1 ? `vec${rows}Param` : 'param'
-  return glsl[kind]!(name)
+  const size = digit ?? ''
+  const kind = base === 'vec' || base === 'mat' ? base + size : ''
+  // What the shader has as another type of numbers is read as floats.
+  const isOther = word !== '' || !['float', 'vec', 'mat'].includes(base)
+  const label = isOther ? `${kind || 'float'}(${name})` : name
+  return glsl[kind ? `${kind}Param` : 'param']!(label)
 }

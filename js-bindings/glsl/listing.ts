@@ -63,12 +63,12 @@ export class OpenSource {
     if (problem) throw new WarpError(`${this.method}: ${problem}`)
   }
 
-  /** The one of that name; without a name `usual`, or the last. */
-  find(name: string | undefined, usual: string): FunctionHead {
+  /** The one of that name; without a name `offset`, or the last. */
+  find(name: string | undefined): FunctionHead {
     const { functions, method } = this
     if (functions.length === 0)
       throw new WarpError(`${method}: the source has no function; write one that gives a value.`)
-    const named = functions.filter((each) => each.name === (name ?? usual))
+    const named = functions.filter((each) => each.name === (name ?? 'offset'))
     if (named.length > 0) return named.at(-1)!
     if (name === undefined) return functions.at(-1)!
     throw new WarpError(

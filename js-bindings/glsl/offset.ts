@@ -5,14 +5,8 @@ import type { Builder } from '../expression/builder.js'
 import type { OffsetFunction, UniformValues, WarpInputs } from '../types/types.js'
 import { bindOutsides, inputNamed, inputTypes } from './bind.js'
 import { type FunctionHead, withSource } from './listing.js'
+import { type GlslOptions, checkSource, readIterations, readName } from './options.js'
 import { pack, replay } from './replay.js'
-
-export interface GlslOptions {
-  /** The name of the function; `offset`, or the last one in the text, unless given. */
-  function?: string
-  /** How often a loop runs whose end depends on what only the shader knows; without it such a loop is refused. */
-  maxIterations?: number
-}
 
 export interface GlslOffsetOptions extends GlslOptions {
   /** What the function gives: how far a vertex moves, or where it moves to. `'offset'` unless given. */
@@ -39,7 +33,7 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
       `glslOffset: the option "returns" must be 'offset' or 'position', but is ${describe(returns)}.`,
     )
   const listing = withSource('glslOffset', source, (text) => {
-    const head = text.find(readName('glslOffset', options.function), 'offset')
+    const head = text.find(readName('glslOffset', options.function))
     checkHead(head)
     return text.list(head, readIterations('glslOffset', options.maxIterations))
   })
@@ -80,25 +74,4 @@ function checkHead({ name, type, parameters }: FunctionHead) {
         `glslOffset: the parameter ${parameter.name} of ${name} is a ${parameter.type}, but ${parameter.name} is a ${expected}.`,
       )
   }
-}
-
-export function checkSource(method: string, source: unknown): asserts source is string {
-  if (typeof source === 'string') return
-  throw new WarpError(`${method}: the source must be a text of GLSL, but is ${describe(source)}.`)
-}
-
-export function readName(method: string, name: unknown): string | undefined {
-  if (name === undefined || typeof name === 'string') return name
-  throw new WarpError(`${method}: the option "function" must be a name, but is ${describe(name)}.`)
-}
-
-const mostIterations = 4096
-
-export function readIterations(method: string, count: unknown): number {
-  if (count === undefined) return 0
-  if (Number.isInteger(count) && (count as number) >= 1 && (count as number) <= mostIterations)
-    return count as number
-  throw new WarpError(
-    `${method}: the option "maxIterations" must be a whole number from 1 to ${mostIterations}, but is ${describe(count)}.`,
-  )
 }
