@@ -248,6 +248,7 @@ Type Parser::arrayOf(Type element) {
     array.length = *length;
   }
   expect("]", "the length of an array");
+  if (peek().is("[")) fail(peek().place, "an array of arrays is not in the language");
   return array;
 }
 
@@ -288,7 +289,9 @@ Type Parser::structure() {
 }
 
 bool Parser::checkFree(const Token& name) {
-  if (name.kind != Kind::Name || isKeyword(name.text)) {
+  if (name.kind != Kind::Name) {
+    fail(name.place, "a name is missing here; " + found());
+  } else if (isKeyword(name.text)) {
     fail(name.place, quoted(name.text) + " cannot be a name: it is a word of the language");
   } else if (name.text.starts_with("gl_")) {
     fail(name.place, quoted(name.text) + " cannot be a name: those with gl_ are the language's");
