@@ -2,6 +2,7 @@
 #   core        the compiler; no SIMD, so that it runs wherever WebAssembly does
 #   evaluation  programs over many vertices
 #   mesh        files of meshes, and what is done to meshes
+#   glsl        shader text as a list of the core's operations
 
 # What runs per node, or per vertex, is compiled for speed, and everything else of the core for size: at -Os everywhere, a warp
 # of 3,000 nodes takes six times as long.
@@ -38,11 +39,10 @@ else()
   set(stack_setting STACK_SIZE)
 endif()
 
-# warpjet_module(NAME SUFFIX SOURCE): what all three have in common.
+# warpjet_module(NAME SUFFIX SOURCE): what all of them have in common.
 function(warpjet_module name suffix source)
   set(target warpjet_${name}_wasm)
   add_executable(${target} ${source})
-  target_link_libraries(${target} PRIVATE warpjet_core)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} SUFFIX ${suffix})
   target_link_options(${target} PRIVATE
     -flto                                 # see CMakeLists.txt
@@ -64,6 +64,7 @@ set_property(TARGET warpjet_core PROPERTY SOURCES ${core_sources} $<TARGET_OBJEC
 target_sources(warpjet_core_wasm PRIVATE $<TARGET_OBJECTS:warpjet_fast>)
 warpjet_module(evaluation .wasm js-bindings/wasm/evaluation.cpp)
 foreach(target warpjet_core_wasm warpjet_evaluation_wasm)
+  target_link_libraries(${target} PRIVATE warpjet_core)
   target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
   target_link_options(${target} PRIVATE
     -fno-exceptions
@@ -78,10 +79,25 @@ target_compile_options(warpjet_core PRIVATE -fno-rtti)
 target_link_options(warpjet_core_wasm PRIVATE
   "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong")  # not simd128: it does not link if it got in
 
+# A text nests as deep as the parser lets it, and each level takes less than 1 KB.
+warpjet_module(glsl .wasm js-bindings/wasm/glsl.cpp)
+target_link_libraries(warpjet_glsl_wasm PRIVATE warpjet_glsl)
+target_compile_options(warpjet_glsl_wasm PRIVATE -fno-exceptions -fno-rtti -Oz)
+target_link_options(warpjet_glsl_wasm PRIVATE
+  -fno-exceptions
+  -sMALLOC=emmalloc
+  -sINITIAL_MEMORY=2MB
+  -s${stack_setting}=1048576
+  -Wl,--stack-first
+  "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"
+  -sJS_MATH
+  -sWARN_ON_UNDEFINED_SYMBOLS=0
+  -sERROR_ON_UNDEFINED_SYMBOLS=0)
+
 # A file that lies may ask for any amount of memory and nest as deep as it likes. tinygltf and its JSON parser throw;
 # js-bindings/wasm/mesh.cpp catches everything.
 warpjet_module(mesh .mjs js-bindings/wasm/mesh.cpp)
-target_link_libraries(warpjet_mesh_wasm PRIVATE warpjet_mesh)
+target_link_libraries(warpjet_mesh_wasm PRIVATE warpjet_mesh warpjet_core)
 set_target_properties(warpjet_mesh_wasm PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/mesh.js)
 target_compile_options(warpjet_mesh_wasm PRIVATE -fwasm-exceptions)
 target_compile_options(warpjet_mesh PRIVATE -fwasm-exceptions)

@@ -16,7 +16,7 @@ const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
 // Of .cmake/wasm.cmake.
-const inlined = ['core', 'evaluation', 'mesh']
+const inlined = ['core', 'evaluation', 'mesh', 'glsl']
 const compiled = ['mesh.mjs', ...inlined.map((name) => `${name}.wasm`)].map(
   (name) => `.build/wasm/${name}`,
 )
@@ -28,16 +28,24 @@ const shared = [
   'autodiff',
   'mesh',
   'deformers',
+  'glsl',
   'three',
   'three.webgpu',
   'react',
   'cli',
 ]
-const single = ['warpjet', 'mesh', 'p5.warpjet', 'p5.warpjet.slim', 'warpjet.deformers']
+const single = [
+  'warpjet',
+  'mesh',
+  'warpjet.glsl',
+  'p5.warpjet',
+  'p5.warpjet.slim',
+  'warpjet.deformers',
+]
 const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,
 )
-const entries = ['index', ...shared, 'p5.global', 'deformers.global'].map(
+const entries = ['index', ...shared, 'p5.global', 'deformers.global', 'glsl.global'].map(
   (name) => `js-bindings/${name}.ts`,
 )
 

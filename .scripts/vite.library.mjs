@@ -52,6 +52,10 @@ const sharedFiles = [
   { name: 'compiler', test: /\/js-bindings\/compile\/(compile|compile-warp-text)\.ts$/ },
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
+  {
+    name: 'front-end',
+    test: /\/js-bindings\/(glsl[/.]|wasm\/glsl|p5\/exact-normals|generated\/glsl)/,
+  },
   { name: 'p5-addon', test: /\/js-bindings\/p5\// },
   { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu)/ },
 ]
@@ -66,6 +70,7 @@ export const modules = settings(
       autodiff: path('js-bindings/autodiff.ts'),
       mesh: path('js-bindings/mesh.ts'),
       deformers: path('js-bindings/deformers.ts'),
+      glsl: path('js-bindings/glsl.ts'),
       three: path('js-bindings/three.ts'),
       'three.webgpu': path('js-bindings/three.webgpu.ts'),
       react: path('js-bindings/react.ts'),
@@ -124,6 +129,18 @@ export const scripts = () => [
       replacement: path('js-bindings/compile/compile-warp-text.ts'),
     },
   ]),
+  // The compiler is that of the script of p5.
+  single('js-bindings/glsl.global.ts', 'warpjet.glsl.min.js', 'iife', {
+    resolve: {
+      alias: [
+        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
+        {
+          find: /^.*\/compile\/(compile|compile-warp-text)\.js$/,
+          replacement: path('js-bindings/glsl/compile.global.ts'),
+        },
+      ],
+    },
+  }),
   single('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js', 'iife', {
     resolve: {
       alias: [

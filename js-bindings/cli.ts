@@ -2,6 +2,7 @@
 /// <reference types="node" />
 // `npx warpjet`: finds the command, and turns errors into one sentence and an exit code.
 import { bake } from './cli/bake.js'
+import { derive } from './cli/derive.js'
 import { emit } from './cli/emit.js'
 import { reasonOf } from './cli/files.js'
 import { help, helpOf } from './cli/help.js'
@@ -11,7 +12,7 @@ import { UsageError } from './cli/usage.js'
 import { WarpError } from './checks/errors.js'
 import { version } from './generated/version.js'
 
-const commands: Record<string, (args: string[]) => Promise<void>> = { emit, bake, info }
+const commands: Record<string, (args: string[]) => Promise<void>> = { emit, bake, derive, info }
 
 const [name = '', ...args] = process.argv.slice(2)
 const asksForHelp = (text: string) => text === '--help' || text === '-h'

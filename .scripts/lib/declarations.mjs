@@ -12,6 +12,7 @@ const entries = [
   'autodiff',
   'mesh',
   'deformers',
+  'glsl',
   'three',
   'three.webgpu',
   'react',

@@ -12,13 +12,20 @@ import { blame, readWarp } from './warp-file.js'
 type Wrong = (message: string) => UsageError
 
 export async function bake(args: string[]): Promise<void> {
-  const { values, files, wrong } = readArguments('bake', args, ['a model', 'a warp.js'], {
-    output: { type: 'string', short: 'o' },
-    set: { type: 'string', multiple: true, default: [] },
-    subdivide: { type: 'string' },
-    'max-triangles': { type: 'string' },
-    quiet: { type: 'boolean', short: 'q', default: false },
-  })
+  const { values, files, wrong } = readArguments(
+    'bake',
+    args,
+    ['a model', 'a warp.js or a file of GLSL'],
+    {
+      output: { type: 'string', short: 'o' },
+      function: { type: 'string' },
+      returns: { type: 'string' },
+      set: { type: 'string', multiple: true, default: [] },
+      subdivide: { type: 'string' },
+      'max-triangles': { type: 'string' },
+      quiet: { type: 'boolean', short: 'q', default: false },
+    },
+  )
   const [model, file] = files as [string, string]
   const { output } = values
   if (output === undefined) throw wrong('bake needs -o and the name of the file to write.')
@@ -33,7 +40,7 @@ export async function bake(args: string[]): Promise<void> {
     most === undefined ? undefined : readCount('max-triangles', most, mostTriangles, wrong)
 
   const progress = new Progress(values.quiet)
-  const { offset, uniforms: declared } = await readWarp(file)
+  const { offset, uniforms: declared } = await readWarp(file, values)
   // The text is not needed; baking finds out how the surface varies by itself.
   const warp = await blame(file, () =>
     compileWarp(offset, { uniforms: declared, surfaceVariation: true }),

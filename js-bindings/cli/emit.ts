@@ -8,10 +8,12 @@ import { readArguments } from './usage.js'
 import { blame, readWarp } from './warp-file.js'
 
 export async function emit(args: string[]): Promise<void> {
-  const { values, files, wrong } = readArguments('emit', args, ['a warp.js'], {
+  const { values, files, wrong } = readArguments('emit', args, ['a warp.js or a file of GLSL'], {
     target: { type: 'string', default: 'glsl300' },
     tangents: { type: 'boolean', default: false },
     'surface-variation': { type: 'boolean' },
+    function: { type: 'string' },
+    returns: { type: 'string' },
     output: { type: 'string', short: 'o' },
   })
   const target = values.target as Target
@@ -22,7 +24,7 @@ export async function emit(args: string[]): Promise<void> {
   const { output } = values
   if (output !== undefined && (await areOneFile(output, file)))
     throw wrong('emit does not write over the warp itself.')
-  const { offset, uniforms } = await readWarp(file)
+  const { offset, uniforms } = await readWarp(file, values)
   const { tangents, 'surface-variation': surfaceVariation } = values
   const warp = await blame(file, () =>
     compileWarp(offset, { uniforms, target, tangents, surfaceVariation }),

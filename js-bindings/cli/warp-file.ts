@@ -1,7 +1,9 @@
 // The offset function of a file.
+import { readFile } from 'node:fs/promises'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { WarpError, describe } from '../checks/errors.js'
+import { glslOffset } from '../glsl.js'
 import type { OffsetFunction, UniformOptions } from '../types/types.js'
 
 /** What a file exports. */
@@ -12,8 +14,15 @@ export interface WarpFile {
   uniforms: UniformOptions | undefined
 }
 
-/** Runs the file. */
-export async function readWarp(file: string): Promise<WarpFile> {
+/** What a file of shader text is told, on the command line. */
+export interface GlslChoice {
+  function?: string | undefined
+  returns?: string | undefined
+}
+
+/** Runs the file, or reads it, where its name says that it is shader text. */
+export async function readWarp(file: string, choice: GlslChoice = {}): Promise<WarpFile> {
+  if (isGlsl(file)) return { offset: await readGlsl(file, choice), uniforms: undefined }
   const module: Record<string, unknown> = await load(file)
   const uniforms = module.uniforms as UniformOptions | undefined
   const found = (offset: unknown) => ({ offset: offset as OffsetFunction, uniforms })
@@ -25,6 +34,29 @@ export async function readWarp(file: string): Promise<WarpFile> {
       ? `${file} exports ${functions.length} functions; export the offset function as default.`
       : `${file} exports no function; write \`export default ({ glsl, position }) => glsl.vec3(…)\`.`,
   )
+}
+
+const isGlsl = (file: string) => /\.(?:glsl|vert|frag|vs|fs)$/i.test(file)
+
+async function readGlsl(file: string, { function: name, returns }: GlslChoice) {
+  const options = {
+    ...(name !== undefined && { function: name }),
+    ...(returns !== undefined && { returns }),
+  }
+  return glslOffset(await readText(file), options as object)
+}
+
+export async function readText(file: string): Promise<string> {
+  try {
+    return await readFile(file, 'utf8')
+  } catch (error) {
+    const { code } = error as { code?: string }
+    throw new WarpError(
+      code === 'ENOENT'
+        ? `The file ${file} does not exist.`
+        : `${file} cannot be read: the system says ${code}.`,
+    )
+  }
 }
 
 async function load(file: string): Promise<Record<string, unknown>> {

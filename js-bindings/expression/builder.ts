@@ -3,6 +3,7 @@
 import type { Session } from './session.js'
 import { getCore } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
+import { frontEndKey } from '../checks/front-end.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './host-functions.js'
 import { callNoise, noiseKinds } from './noise.js'
@@ -49,6 +50,12 @@ const params: Record<string, Shape> = {
   mat4Param: [4, 4],
 }
 
+function frontEnd(): (builder: Builder, ...given: unknown[]) => unknown {
+  const read = Reflect.get(globalThis, frontEndKey) as ReturnType<typeof frontEnd> | undefined
+  if (read) return read
+  throw new WarpError("source: import 'warpjet/glsl' first, which reads shader text.")
+}
+
 /** Functions that need no `this`, so that `const { vec3, sin } = glsl` works. */
 export function createBuilder(session: Session): Builder {
   installMethods()
@@ -59,6 +66,7 @@ export function createBuilder(session: Session): Builder {
     },
     texture: (...operands) => callTexture(session, operands),
     fn: ((options: unknown) => declareFunction(session, options)) as never,
+    source: ((...given: unknown[]) => frontEnd()(builder, ...given)) as never,
   }
   for (const [name, shape] of Object.entries(params))
     builder[name] = (label, ...others) => {

@@ -22,11 +22,14 @@ function placeOf(error: Error): string | undefined {
   return number && `${name || 'the page'}, line ${number}`
 }
 
+/** As V8 has it. */
+const stacks = Error as { stackTraceLimit?: number }
+
 /** Does some work of ours for a sketch. */
 export function located<Result>(work: () => Result): Result {
-  const { stackTraceLimit } = Error
+  const { stackTraceLimit } = stacks
   // Some ten places are our own.
-  Error.stackTraceLimit = 50
+  stacks.stackTraceLimit = 50
   try {
     return work()
   } catch (error) {
@@ -40,6 +43,6 @@ export function located<Result>(work: () => Result): Result {
     }
     throw error
   } finally {
-    Error.stackTraceLimit = stackTraceLimit
+    stacks.stackTraceLimit = stackTraceLimit
   }
 }

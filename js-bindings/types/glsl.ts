@@ -1,6 +1,7 @@
 // `glsl`, the builder, as a sketch sees it.
 import type {
   AnyMatrix,
+  Expression,
   Mat2,
   Mat3,
   Mat4,
@@ -79,8 +80,30 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
    * set for the image; mipmaps are not read.
    */
   texture(sampler: ImageName, uv: Vec2, options?: TextureOptions): Vec4
+  /**
+   * A function of a text in GLSL, to be called with numbers and expressions, with its exact derivatives; import
+   * 'warpjet/glsl' for it. It is `options.function`, or the one named `offset`, or the last. What the text's uniforms are,
+   * `options.uniforms` says: hand over `uniforms`.
+   *
+   *     const ripple = glsl.source('float ripple(vec2 p, float t) { return sin(length(p) - t); }')
+   *     ripple(position.xy(), millis)
+   */
+  source<Result extends Expression = Scalar>(
+    source: string,
+    options?: SourceOptions,
+  ): (...operands: readonly Operand[]) => Result
   /** A function of your own, in the shader's language; used like a built-in one. */
   fn<Arity extends FunctionArity>(options: FunctionOptions<Arity>): OwnFunction<Arity>
+}
+
+/** What `glsl.source` takes. */
+export interface SourceOptions {
+  /** The name of the function. */
+  function?: string
+  /** How often a loop runs whose end depends on what only the shader knows; without it such a loop is refused. */
+  maxIterations?: number
+  /** As an offset function gets them. */
+  uniforms?: object
 }
 
 /** What `glsl.texture` takes. */

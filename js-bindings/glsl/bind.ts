@@ -1,0 +1,91 @@
+// What a text reads from outside, as expressions.
+import { WarpError, describeShape } from '../checks/errors.js'
+import type { Builder } from '../expression/builder.js'
+import type { Expression } from '../expression/expression.js'
+import { inputSizes, variationInputs } from '../inputs/inputs.js'
+import type { WarpInputs } from '../types/types.js'
+import type { Named, Outside } from './listing.js'
+import type { Given } from './replay.js'
+
+const hidden = new Set(['tangent', ...Object.keys(variationInputs)])
+
+/** The inputs of an offset function, each with its type in GLSL. */
+export const inputTypes: Readonly<Record<string, string>> = Object.assign(
+  Object.create(null) as object,
+  Object.fromEntries(
+    Object.entries({ ...inputSizes, mouseX: 1, mouseY: 1, width: 1, height: 1 })
+      .filter(([name]) => !hidden.has(name))
+      .map(([name, size]) => [name, size === 1 ? 'float' : `vec${size}`]),
+  ),
+)
+
+/** The inputs of an offset function, or none of them. */
+export type Inputs = Partial<WarpInputs>
+
+export const inputNamed = (inputs: Inputs, name: string) =>
+  inputs[name as keyof WarpInputs] as unknown as Expression | undefined
+
+/**
+ * Uniforms and attributes by name: what the sketch declared under it, an input such as `millis` of the right type, or a
+ * variable of the host's shader.
+ */
+export function bindOutsides(
+  method: string,
+  glsl: Builder,
+  outsides: readonly Outside[],
+  inputs: Inputs,
+): Pick<Given, 'outside' | 'texture'> {
+  const declared = (inputs.uniforms ?? Object.create(null)) as unknown as Record<
+    string,
+    Expression | string
+  >
+  const made = new Map<number, Expression>()
+  const find = (outside: Outside): Expression => {
+    const { name, type, isAttribute } = outside
+    if (!isAttribute && name in declared) return checked(method, outside, declared[name]!)
+    const input = inputTypes[name] === type && inputNamed(inputs, name)
+    if (input) return input
+    if (!isAttribute) return parameterOf(method, glsl, outside)
+    throw new WarpError(
+      `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv and color.`,
+    )
+  }
+  return {
+    outside(place) {
+      let value = made.get(place)
+      if (!value) made.set(place, (value = find(outsides[place]!)))
+      return value
+    },
+    texture(place, uv) {
+      const { name } = outsides[place]!
+      return glsl.texture!(name in declared ? declared[name] : name, uv)
+    },
+  }
+}
+
+function checked(method: string, { name, type, shape }: Outside, value: Expression | string) {
+  if (typeof value === 'string')
+    throw new WarpError(
+      `${method}: the uniform ${name} is a ${type} in the text, but an image was given.`,
+    )
+  const given = value.session.shapeOf(value)
+  if (`${given}` === `${shape}`) return value
+  throw new WarpError(
+    `${method}: the uniform ${name} is a ${type} in the text, but ${describeShape(given)} was given.`,
+  )
+}
+
+/** A variable of the host's shader: a parameter of a function, or a uniform. */
+export function parameterOf(method: string, glsl: Builder, { name, type }: Named): Expression {
+  const [, word, base, digit] = /^([iub]?)(float|int|uint|bool|vec|mat)(\dx?\d?)?$/.exec(type) ?? []
+  if (base === undefined || digit?.includes('x'))
+    throw new WarpError(
+      `${method}: ${name} is a ${type}; only numbers, vectors and matrices of as many rows as columns can be given.`,
+    )
+  const size = digit ?? ''
+  const kind = base === 'vec' || base === 'mat' ? base + size : ''
+  // What the shader has as another type of numbers is read as floats.
+  const isOther = word !== '' || !['float', 'vec', 'mat'].includes(base)
+  const label = isOther ? `${kind || 'float'}(${name})` : name
+  return glsl[kind ? `${kind}Param` : 'param']!(label)
+}

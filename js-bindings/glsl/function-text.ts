@@ -1,0 +1,30 @@
+// A whole function as each language writes it, around statements that the compiler wrote.
+import type { Target } from '../module/kept-module.js'
+import type { Named } from './listing.js'
+
+export interface FunctionParts {
+  name: string
+  type: string
+  parameters: readonly Named[]
+  /** Statements that declare and set `result`, and what stands above the function. */
+  code: string
+  declarations: string
+  result: string
+}
+
+/** WGSL's words for types. */
+const wgslTypes: Record<string, string> = { float: 'f32', int: 'i32', uint: 'u32', bool: 'bool' }
+
+const wgslType = (type: string) =>
+  wgslTypes[type] ?? type.replace(/^(mat)(\d)$/, '$1$2x$2').replace(/^(vec\d|mat\dx\d)$/, '$1f')
+
+export function functionText(target: Target, parts: FunctionParts): string {
+  const { name, type, parameters, code, declarations, result } = parts
+  const isWgsl = target === 'wgsl'
+  const listed = parameters
+    .map((each) => (isWgsl ? `${each.name}: ${wgslType(each.type)}` : `${each.type} ${each.name}`))
+    .join(', ')
+  const head = isWgsl ? `fn ${name}(${listed}) -> ${wgslType(type)}` : `${type} ${name}(${listed})`
+  const body = `${code.trimEnd()}\nreturn ${result};`.replace(/^(?=.)/gm, '  ')
+  return `${declarations}${head} {\n${body}\n}\n`
+}

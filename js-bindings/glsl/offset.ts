@@ -1,0 +1,77 @@
+// `glslOffset`: a function of shader text as an offset function.
+import { WarpError, describe } from '../checks/errors.js'
+import { checkOptions } from '../checks/options.js'
+import type { Builder } from '../expression/builder.js'
+import type { OffsetFunction, UniformValues, WarpInputs } from '../types/types.js'
+import { bindOutsides, inputNamed, inputTypes } from './bind.js'
+import { type FunctionHead, withSource } from './listing.js'
+import { type GlslOptions, checkSource, readIterations, readName } from './options.js'
+import { pack, replay } from './replay.js'
+
+export interface GlslOffsetOptions extends GlslOptions {
+  /** What the function gives: how far a vertex moves, or where it moves to. `'offset'` unless given. */
+  returns?: 'offset' | 'position'
+}
+
+/**
+ * An offset function from a text in GLSL ES 3.00 or 1.00, for whatever takes one: `createWarp`, `compileWarp`, `chain`.
+ * The text is read here, once. Parameters of its function are inputs by name (`position`, `normal`, `uv`, `color`,
+ * `millis`, `mouse`, `size` …); a single vec3 is the position, whatever its name. Uniforms of the text are those of the
+ * option `uniforms`, or else of your shader.
+ *
+ * Throws a `WarpError` with the line and column of what is wrong in the text.
+ */
+export function glslOffset<Uniforms extends UniformValues = {}>(
+  source: string,
+  options: GlslOffsetOptions = {},
+): OffsetFunction<Uniforms> {
+  checkSource('glslOffset', source)
+  checkOptions('glslOffset', options, ['function', 'maxIterations', 'returns'])
+  const { returns = 'offset' } = options
+  if (returns !== 'offset' && returns !== 'position')
+    throw new WarpError(
+      `glslOffset: the option "returns" must be 'offset' or 'position', but is ${describe(returns)}.`,
+    )
+  const listing = withSource('glslOffset', source, (text) => {
+    const head = text.find(readName('glslOffset', options.function))
+    checkHead(head)
+    return text.list(head, readIterations('glslOffset', options.maxIterations))
+  })
+  const { head } = listing
+  return (inputs) => {
+    const given = inputs as unknown as WarpInputs
+    const glsl = inputs.glsl as unknown as Builder
+    const operands = head.parameters.map(({ name }) =>
+      inputNamed(given, isInput(name) ? name : 'position')!,
+    )
+    const outsides = bindOutsides('glslOffset', glsl, listing.outsides, given)
+    const numbers = replay(glsl, listing, { arguments: operands, ...outsides })
+    const result = pack(glsl, head.type, numbers) as unknown as WarpInputs['position']
+    return returns === 'position' ? result.sub(inputs.position) : result
+  }
+}
+
+const isInput = (name: string) => name in inputTypes
+
+function checkHead({ name, type, parameters }: FunctionHead) {
+  if (type !== 'vec3')
+    throw new WarpError(
+      `glslOffset: ${name} must give a vec3, how far a vertex moves, but gives a ${type}; name another one by the option "function".`,
+    )
+  for (const parameter of parameters) {
+    if (parameter.isOut)
+      throw new WarpError(
+        `glslOffset: the parameter ${parameter.name} of ${name} is out; an offset function gives its vec3 back.`,
+      )
+    if (parameters.length === 1 && parameter.type === 'vec3' && !isInput(parameter.name)) continue
+    const expected = inputTypes[parameter.name]
+    if (!expected)
+      throw new WarpError(
+        `glslOffset: nothing gives the parameter ${parameter.name} of ${name} its value; there are ${Object.keys(inputTypes).join(', ')}, and uniforms of the text.`,
+      )
+    if (expected !== parameter.type)
+      throw new WarpError(
+        `glslOffset: the parameter ${parameter.name} of ${name} is a ${parameter.type}, but ${parameter.name} is a ${expected}.`,
+      )
+  }
+}

@@ -1,0 +1,73 @@
+// Calls the builder for each operation of a list: what a sketch would have written by hand. Only the public builder is
+// used, so that nothing of the compiler is in this file's bundle.
+import type { Builder } from '../expression/builder.js'
+import type { Expression } from '../expression/expression.js'
+import { getGlsl } from '../wasm/glsl.js'
+import type { Listing } from './listing.js'
+
+/** Of codes.hpp, those that are no operations of the builder. */
+const leaves = { constant: 0, argument: 2, uniform: 3, component: 4, texel: 7 }
+
+/** By code, the builder's names of operations. */
+let operations: string[] | undefined
+
+export interface Given {
+  /** The arguments of the function, in order. */
+  arguments: readonly Expression[]
+  /** The uniform or attribute of that place among the outsides. */
+  outside: (place: number) => Expression
+  /** The texel at a vec2 of the image of that place. */
+  texture: (place: number, uv: Expression) => Expression
+}
+
+/** The numbers that the function gives. */
+export function replay(glsl: Builder, listing: Listing, given: Given): Expression[] {
+  operations ??= getGlsl().codes().split(' ')
+  const { words, constants } = listing
+  const made: Expression[] = []
+  for (let at = 0; at < words.length;) {
+    const code = words[at++]!
+    switch (code) {
+      case leaves.constant:
+        made.push(glsl.val!(constants[words[at++]!]!))
+        break
+      case leaves.argument:
+        made.push(componentOf(given.arguments[words[at++]!]!, words[at++]!, words[at++]!))
+        break
+      case leaves.uniform:
+        made.push(componentOf(given.outside(words[at++]!), words[at++]!, words[at++]!))
+        break
+      case leaves.component:
+        made.push(componentOf(made[words[at++]!]!, words[at++]!, words[at++]!))
+        break
+      case leaves.texel:
+        made.push(given.texture(words[at++]!, made[words[at++]!]!))
+        break
+      default: {
+        const operands: Expression[] = []
+        for (let count = words[at++]!; count > 0; count--) operands.push(made[words[at++]!]!)
+        made.push(glsl[operations[code]!]!(...operands))
+      }
+    }
+  }
+  return Array.from(listing.results, (place) => made[place]!)
+}
+
+type Methods = Record<string, (...operands: unknown[]) => Expression>
+const methodsOf = (value: Expression) => value as unknown as Methods
+
+/** A number of a number, a vector or, column by column, a matrix; `layout` is columns and rows, four bits each. */
+function componentOf(value: Expression, place: number, layout: number): Expression {
+  const [columns, rows] = [layout >> 4, layout & 15]
+  if (columns * rows === 1) return value
+  const vector = columns === 1 ? value : methodsOf(value).column!(Math.floor(place / rows))
+  return methodsOf(vector)['xyzw'[place % rows]!]!()
+}
+
+/** Numbers together again, as a type of GLSL. */
+export function pack(glsl: Builder, type: string, numbers: readonly Expression[]): Expression {
+  if (numbers.length === 1) return numbers[0]!
+  const [, matrix, size] = /^(mat)?\w*?(\d)(?:x\2)?$/.exec(type) ?? []
+  if (!matrix) return glsl[`vec${numbers.length}`]!(...numbers)
+  return glsl[`mat${size}`]!(...numbers)
+}

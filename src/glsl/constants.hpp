@@ -1,0 +1,15 @@
+// Numbers that are known while a text is read, for lengths of arrays and labels of cases.
+#pragma once
+
+#include <optional>
+
+#include "glsl/tree.hpp"
+
+namespace warpjet::glsl {
+
+// Of a scalar; a condition is 1 or 0. Nothing where it is not known, or needs a built-in function.
+std::optional<double> constantNumber(const Tree& tree, Number expression);
+
+std::optional<std::int32_t> constantInt(const Tree& tree, Number expression);
+
+}  // namespace warpjet::glsl

@@ -1,0 +1,53 @@
+// The room's door: a text, its functions, and one of them as a list of operations in plain words,
+// that whoever has a builder makes again, from the first to the last. It is read once.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "glsl/lower.hpp"
+#include "glsl/source.hpp"
+#include "glsl/tree.hpp"
+
+namespace warpjet::glsl {
+
+// Each operation is its code, then:
+//   Constant     the number of its value
+//   Argument     number, component, layout
+//   Uniform      number among the names, component, layout
+//   Component    operand, component, layout: columns and rows of what it is of, four bits each
+//   Texel        number of the image's name, operand
+//   any other    how many operands there are, and these
+// An operand is the number of an operation before it.
+struct Listing {
+  std::vector<std::uint32_t> words;
+  std::vector<double> constants;
+  std::vector<std::uint32_t> results;
+  // Of what the host gives, a line each: kind, columns, rows, type and name.
+  std::string names;
+};
+
+class Source {
+ public:
+  explicit Source(std::string text);
+
+  // The sentence with its place; empty where there is none.
+  std::string problem() const { return problems_.any() ? problems_.text(text_) : ""; }
+
+  // A line for each function with a body: the number, the type and the name, then the parameters.
+  std::string functions() const;
+
+  // Nothing but a problem where the function cannot be lowered.
+  Listing lower(int function, int maxIterations);
+
+ private:
+  std::string text_;
+  Problems problems_;
+  Tree tree_;
+};
+
+Listing list(const Lowered& lowered, const Types& types);
+
+}  // namespace warpjet::glsl

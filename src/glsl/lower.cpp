@@ -1,0 +1,166 @@
+// The run as a whole, and calls.
+#include "glsl/lower.hpp"
+
+#include <utility>
+
+namespace warpjet::glsl {
+
+namespace {
+
+// More than any shader has, and what takes a second or two.
+constexpr std::size_t mostSteps = 1'000'000;
+constexpr int deepest = 600;
+
+}  // namespace
+
+Lowering::Lowering(const Tree& tree, Problems& problems, int maxIterations)
+    : tree_(tree), problems_(problems), maxIterations_(maxIterations) {}
+
+Lowered Lowering::lower(Number number) {
+  start();
+  const Function& function = tree_.functions[number];
+  std::vector<Value> arguments;
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    const Type type = function.parameters[i].type;
+    Value argument;
+    for (int k = 0; k < type.components(); ++k) {
+      const Id leaf = recorder_.leaf(Code::Argument, static_cast<int>(i), k, type.layout());
+      argument.push_back(recorder_.convert(leaf, type.base));
+    }
+    arguments.push_back(std::move(argument));
+  }
+  Value results = call(number, std::move(arguments), {}, function.place);
+  for (Id& result : results) {
+    if (recorder_.isUndefined(result)) result = recorder_.constant(Base::Float, 0);
+    result = recorder_.convert(result, Base::Float);
+  }
+  if (!problems_.any()) isTooMuch(function.place);
+  return {std::move(recorder_), std::move(results), function.type, std::move(outsides_)};
+}
+
+// Every variable has its slots for good, since no function calls itself.
+void Lowering::start() {
+  for (const Variable& variable : tree_.variables) {
+    const auto size = static_cast<std::size_t>(sizeOf(variable.type));
+    slots_.push_back(store_.allocate(size, recorder_.undefined(Base::Float)));
+    using enum Variable::Kind;
+    if (variable.kind == Uniform || variable.kind == Attribute) {
+      declareOutside(variable, slots_.back());
+    } else {
+      set(slots_.back(), undefined(variable.type));
+    }
+  }
+  for (const Number statement : tree_.globals) execute(statement);
+}
+
+void Lowering::declareOutside(const Variable& variable, Slot first) {
+  std::vector<Id> leaves;
+  addOutside(std::string(variable.name), variable.type, variable.kind == Variable::Kind::Attribute,
+             leaves);
+  set(first, leaves);
+}
+
+void Lowering::addOutside(const std::string& name, Type type, bool isAttribute,
+                          std::vector<Id>& leaves) {
+  if (type.isArray()) {
+    for (int i = 0; i < type.length; ++i)
+      addOutside(name + '[' + std::to_string(i) + ']', type.element(), isAttribute, leaves);
+  } else if (type.isStruct()) {
+    for (const Field& field : tree_.types.structure(type).fields)
+      addOutside(name + '.' + std::string(field.name), field.type, isAttribute, leaves);
+  } else {
+    const auto number = static_cast<int>(outsides_.size());
+    outsides_.push_back({name, type, isAttribute});
+    if (type == samplerType) {
+      leaves.push_back(recorder_.leaf(Code::Image, number));
+      return;
+    }
+    for (int k = 0; k < type.components(); ++k)
+      leaves.push_back(
+          recorder_.convert(recorder_.leaf(Code::Uniform, number, k, type.layout()), type.base));
+  }
+}
+
+Lowering::Value Lowering::get(Slot first, int count) const {
+  Value value;
+  for (int i = 0; i < count; ++i) value.push_back(store_.get(first + i));
+  return value;
+}
+
+void Lowering::set(Slot first, const Value& value) {
+  for (std::size_t i = 0; i < value.size(); ++i) store_.set(static_cast<Slot>(first + i), value[i]);
+}
+
+Lowering::Value Lowering::undefined(Type type) {
+  Value value;
+  fillUndefined(type, value);
+  return value;
+}
+
+void Lowering::fillUndefined(Type type, Value& value) {
+  if (type.isArray()) {
+    for (int i = 0; i < type.length; ++i) fillUndefined(type.element(), value);
+  } else if (type.isStruct()) {
+    for (const Field& field : tree_.types.structure(type).fields) fillUndefined(field.type, value);
+  } else if (type.base != Base::Void) {
+    value.insert(value.end(), type.components(), recorder_.undefined(type.base));
+  }
+}
+
+void Lowering::merge(Id condition, Store::Changes yes, Store::Changes no) {
+  std::size_t i = 0, k = 0;
+  while (i < yes.size() || k < no.size()) {
+    const bool hasYes = i < yes.size() && (k == no.size() || yes[i].slot <= no[k].slot);
+    const bool hasNo = k < no.size() && (i == yes.size() || no[k].slot <= yes[i].slot);
+    const Slot slot = hasYes ? yes[i].slot : no[k].slot;
+    const Id before = store_.get(slot);
+    const Id inYes = hasYes ? yes[i++].value : before, inNo = hasNo ? no[k++].value : before;
+    store_.set(slot, recorder_.choose(condition, inYes, inNo));
+  }
+}
+
+bool Lowering::isTooMuch(Place place) {
+  if (problems_.any()) return true;
+  if (++steps_ > mostSteps || recorder_.isFull()) {
+    problems_.add(place, "this takes more than a million steps once its loops are unrolled");
+  } else if (depth_ > deepest) {
+    problems_.add(place, "calls and expressions are nested too deep here");
+  } else if (!recorder_.refusal().empty()) {
+    problems_.add(place, std::string(recorder_.refusal()));
+  }
+  return problems_.any();
+}
+
+// `homes` are where the values of `out` and `inout` parameters go, in the order of parameters.
+Lowering::Value Lowering::call(Number number, std::vector<Value> arguments,
+                               const std::vector<Home>& homes, Place place) {
+  const Function& function = tree_.functions[number];
+  if (function.body == nothing) {
+    problems_.add(place, quoted(function.name) + " is declared, but has no body");
+    return undefined(function.type);
+  }
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const Parameter& parameter = function.parameters[i];
+    const Slot slot = slotOf(parameter.variable);
+    store_.declare(slot, arguments[i].size());
+    const bool isOut = parameter.direction == Parameter::Direction::Out;
+    set(slot, isOut ? undefined(parameter.type) : arguments[i]);
+  }
+  const int size = sizeOf(function.type);
+  const Id no = recorder_.constant(Base::Bool, 0);
+  const Slot returned = store_.allocate(1, no);
+  const Slot result = store_.allocate(static_cast<std::size_t>(size), no);
+  set(result, undefined(function.type));
+  frames_.push_back({returned, result, number});
+  const std::vector<Round> outer = std::exchange(rounds_, {});
+  execute(function.body);
+  rounds_ = outer;
+  frames_.pop_back();
+  std::size_t next = 0;
+  for (const Parameter& parameter : function.parameters)
+    if (parameter.direction != Parameter::Direction::In && next < homes.size())
+      store(homes[next++], get(slotOf(parameter.variable), sizeOf(parameter.type)));
+  return get(result, size);
+}
+
+}  // namespace warpjet::glsl

@@ -1,0 +1,157 @@
+// From the tree to operations: one function of the text is run, on numbers that nobody knows yet.
+// Calls are entered, loops unrolled, and where a condition decides, both ways are run and every
+// variable becomes the choice of the two. An early end of a loop or function is a condition of all
+// that follows it.
+//
+// Loops: `loop` in lower_statements.cpp is the only place that repeats anything. A loop that stays
+// one would record its body once there, between the slots that it changes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glsl/builtins.hpp"
+#include "glsl/recorder.hpp"
+#include "glsl/store.hpp"
+#include "glsl/tree.hpp"
+
+namespace warpjet::glsl {
+
+// What the host gives by name: a uniform or an attribute, or a part of one such as `light.color`.
+struct Outside {
+  std::string name;
+  Type type;
+  bool isAttribute;
+};
+
+struct Lowered {
+  Recorder recorder;
+  std::vector<Id> results;
+  Type type;
+  std::vector<Outside> outsides;
+};
+
+class Lowering {
+ public:
+  // A loop whose end depends on what is not known runs `maxIterations` times, or is refused for 0.
+  Lowering(const Tree& tree, Problems& problems, int maxIterations);
+
+  Lowered lower(Number function);
+
+ private:
+  using Value = std::vector<Id>;
+  using Slot = Store::Slot;
+
+  // Where a value is kept: slots, and for an index that is not known one list of them for each
+  // that it may be.
+  struct Home {
+    struct Choice {
+      Id condition;
+      std::vector<Slot> slots;
+    };
+    std::vector<Choice> choices;
+    Type type;
+  };
+
+  // A call that has not returned, and what it gives.
+  struct Frame {
+    Slot returned, result;
+    Number function;
+  };
+  // A loop or switch that is running.
+  struct Round {
+    Slot broken, continued;
+    bool isSwitch;
+  };
+
+  // lower.cpp
+  void start();
+  void declareOutside(const Variable& variable, Slot first);
+  void addOutside(const std::string& name, Type type, bool isAttribute, std::vector<Id>& leaves);
+  Value call(Number function, std::vector<Value> arguments, const std::vector<Home>& homes,
+             Place place);
+  bool isTooMuch(Place place);
+  Slot slotOf(Number variable) const { return slots_[variable]; }
+  int sizeOf(Type type) const { return tree_.types.size(type); }
+  Value get(Slot first, int count) const;
+  void set(Slot first, const Value& value);
+  Value undefined(Type type);
+  void fillUndefined(Type type, Value& value);
+  // Runs `yes` and `no` where a condition decides between them.
+  template <class Yes, class No>
+  void branch(Id condition, const Yes& yes, const No& no);
+  void merge(Id condition, Store::Changes yes, Store::Changes no);
+
+  // lower_statements.cpp
+  void execute(Number statement);
+  void executeAll(const std::vector<Number>& statements, std::size_t from);
+  void declare(const Statement& statement);
+  void choose(const Statement& statement);
+  void loop(const Statement& statement);
+  void select(const Statement& statement);
+  void goBack(const Statement& statement);
+  Id stopped() const;
+  void goOn();
+
+  // lower_expressions.cpp
+  Value evaluate(Number expression);
+  Value evaluateInner(const Expression& node);
+  Id condition(Number expression) { return evaluate(expression)[0]; }
+  Value chain(const Expression& node);
+  Value logical(const Expression& node);
+  Value choice(const Expression& node);
+  Value assign(const Expression& node);
+  Value increment(const Expression& node);
+  Value construct(const Expression& node);
+  Value callOf(const Expression& node);
+  Value element(const Expression& node);
+  Value part(const Expression& node);
+  Value binary(Operator op, Type a, const Value& x, Type b, const Value& y);
+  Value product(Type a, const Value& x, Type b, const Value& y);
+  Id scalar(Operator op, Base base, Id x, Id y);
+  Id equal(const Value& x, const Value& y);
+  Value pick(const std::vector<Value>& elements, Id index);
+
+  // lower_places.cpp
+  Home home(Number expression);
+  Home partOf(Home home, int offset, Type type) const;
+  Home elementOf(Home home, Number index);
+  Value load(const Home& home);
+  void store(const Home& home, const Value& value);
+
+  // lower_builtins.cpp
+  Value builtIn(const Expression& node);
+  Value each(const BuiltIn& row, const std::vector<Value>& x, Base base);
+  Value grouped(const BuiltIn& row, const std::vector<Value>& x, const Expression& node);
+  Id packed(Type type, const Value& value);
+  Value unpacked(Id group, Type type);
+  Id number(Base base, double value) { return recorder_.constant(base, value); }
+  Id compare(Code code, Base base, Id x, Id y);
+  Value texture(const Value& image, const Value& uv);
+
+  const Tree& tree_;
+  Problems& problems_;
+  int maxIterations_;
+  Recorder recorder_;
+  Store store_;
+  std::vector<Slot> slots_;  // by variable
+  std::vector<Outside> outsides_;
+  std::vector<Frame> frames_;
+  std::vector<Round> rounds_;
+  std::size_t steps_ = 0;
+  int depth_ = 0;
+};
+
+template <class Yes, class No>
+void Lowering::branch(Id condition, const Yes& yes, const No& no) {
+  if (recorder_.isConstant(condition) || recorder_.isUndefined(condition))
+    return recorder_.isTrue(condition) ? yes() : no();
+  store_.open();
+  yes();
+  Store::Changes inYes = store_.close();
+  store_.open();
+  no();
+  merge(condition, std::move(inYes), store_.close());
+}
+
+}  // namespace warpjet::glsl

@@ -1,0 +1,211 @@
+// Calls of built-in functions.
+#include "glsl/lower.hpp"
+
+namespace warpjet::glsl {
+
+Lowering::Value Lowering::builtIn(const Expression& node) {
+  const BuiltIn& row = builtIns[node.index];
+  std::vector<Value> x;
+  for (std::size_t i = 0; i < node.operands.size(); ++i)
+    x.push_back(isOut(row, i) ? Value() : evaluate(node.operands[i]));
+  if (problems_.any()) return undefined(node.type);
+  const Base base = node.type.base;
+  const auto at = [&](std::size_t k, std::size_t i) {
+    return x[k].size() == 1 ? x[k][0] : x[k][i];
+  };
+  const auto forEach = [&](const auto& make) {
+    Value value;
+    for (int i = 0; i < node.type.components(); ++i)
+      value.push_back(make(static_cast<std::size_t>(i)));
+    return value;
+  };
+  const auto least = [&](Id a, Id b) {
+    return recorder_.choose(scalar(Operator::Less, base, b, a), b, a);
+  };
+  const auto most = [&](Id a, Id b) {
+    return recorder_.choose(scalar(Operator::Less, base, a, b), b, a);
+  };
+  const auto multiply = [&](Id a, Id b) { return scalar(Operator::Multiply, Base::Float, a, b); };
+  using enum Way;
+  switch (row.way) {
+    case Each:
+      return each(row, x, base);
+    case Grouped:
+      return grouped(row, x, node);
+    case AbsInt:
+      return forEach([&](std::size_t i) {
+        const Id minus = scalar(Operator::Subtract, base, number(base, 0), x[0][i]);
+        return recorder_.choose(scalar(Operator::Less, base, x[0][i], number(base, 0)), minus,
+                                x[0][i]);
+      });
+    case SignInt:
+      return forEach([&](std::size_t i) {
+        const Id zero = number(base, 0);
+        const Id above =
+            recorder_.choose(scalar(Operator::Less, base, zero, x[0][i]), number(base, 1), zero);
+        return recorder_.choose(scalar(Operator::Less, base, x[0][i], zero), number(base, -1),
+                                above);
+      });
+    case MinInt:
+      return forEach([&](std::size_t i) { return least(at(0, i), at(1, i)); });
+    case MaxInt:
+      return forEach([&](std::size_t i) { return most(at(0, i), at(1, i)); });
+    case ClampInt:
+      return forEach([&](std::size_t i) { return least(most(at(0, i), at(1, i)), at(2, i)); });
+    case MixBool:
+      return forEach([&](std::size_t i) { return recorder_.choose(at(2, i), x[1][i], x[0][i]); });
+    case Modf: {
+      const Value whole =
+          forEach([&](std::size_t i) { return recorder_.apply(Code::Trunc, base, {x[0][i]}); });
+      store(home(node.operands[1]), whole);
+      return forEach(
+          [&](std::size_t i) { return scalar(Operator::Subtract, base, x[0][i], whole[i]); });
+    }
+    case Dot: {
+      Id sum = multiply(x[0][0], x[1][0]);
+      for (std::size_t i = 1; i < x[0].size(); ++i)
+        sum = scalar(Operator::Add, base, sum, multiply(x[0][i], x[1][i]));
+      return {sum};
+    }
+    case Cross:
+      return forEach([&](std::size_t i) {
+        const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+        return scalar(Operator::Subtract, base, multiply(x[0][a], x[1][b]),
+                      multiply(x[0][b], x[1][a]));
+      });
+    case MatrixCompMult:
+      return forEach([&](std::size_t i) { return multiply(x[0][i], x[1][i]); });
+    case OuterProduct:
+      return forEach(
+          [&](std::size_t i) { return multiply(x[0][i % x[0].size()], x[1][i / x[0].size()]); });
+    case Transpose: {
+      const std::size_t rows = node.type.rows, columns = node.type.columns;
+      return forEach([&](std::size_t i) { return x[0][(i % rows) * columns + i / rows]; });
+    }
+    case Compare: {
+      const Base of = recorder_.base(x[0][0]);
+      return forEach([&](std::size_t i) { return compare(row.code, of, x[0][i], x[1][i]); });
+    }
+    case Any:
+    case All: {
+      Id value = x[0][0];
+      for (const Id each : x[0])
+        value = row.way == Any ? recorder_.either(value, each) : recorder_.both(value, each);
+      return {value};
+    }
+    case Not:
+      return forEach([&](std::size_t i) { return recorder_.negated(x[0][i]); });
+    // What a warp computes is a number, or no position comes of it.
+    case IsNan:
+      return forEach([&](std::size_t i) {
+        return recorder_.apply(Code::Ne, base, {x[0][i], x[0][i]});
+      });
+    case IsInf:
+      return forEach([&](std::size_t i) {
+        const Id size = recorder_.apply(Code::Abs, Base::Float, {x[0][i]});
+        return recorder_.apply(Code::Gt, base, {size, number(Base::Float, 3.4028234663852886e38)});
+      });
+    case Texture:
+      return texture(x[0], x[1]);
+    case TextureSize:
+    case TexelFetch:
+    case Refused:
+      break;
+  }
+  problems_.add(node.place, quoted(row.name) +
+                                " cannot be used in a warp; read the image by texture(image, uv)");
+  return undefined(node.type);
+}
+
+// Component by component; a number beside vectors counts for each.
+Lowering::Value Lowering::each(const BuiltIn& row, const std::vector<Value>& x, Base base) {
+  std::size_t size = 1;
+  for (const Value& operand : x) size = std::max(size, operand.size());
+  const auto at = [&](std::size_t k, std::size_t i) {
+    return x[k].size() == 1 ? x[k][0] : x[k][i];
+  };
+  Value value;
+  for (std::size_t i = 0; i < size; ++i)
+    value.push_back(x.size() == 1 ? recorder_.apply(row.code, base, {at(0, i)})
+                    : x.size() == 2
+                        ? recorder_.apply(row.code, base, {at(0, i), at(1, i)})
+                        : recorder_.apply(row.code, base, {at(0, i), at(1, i), at(2, i)}));
+  return value;
+}
+
+Id Lowering::compare(Code code, Base base, Id x, Id y) {
+  switch (code) {
+    case Code::Lt:
+      return scalar(Operator::Less, base, x, y);
+    case Code::Le:
+      return scalar(Operator::AtMost, base, x, y);
+    case Code::Gt:
+      return scalar(Operator::Greater, base, x, y);
+    case Code::Ge:
+      return scalar(Operator::AtLeast, base, x, y);
+    case Code::Eq:
+      return scalar(Operator::Equal, base, x, y);
+    default:
+      return scalar(Operator::Unequal, base, x, y);
+  }
+}
+
+Id Lowering::packed(Type type, const Value& value) {
+  if (type.isScalar()) return value[0];
+  const int first = static_cast<int>(type.isMatrix() ? Code::Mat2 : Code::Vec2);
+  return recorder_.group(static_cast<Code>(first + type.rows - 2), value);
+}
+
+Lowering::Value Lowering::unpacked(Id group, Type type) {
+  if (type.isScalar()) return {group};
+  Value value;
+  for (int i = 0; i < type.components(); ++i)
+    value.push_back(recorder_.component(group, i, type.layout()));
+  return value;
+}
+
+Lowering::Value Lowering::grouped(const BuiltIn& row, const std::vector<Value>& x,
+                                  const Expression& node) {
+  const Type first = tree_.expressions[node.operands[0]].type;
+  if (first.isScalar()) {
+    // These of numbers are simpler.
+    const auto minus = [&](Id a, Id b) { return scalar(Operator::Subtract, Base::Float, a, b); };
+    const auto times = [&](Id a, Id b) { return scalar(Operator::Multiply, Base::Float, a, b); };
+    const Id two = number(Base::Float, 2), zero = number(Base::Float, 0);
+    switch (row.code) {
+      case Code::Length:
+        return {recorder_.apply(Code::Abs, Base::Float, {x[0][0]})};
+      case Code::Distance:
+        return {recorder_.apply(Code::Abs, Base::Float, {minus(x[0][0], x[1][0])})};
+      case Code::Normalize:
+        return {recorder_.apply(Code::Sign, Base::Float, {x[0][0]})};
+      case Code::Reflect:
+        return {minus(x[0][0], times(times(two, times(x[1][0], x[0][0])), x[1][0]))};
+      case Code::Faceforward: {
+        const Id along = scalar(Operator::Less, Base::Float, times(x[2][0], x[1][0]), zero);
+        return {
+            recorder_.choose(along, x[0][0], recorder_.apply(Code::Neg, Base::Float, {x[0][0]}))};
+      }
+      default: {
+        // A vector with one component that counts.
+        std::vector<Id> operands;
+        for (std::size_t i = 0; i < 2; ++i)
+          operands.push_back(packed(vectorType(Base::Float, 2), {x[i][0], zero}));
+        operands.push_back(x[2][0]);
+        return {recorder_.component(recorder_.group(row.code, operands), 0,
+                                    vectorType(Base::Float, 2).layout())};
+      }
+    }
+  }
+  std::vector<Id> operands;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    operands.push_back(packed(tree_.expressions[node.operands[i]].type, x[i]));
+  return unpacked(recorder_.group(row.code, operands), node.type);
+}
+
+Lowering::Value Lowering::texture(const Value& image, const Value& uv) {
+  const std::vector<Id> operands{image[0], packed(vectorType(Base::Float, 2), uv)};
+  return unpacked(recorder_.group(Code::Texel, operands), vectorType(Base::Float, 4));
+}
+
+}  // namespace warpjet::glsl

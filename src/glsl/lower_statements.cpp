@@ -1,0 +1,207 @@
+// Statements: what runs, and under which condition.
+#include "glsl/constants.hpp"
+#include "glsl/lower.hpp"
+
+namespace warpjet::glsl {
+
+namespace {
+
+// Of a loop whose end is known.
+constexpr int mostIterations = 100'000;
+
+}  // namespace
+
+void Lowering::execute(Number child) {
+  if (child == nothing) return;
+  const Statement& statement = tree_.statements[child];
+  if (isTooMuch(statement.place)) return;
+  ++depth_;
+  using enum Statement::Kind;
+  switch (statement.kind) {
+    case Block:
+      executeAll(statement.children, 0);
+      break;
+    case Evaluate:
+      evaluate(statement.expression);
+      break;
+    case Declare:
+      declare(statement);
+      break;
+    case If:
+      choose(statement);
+      break;
+    case Loop:
+      loop(statement);
+      break;
+    case Switch:
+      select(statement);
+      break;
+    case Case:
+      break;
+    case Return:
+      goBack(statement);
+      break;
+    case Break:
+      store_.set(rounds_.back().broken, number(Base::Bool, 1));
+      break;
+    case Continue: {
+      std::size_t i = rounds_.size();
+      while (rounds_[i - 1].isSwitch) --i;
+      store_.set(rounds_[i - 1].continued, number(Base::Bool, 1));
+      break;
+    }
+  }
+  --depth_;
+}
+
+// Whether the rest of what runs now is left out.
+Id Lowering::stopped() const {
+  Recorder& recorder = const_cast<Recorder&>(recorder_);
+  Id any = frames_.empty() ? recorder.constant(Base::Bool, 0) : store_.get(frames_.back().returned);
+  for (const Round& round : rounds_)
+    any = recorder.either(recorder.either(any, store_.get(round.broken)),
+                          store_.get(round.continued));
+  return any;
+}
+
+// In a branch that only runs where nothing was stopped.
+void Lowering::goOn() {
+  const Id no = number(Base::Bool, 0);
+  if (!frames_.empty()) store_.set(frames_.back().returned, no);
+  for (const Round& round : rounds_) {
+    store_.set(round.broken, no);
+    store_.set(round.continued, no);
+  }
+}
+
+void Lowering::executeAll(const std::vector<Number>& statements, std::size_t from) {
+  for (std::size_t i = from; i < statements.size() && !problems_.any(); ++i) {
+    execute(statements[i]);
+    const Id isOver = stopped();
+    if (recorder_.isTrue(isOver)) return;
+    if (recorder_.isConstant(isOver)) continue;
+    if (i + 1 == statements.size()) return;
+    return branch(
+        isOver, [] {},
+        [&] {
+          goOn();
+          ++depth_;
+          executeAll(statements, i + 1);
+          --depth_;
+        });
+  }
+}
+
+void Lowering::declare(const Statement& statement) {
+  const Variable& variable = tree_.variables[statement.index];
+  if (variable.kind == Variable::Kind::Uniform || variable.kind == Variable::Kind::Attribute)
+    return;
+  Value value =
+      statement.expression == nothing ? undefined(variable.type) : evaluate(statement.expression);
+  if (variable.kind != Variable::Kind::Global)
+    store_.declare(slotOf(statement.index), value.size());
+  set(slotOf(statement.index), value);
+}
+
+void Lowering::choose(const Statement& statement) {
+  const auto& children = statement.children;
+  branch(
+      condition(statement.expression), [&] { execute(children[0]); },
+      [&] {
+        if (children.size() > 1) execute(children[1]);
+      });
+}
+
+void Lowering::goBack(const Statement& statement) {
+  if (statement.expression != nothing) set(frames_.back().result, evaluate(statement.expression));
+  store_.set(frames_.back().returned, number(Base::Bool, 1));
+}
+
+// Where it is not known whether there is another iteration, that and all after it are in a branch
+// of their own; so counters stay known. The branches close in the end, the last first.
+void Lowering::loop(const Statement& statement) {
+  execute(statement.children[0]);
+  const Id no = number(Base::Bool, 0);
+  const Slot broken = store_.allocate(1, no), continued = store_.allocate(1, no);
+  rounds_.push_back({broken, continued, false});
+  std::vector<Id> conditions;
+  const auto enter = [&](Id condition) {
+    conditions.push_back(condition);
+    store_.open();
+  };
+  int unknown = 0;
+  for (int iteration = 0; !isTooMuch(statement.place); ++iteration) {
+    if (iteration > mostIterations) {
+      problems_.add(statement.place, "this loop has not ended after " +
+                                         std::to_string(mostIterations) + " iterations");
+      break;
+    }
+    if (statement.expression != nothing && (iteration > 0 || !statement.isLate)) {
+      const Id test = condition(statement.expression);
+      if (recorder_.isFalse(test) || recorder_.isUndefined(test)) break;
+      if (!recorder_.isConstant(test)) {
+        if (maxIterations_ == 0) {
+          problems_.add(statement.place,
+                        "how often this loop runs depends on what only the shader knows; count to "
+                        "a constant and break, or give the option maxIterations");
+          break;
+        }
+        if (unknown++ == maxIterations_) break;
+        enter(test);
+      }
+    }
+    execute(statement.children[2]);
+    store_.set(continued, no);
+    const Id isOver = stopped();
+    if (recorder_.isTrue(isOver)) break;
+    if (!recorder_.isConstant(isOver)) {
+      enter(recorder_.negated(isOver));
+      goOn();
+    }
+    execute(statement.children[1]);
+  }
+  for (std::size_t i = conditions.size(); i-- > 0;) merge(conditions[i], store_.close(), {});
+  rounds_.pop_back();
+}
+
+// Cases run from the one that fits on, until a break.
+void Lowering::select(const Statement& statement) {
+  const Id value = evaluate(statement.expression)[0];
+  const Id no = number(Base::Bool, 0);
+  const Slot broken = store_.allocate(1, no), continued = store_.allocate(1, no);
+  const auto fits = [&](const Statement& label) {
+    const auto known = constantInt(tree_, label.expression);
+    return scalar(Operator::Equal, recorder_.base(value), value,
+                  recorder_.constant(recorder_.base(value), *known));
+  };
+  Id fitsAny = no;
+  for (const Number child : statement.children) {
+    const Statement& label = tree_.statements[child];
+    if (label.kind == Statement::Kind::Case && label.expression != nothing)
+      fitsAny = recorder_.either(fitsAny, fits(label));
+    // Known to all cases after it.
+    if (label.kind == Statement::Kind::Declare)
+      store_.declare(slotOf(label.index),
+                     static_cast<std::size_t>(sizeOf(tree_.variables[label.index].type)));
+  }
+  rounds_.push_back({broken, continued, true});
+  Id reached = no;
+  for (const Number child : statement.children) {
+    const Statement& label = tree_.statements[child];
+    if (label.kind == Statement::Kind::Case) {
+      reached = recorder_.either(
+          reached, label.expression == nothing ? recorder_.negated(fitsAny) : fits(label));
+      continue;
+    }
+    branch(
+        recorder_.both(reached, recorder_.negated(stopped())),
+        [&] {
+          goOn();
+          execute(child);
+        },
+        [] {});
+  }
+  rounds_.pop_back();
+}
+
+}  // namespace warpjet::glsl

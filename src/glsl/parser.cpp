@@ -1,0 +1,434 @@
+// Declarations above functions, and functions.
+#include "glsl/parser.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "glsl/builtins.hpp"
+#include "glsl/constants.hpp"
+
+namespace warpjet::glsl {
+
+namespace {
+
+constexpr std::int32_t longestArray = 4096;
+constexpr int largestStructure = 1 << 16;
+
+// What nobody can name: GLSL ES 3.00, section 3.8, as far as a text might try.
+constexpr std::string_view keywords[]{"const",
+                                      "uniform",
+                                      "layout",
+                                      "centroid",
+                                      "flat",
+                                      "smooth",
+                                      "break",
+                                      "continue",
+                                      "do",
+                                      "for",
+                                      "while",
+                                      "switch",
+                                      "case",
+                                      "default",
+                                      "if",
+                                      "else",
+                                      "in",
+                                      "out",
+                                      "inout",
+                                      "true",
+                                      "false",
+                                      "invariant",
+                                      "discard",
+                                      "return",
+                                      "lowp",
+                                      "mediump",
+                                      "highp",
+                                      "precision",
+                                      "struct",
+                                      "attribute",
+                                      "varying",
+                                      "goto",
+                                      "class",
+                                      "union",
+                                      "enum",
+                                      "typedef",
+                                      "template",
+                                      "this",
+                                      "inline",
+                                      "noinline",
+                                      "volatile",
+                                      "public",
+                                      "static",
+                                      "extern",
+                                      "external",
+                                      "interface",
+                                      "long",
+                                      "short",
+                                      "double",
+                                      "half",
+                                      "fixed",
+                                      "unsigned",
+                                      "superp",
+                                      "input",
+                                      "output",
+                                      "sizeof",
+                                      "cast",
+                                      "namespace",
+                                      "using",
+                                      "sampler3D",
+                                      "samplerCube",
+                                      "sampler2DArray",
+                                      "sampler2DShadow",
+                                      "isampler2D",
+                                      "usampler2D"};
+
+bool isKeyword(std::string_view name) {
+  return std::find(std::begin(keywords), std::end(keywords), name) != std::end(keywords) ||
+         findType(name);
+}
+
+}  // namespace
+
+Parser::Parser(Preprocessed text, Problems& problems)
+    : text_(std::move(text)), problems_(problems), end_(text_.tokens.back()) {
+  tree_.version = text_.version;
+  tree_.made = std::move(text_.made);
+}
+
+const Token& Parser::peek(std::size_t ahead) const {
+  return problems_.any() || at_ + ahead >= text_.tokens.size() ? end_ : text_.tokens[at_ + ahead];
+}
+
+const Token& Parser::take() {
+  const Token& token = peek();
+  if (at_ + 1 < text_.tokens.size()) ++at_;
+  return token;
+}
+
+bool Parser::accept(std::string_view text) {
+  if (!peek().is(text)) return false;
+  take();
+  return true;
+}
+
+std::string Parser::found() const {
+  return peek().kind == Kind::End ? "the text ends here" : quoted(peek().text) + " stands here";
+}
+
+bool Parser::expect(std::string_view text, std::string_view after) {
+  if (accept(text)) return true;
+  fail(peek().place,
+       "a " + std::string(text) + " is missing after " + std::string(after) + "; " + found());
+  return false;
+}
+
+std::string_view Parser::takeName(std::string_view what) {
+  if (peek().kind != Kind::Name || isKeyword(peek().text)) {
+    fail(peek().place, "a name is missing for " + std::string(what) + "; " + found());
+    return {};
+  }
+  return take().text;
+}
+
+bool Parser::goDeeper() {
+  if (depth_ < deepest) return true;
+  fail(peek().place, "this is nested more than " + std::to_string(deepest) + " deep");
+  return false;
+}
+
+Tree Parser::parse() {
+  for (const auto& [name, type] :
+       {std::pair<std::string_view, Type>{"gl_Position", vectorType(Base::Float, 4)},
+        {"gl_PointSize", floatType},
+        {"gl_FragColor", vectorType(Base::Float, 4)},
+        {"gl_FragCoord", vectorType(Base::Float, 4)}}) {
+    Token token = end_;
+    token.text = name;
+    addVariable(token, type, Variable::Kind::Global);
+  }
+  while (peek().kind != Kind::End) global();
+  if (!problems_.any()) refuseRecursion();
+  return std::move(tree_);
+}
+
+void Parser::global() {
+  if (accept(";")) return;
+  if (accept("precision")) {
+    if (!accept("highp") && !accept("mediump") && !accept("lowp"))
+      fail(peek().place, "a precision is missing, such as highp; " + found());
+    type();
+    expect(";", "a precision");
+    return;
+  }
+  const Qualifiers given = qualifiers();
+  if (given.any && accept(";")) return;
+  const Place place = peek().place;
+  const Type base = type();
+  if (problems_.any()) return;
+  if (base.isStruct() && accept(";")) return;
+  const Token& name = peek();
+  if (name.kind == Kind::Name && peek(1).is("(")) {
+    take();
+    function(base, name);
+    return;
+  }
+  if (base == voidType) return fail(place, "a variable cannot be void");
+  tree_.globals.push_back(declarations(given, base));
+}
+
+Parser::Qualifiers Parser::qualifiers() {
+  using enum Variable::Kind;
+  Qualifiers found;
+  const auto set = [&](Variable::Kind kind) { found.kind = kind; };
+  for (;; take(), found.any = true) {
+    const Token& token = peek();
+    if (token.is("const")) {
+      found.isConst = true;
+    } else if (token.is("uniform")) {
+      set(Uniform);
+    } else if (token.is("attribute") || token.is("in")) {
+      set(Attribute);
+      found.direction = Parameter::Direction::In;
+    } else if (token.is("out") || token.is("varying")) {
+      set(Global);
+      found.direction = Parameter::Direction::Out;
+    } else if (token.is("inout")) {
+      found.direction = Parameter::Direction::InOut;
+    } else if (token.is("layout")) {
+      take();
+      expect("(", "layout");
+      while (!peek().is(")") && peek().kind != Kind::End) take();
+    } else if (!token.is("highp") && !token.is("mediump") && !token.is("lowp") &&
+               !token.is("invariant") && !token.is("flat") && !token.is("smooth") &&
+               !token.is("centroid")) {
+      return found;
+    }
+  }
+}
+
+bool Parser::startsType() const {
+  const Token& token = peek();
+  if (token.kind != Kind::Name) return false;
+  if (token.is("struct") || findType(token.text)) return true;
+  return scope_.find(token.text).kind == Meaning::Kind::Structure;
+}
+
+Type Parser::type() {
+  if (accept("struct")) return structure();
+  const Token& word = peek();
+  Type found;
+  if (const NamedType* row = findType(word.text); row && word.kind == Kind::Name) {
+    found = row->type;
+  } else if (scope_.find(word.text).kind == Meaning::Kind::Structure) {
+    found.base = Base::Struct;
+    found.structure = static_cast<std::uint16_t>(scope_.find(word.text).index);
+  } else {
+    const bool isOther = word.kind == Kind::Name && word.text.find("sampler") != word.text.npos;
+    fail(word.place, isOther ? quoted(word.text) + " cannot be read in a warp; only sampler2D can"
+                             : "a type was expected; " + this->found());
+    return voidType;
+  }
+  take();
+  return peek().is("[") ? arrayOf(found) : found;
+}
+
+Type Parser::arrayOf(Type element) {
+  const Place place = take().place;
+  if (element.isArray()) fail(place, "an array of arrays is not in the language");
+  Type array = element;
+  array.length = 0;
+  if (!peek().is("]")) {
+    const Number size = expression();
+    if (problems_.any()) return element;
+    const auto length = constantInt(tree_, size);
+    if (!length || *length < 1 || *length > longestArray) {
+      fail(place, "the length of an array must be a constant whole number from 1 to " +
+                      std::to_string(longestArray));
+      return element;
+    }
+    array.length = *length;
+  }
+  expect("]", "the length of an array");
+  if (peek().is("[")) fail(peek().place, "an array of arrays is not in the language");
+  return array;
+}
+
+Type Parser::structure() {
+  Structure made;
+  const Token& name = peek();
+  if (name.kind == Kind::Name) {
+    if (!checkFree(name)) return voidType;
+    made.name = take().text;
+  }
+  expect("{", "struct");
+  while (!peek().is("}") && peek().kind != Kind::End) {
+    qualifiers();
+    const Type base = type();
+    do {
+      const Place place = peek().place;
+      const std::string_view field = takeName("a field");
+      const Type each = peek().is("[") ? arrayOf(base) : base;
+      if (each == voidType || each.length == 0)
+        fail(place, "a field of a structure cannot be " + tree_.types.name(each));
+      if (made.find(field)) fail(place, quoted(field) + " is a field of this structure already");
+      if (problems_.any()) return voidType;
+      made.fields.push_back({field, each, made.size});
+      made.size += tree_.types.size(each);
+      if (made.size > largestStructure) fail(place, "this structure is too large");
+    } while (accept(","));
+    expect(";", "a field");
+  }
+  const Place end = peek().place;
+  expect("}", "the fields of a structure");
+  if (made.fields.empty()) fail(end, "a structure must have a field");
+  if (problems_.any()) return voidType;
+  Type type;
+  type.base = Base::Struct;
+  type.structure = tree_.types.add(made);
+  if (!made.name.empty()) scope_.add(made.name, {Meaning::Kind::Structure, type.structure});
+  return type;
+}
+
+bool Parser::checkFree(const Token& name) {
+  if (name.kind != Kind::Name) {
+    fail(name.place, "a name is missing here; " + found());
+  } else if (isKeyword(name.text)) {
+    fail(name.place, quoted(name.text) + " cannot be a name: it is a word of the language");
+  } else if (name.text.starts_with("gl_")) {
+    fail(name.place, quoted(name.text) + " cannot be a name: those with gl_ are the language's");
+  } else if (!scope_.isFree(name.text)) {
+    fail(name.place, quoted(name.text) + " is declared here already");
+  }
+  return !problems_.any();
+}
+
+Number Parser::addVariable(const Token& name, Type type, Variable::Kind kind) {
+  const auto index = static_cast<Number>(tree_.variables.size());
+  tree_.variables.push_back({name.text, type, name.place, kind});
+  scope_.add(name.text, {Meaning::Kind::Variable, index});
+  return index;
+}
+
+void Parser::function(Type result, const Token& name) {
+  if (!scope_.isGlobal()) return fail(name.place, "a function cannot stand inside another one");
+  const Meaning known = scope_.find(name.text);
+  if (known.kind != Meaning::Kind::Function && !checkFree(name)) return;
+  if (result.length == 0) return fail(name.place, "the array that a function gives needs a length");
+  take();
+  scope_.open();
+  Function made{name.text, result, parameters(), name.place};
+  expect(")", "the parameters of a function");
+  if (!problems_.any()) {
+    const Number number = declareFunction(made);
+    if (!problems_.any() && !accept(";")) {
+      current_ = number;
+      const Number body = block();
+      if (number != nothing && !problems_.any()) tree_.functions[number].body = body;
+      current_ = nothing;
+    }
+  }
+  scope_.close();
+}
+
+std::vector<Parameter> Parser::parameters() {
+  std::vector<Parameter> all;
+  if (peek().is(")")) return all;
+  if (peek().is("void") && peek(1).is(")")) {
+    take();
+    return all;
+  }
+  do {
+    const Qualifiers given = qualifiers();
+    const Place place = peek().place;
+    Type each = type();
+    Token name = peek();
+    if (name.kind == Kind::Name) {
+      take();
+    } else {
+      name.text = {};
+    }
+    if (peek().is("[")) each = arrayOf(each);
+    if (problems_.any()) break;
+    if (each == voidType || each.length == 0) {
+      fail(place, "a parameter cannot be " + tree_.types.name(each));
+      break;
+    }
+    if (!name.text.empty() && !checkFree(name)) break;
+    if (given.isConst && given.direction != Parameter::Direction::In) {
+      fail(place, "a parameter cannot be both const and " +
+                      std::string(given.direction == Parameter::Direction::Out ? "out" : "inout"));
+      break;
+    }
+    const Number variable = addVariable(
+        name, each, given.isConst ? Variable::Kind::Constant : Variable::Kind::Parameter);
+    all.push_back({given.direction, variable, each});
+  } while (accept(","));
+  return all;
+}
+
+Number Parser::declareFunction(const Function& made) {
+  const auto isSame = [&](const Function& other) {
+    return other.name == made.name && other.parameters.size() == made.parameters.size() &&
+           std::equal(other.parameters.begin(), other.parameters.end(), made.parameters.begin(),
+                      [](const Parameter& a, const Parameter& b) { return a.type == b.type; });
+  };
+  const bool isDefinition = peek().is("{");
+  for (std::size_t i = 0; i < tree_.functions.size(); ++i) {
+    Function& other = tree_.functions[i];
+    if (!isSame(other)) continue;
+    const auto directions = [](const Parameter& a, const Parameter& b) {
+      return a.direction == b.direction;
+    };
+    if (other.type != made.type || !std::equal(other.parameters.begin(), other.parameters.end(),
+                                               made.parameters.begin(), directions)) {
+      fail(made.place, quoted(made.name) + " was declared otherwise before");
+    } else if (isDefinition && other.body != nothing) {
+      fail(made.place, quoted(made.name) + " has a body with these parameters already");
+    } else if (isDefinition) {
+      other = made;
+    }
+    return static_cast<Number>(i);
+  }
+  tree_.functions.push_back(made);
+  const auto index = static_cast<Number>(tree_.functions.size() - 1);
+  // Of the scope outside of its parameters.
+  scope_.close();
+  if (scope_.find(made.name).kind != Meaning::Kind::Function)
+    scope_.add(made.name, {Meaning::Kind::Function, nothing});
+  scope_.open();
+  for (const Parameter& parameter : made.parameters)
+    scope_.add(tree_.variables[parameter.variable].name,
+               {Meaning::Kind::Variable, parameter.variable});
+  return index;
+}
+
+// Functions that are reached from themselves. Each function is looked at once.
+void Parser::refuseRecursion() {
+  enum class State : std::uint8_t { New, Open, Done };
+  std::vector<State> states(tree_.functions.size(), State::New);
+  std::vector<std::vector<std::size_t>> from(tree_.functions.size());
+  for (std::size_t i = 0; i < calls_.size(); ++i) from[calls_[i].from].push_back(i);
+  for (std::size_t root = 0; root < states.size(); ++root) {
+    if (states[root] != State::New) continue;
+    std::vector<std::pair<std::size_t, std::size_t>> way{{root, 0}};
+    states[root] = State::Open;
+    while (!way.empty()) {
+      auto& [function, next] = way.back();
+      if (next == from[function].size()) {
+        states[function] = State::Done;
+        way.pop_back();
+        continue;
+      }
+      const Call& call = calls_[from[function][next++]];
+      if (states[call.to] == State::Open) {
+        return fail(call.place, quoted(tree_.functions[call.to].name) +
+                                    " calls itself, which no shader can; write a loop");
+      }
+      if (states[call.to] == State::New) {
+        states[call.to] = State::Open;
+        way.push_back({static_cast<std::size_t>(call.to), 0});
+      }
+    }
+  }
+}
+
+}  // namespace warpjet::glsl

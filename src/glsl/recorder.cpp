@@ -1,0 +1,179 @@
+#include "glsl/recorder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "glsl/fold.hpp"
+
+namespace warpjet::glsl {
+
+namespace {
+
+// As a number of that type is.
+double held(Base base, double value) {
+  switch (base) {
+    case Base::Float:
+      return static_cast<double>(static_cast<float>(value));
+    case Base::Bool:
+      return value != 0;
+    default: {
+      const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
+      return base == Base::Int ? static_cast<double>(static_cast<std::int32_t>(bits))
+                               : static_cast<double>(bits);
+    }
+  }
+}
+
+std::uint64_t mixed(std::uint64_t h) {
+  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+  h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+  return h ^ (h >> 31);
+}
+
+}  // namespace
+
+bool Recorder::isEqual(Id id, const Operation& operation, std::span<const Id> operands) const {
+  const Operation& other = at(id);
+  // By their bits: -0 is not 0.
+  return other.code == operation.code && other.base == operation.base &&
+         std::memcmp(&other.value, &operation.value, sizeof other.value) == 0 &&
+         std::equal(operands.begin(), operands.end(), this->operands(id).begin(),
+                    this->operands(id).end());
+}
+
+Id Recorder::intern(Operation operation, std::span<const Id> operands) {
+  if (isFull()) return Id(operations_.size() - 1);
+  std::uint64_t bits;
+  std::memcpy(&bits, &operation.value, sizeof bits);
+  std::uint64_t hash = mixed(bits ^ static_cast<std::uint64_t>(operation.code) << 40 ^
+                             static_cast<std::uint64_t>(operation.base) << 48);
+  for (const Id operand : operands) hash = mixed(hash + index(operand) + 1);
+  const auto [first, last] = known_.equal_range(hash);
+  for (auto found = first; found != last; ++found)
+    if (isEqual(found->second, operation, operands)) return found->second;
+  operation.first = static_cast<std::uint32_t>(operands_.size());
+  operation.count = static_cast<std::uint16_t>(operands.size());
+  // Operands may be a part of the list that grows.
+  const std::vector<Id> copied(operands.begin(), operands.end());
+  operands_.insert(operands_.end(), copied.begin(), copied.end());
+  operations_.push_back(operation);
+  const Id id{static_cast<std::uint32_t>(operations_.size() - 1)};
+  known_.emplace(hash, id);
+  return id;
+}
+
+Id Recorder::constant(Base base, double value) {
+  const double known = held(base, value);
+  return intern({Code::Constant, base, 0, 0, known, std::abs(known)}, {});
+}
+
+Id Recorder::undefined(Base base) { return intern({Code::Undefined, base}, {}); }
+
+Id Recorder::leaf(Code code, int number, int part, int layout) {
+  const Base base = code == Code::Image ? Base::Sampler : Base::Float;
+  return intern({code, base, 0, 0, number * 65536.0 + part * 256 + layout}, {});
+}
+
+Id Recorder::group(Code code, std::span<const Id> operands) {
+  std::vector<Id> known(operands.begin(), operands.end());
+  for (Id& operand : known)
+    if (isUndefined(operand)) operand = constant(base(operand), 0);
+  return intern({code, Base::Float}, known);
+}
+
+Id Recorder::component(Id group, int part, int layout) {
+  return intern({Code::Component, Base::Float, 0, 0, part * 256.0 + layout}, std::array{group});
+}
+
+Id Recorder::apply(Code code, Base base, std::initializer_list<Id> given) {
+  std::array<Id, 3> operands{};
+  std::array<double, 3> values{};
+  std::size_t count = 0;
+  bool areKnown = true;
+  for (const Id operand : given) {
+    const Id known = isUndefined(operand) ? constant(this->base(operand), 0) : operand;
+    operands[count] = known;
+    areKnown = areKnown && isConstant(known);
+    values[count++] = value(known);
+  }
+  if (areKnown)
+    if (const auto result = fold(code, {values.data(), count}))
+      if (base != Base::Float || std::abs(*result) <= 3.4028234663852886e38)
+        return constant(base, *result);
+  if (code >= Code::IntOf) return whole(code, base, {operands.data(), count});
+  return intern({code, base}, {operands.data(), count});
+}
+
+Id Recorder::negated(Id condition) {
+  if (isUndefined(condition)) return condition;
+  if (isConstant(condition)) return constant(Base::Bool, value(condition) == 0);
+  if (at(condition).code == Code::Not) return operands(condition)[0];
+  return apply(Code::Not, Base::Bool, {condition});
+}
+
+Id Recorder::both(Id a, Id b) {
+  if (isTrue(a) || a == b) return b;
+  if (isTrue(b) || isFalse(a)) return a;
+  if (isFalse(b)) return b;
+  return apply(Code::And, Base::Bool, {a, b});
+}
+
+Id Recorder::either(Id a, Id b) {
+  if (isFalse(a) || a == b) return b;
+  if (isFalse(b) || isTrue(a)) return a;
+  if (isTrue(b)) return b;
+  return apply(Code::Or, Base::Bool, {a, b});
+}
+
+Id Recorder::choose(Id condition, Id yes, Id no) {
+  if (isUndefined(yes) || yes == no) return no;
+  if (isUndefined(no)) return yes;
+  if (isConstant(condition)) return isTrue(condition) ? yes : no;
+  const auto isChoice = [&](Id id) {
+    return at(id).code == Code::IfElse && operands(id)[0] == condition;
+  };
+  if (isChoice(yes)) return choose(condition, operands(yes)[1], no);
+  if (isChoice(no)) return choose(condition, yes, operands(no)[2]);
+  if (at(condition).code == Code::Not) return choose(operands(condition)[0], no, yes);
+  switch (base(yes)) {
+    case Base::Bool:
+      if (isTrue(yes)) return either(condition, no);
+      if (isFalse(no)) return both(condition, yes);
+      if (no == condition) return both(condition, yes);
+      if (yes == condition) return either(condition, no);
+      return either(both(condition, yes), both(negated(condition), no));
+    case Base::Float:
+      return apply(Code::IfElse, Base::Float, {condition, yes, no});
+    default:
+      return apply(Code::IntIfElse, base(yes), {condition, yes, no});
+  }
+}
+
+Id Recorder::convert(Id value, Base to) {
+  using enum Base;
+  const Base from = base(value);
+  if (from == to) return value;
+  if (isUndefined(value)) return undefined(to);
+  if (isConstant(value)) {
+    const double known = this->value(value);
+    if (to == Bool || to == Float || from == Bool) return constant(to, known);
+    if (from != Float || std::abs(known) < 4294967296.0) return constant(to, std::trunc(known));
+  }
+  if (from == Bool) {
+    const Id one = constant(to, 1), zero = constant(to, 0);
+    return choose(value, one, zero);
+  }
+  if (to == Bool) {
+    const Id zero = constant(from, 0);
+    if (from == Float) return apply(Code::Ne, Bool, {value, zero});
+    return negated(apply(Code::IntEq, Bool, {value, zero}));
+  }
+  if (to == Float) return apply(from == Int ? Code::FloatOf : Code::FloatOfUint, Float, {value});
+  if (from == Float) return apply(to == Int ? Code::IntOf : Code::UintOf, to, {value});
+  // Between int and uint the bits stay.
+  return apply(to == Int ? Code::IntAdd : Code::BitOr, to, {value, constant(to, 0)});
+}
+
+}  // namespace warpjet::glsl

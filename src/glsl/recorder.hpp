@@ -1,0 +1,88 @@
+// What a text computes, as operations on single numbers: each once, folded where all is known, so
+// that loops and indices are. Numbers of type float fold in float32, as the language says.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "glsl/codes.hpp"
+#include "glsl/types.hpp"
+
+namespace warpjet::glsl {
+
+// The number of an operation.
+enum class Id : std::uint32_t {};
+
+constexpr std::uint32_t index(Id id) { return static_cast<std::uint32_t>(id); }
+
+struct Operation {
+  Code code;
+  // Of the result; that of a group of numbers is Float.
+  Base base;
+  std::uint16_t count = 0;
+  // In the list of operands.
+  std::uint32_t first = 0;
+  // Of a constant; of a leaf or a component its number.
+  double value = 0;
+  // How large an int or uint can be.
+  double bound = 0;
+};
+
+class Recorder {
+ public:
+  static constexpr std::size_t most = std::size_t{1} << 20;
+
+  Id constant(Base base, double value);
+  // What was never given a value: any will do.
+  Id undefined(Base base);
+  // A leaf: component number `part` of an argument or a uniform of that layout, or an image.
+  Id leaf(Code code, int number, int part = 0, int layout = 0);
+
+  // The operation, simplified. A result of int or uint wraps around.
+  Id apply(Code code, Base base, std::initializer_list<Id> operands);
+  // Numbers together, for an operation on vectors; its results one by one.
+  Id group(Code code, std::span<const Id> operands);
+  // `layout` is how many columns and rows it has, four bits each.
+  Id component(Id group, int part, int layout);
+
+  Id choose(Id condition, Id yes, Id no);
+  Id negated(Id condition);
+  Id both(Id a, Id b);
+  Id either(Id a, Id b);
+  // From one type of numbers to another, as a constructor does it.
+  Id convert(Id value, Base to);
+
+  Base base(Id id) const { return at(id).base; }
+  bool isConstant(Id id) const { return at(id).code == Code::Constant; }
+  bool isUndefined(Id id) const { return at(id).code == Code::Undefined; }
+  double value(Id constant) const { return at(constant).value; }
+  bool isTrue(Id id) const { return isConstant(id) && value(id) != 0; }
+  bool isFalse(Id id) const { return isConstant(id) && value(id) == 0; }
+  // Why what was asked for has no exact value in a shader; empty unless there was such.
+  std::string_view refusal() const { return refusal_; }
+
+  bool isFull() const { return operations_.size() >= most; }
+  std::size_t size() const { return operations_.size(); }
+  const Operation& at(Id id) const { return operations_[index(id)]; }
+  std::span<const Id> operands(Id id) const {
+    return {operands_.data() + at(id).first, at(id).count};
+  }
+
+ private:
+  Id whole(Code code, Base base, std::span<const Id> operands);
+  Id bounded(Code code, Base base, std::span<const Id> operands, double bound);
+  Id quotient(Base base, Id x, Id y);
+  Id intern(Operation operation, std::span<const Id> operands);
+  bool isEqual(Id id, const Operation& operation, std::span<const Id> operands) const;
+
+  std::vector<Operation> operations_;
+  std::vector<Id> operands_;
+  std::string_view refusal_;
+  std::unordered_multimap<std::uint64_t, Id> known_;
+};
+
+}  // namespace warpjet::glsl

@@ -1,0 +1,63 @@
+#include "glsl/source.hpp"
+
+#include <algorithm>
+
+namespace warpjet::glsl {
+
+namespace {
+
+constexpr std::size_t longestPiece = 40, longestLine = 100;
+
+bool isControl(char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }
+
+// A tab stays one, or the caret would stand elsewhere.
+std::string printable(std::string_view piece) {
+  std::string text(piece);
+  for (char& c : text)
+    if (isControl(c) && c != '\t') c = '?';
+  return text;
+}
+
+std::string_view lineOf(std::string_view source, std::uint32_t number) {
+  std::size_t start = 0;
+  for (std::uint32_t line = 1; line < number && start < source.size(); ++line) {
+    const auto end = source.find('\n', start);
+    start = end == source.npos ? source.size() : end + 1;
+  }
+  return source.substr(start, source.find('\n', start) - start);
+}
+
+// A byte that continues a character of UTF-8.
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+}  // namespace
+
+std::string quoted(std::string_view piece) {
+  std::string text = printable(piece.substr(0, longestPiece));
+  while (!text.empty() && piece.size() > longestPiece && continues(piece[text.size()]))
+    text.pop_back();
+  return '"' + text + (piece.size() > longestPiece ? "…\"" : "\"");
+}
+
+std::string Problems::text(std::string_view source) const {
+  const auto& [place, sentence] = *found_;
+  std::string_view line = lineOf(source, place.line);
+  std::size_t before = std::min<std::size_t>(place.column - 1, line.size());
+  std::string dots;
+  if (line.size() > longestLine) {
+    std::size_t start = before > longestLine / 2 ? before - longestLine / 2 : 0;
+    while (start < before && continues(line[start])) ++start;
+    std::size_t end = std::min(line.size(), start + longestLine);
+    while (end > before && end < line.size() && continues(line[end])) --end;
+    if (start > 0) dots = "…";
+    before -= start;
+    line = line.substr(start, end - start);
+  }
+  std::string caret = dots.empty() ? "" : " ";
+  for (std::size_t i = 0; i < before; ++i)
+    if (!continues(line[i])) caret += line[i] == '\t' ? '\t' : ' ';
+  return "line " + std::to_string(place.shown) + ", column " + std::to_string(place.column) + ": " +
+         sentence + ".\n  " + dots + printable(line) + "\n  " + caret + '^';
+}
+
+}  // namespace warpjet::glsl

@@ -1,0 +1,42 @@
+// Where something stands in a text, and what is wrong there.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace warpjet::glsl {
+
+// Lines and columns count from 1. `shown` is the line's number as `#line` has it.
+struct Place {
+  std::uint32_t line = 1, column = 1, shown = 1;
+};
+
+// The first problem of a text. Whoever reads on after one finds the end at once, so that nothing
+// needs to ask for it but loops.
+class Problems {
+ public:
+  void add(Place place, std::string sentence) {
+    if (!found_) found_ = {place, std::move(sentence)};
+  }
+
+  bool any() const { return found_.has_value(); }
+  Place place() const { return found_->place; }
+
+  // The sentence with its line and column, then the line itself and a caret under the place.
+  std::string text(std::string_view source) const;
+
+ private:
+  struct Found {
+    Place place;
+    std::string sentence;
+  };
+
+  std::optional<Found> found_;
+};
+
+// A piece of the text for a sentence: on one line, not too long, without what a terminal obeys.
+std::string quoted(std::string_view piece);
+
+}  // namespace warpjet::glsl

@@ -1,0 +1,74 @@
+// What every variable holds at one point of the run. Where a condition decides, each way has a
+// branch: what is set in it is known when it closes, and the state is again what it was before.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "glsl/recorder.hpp"
+
+namespace warpjet::glsl {
+
+class Store {
+ public:
+  using Slot = std::uint32_t;
+
+  struct Change {
+    Slot slot;
+    Id value;
+  };
+  using Changes = std::vector<Change>;
+
+  Slot allocate(std::size_t count, Id value) {
+    const auto first = static_cast<Slot>(values_.size());
+    values_.resize(values_.size() + count, value);
+    depths_.resize(values_.size(), depth());
+    return first;
+  }
+
+  // What is declared in a branch is gone after it.
+  void declare(Slot first, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) depths_[first + i] = depth();
+  }
+
+  Id get(Slot slot) const { return values_[slot]; }
+
+  void set(Slot slot, Id value) {
+    if (values_[slot] == value) return;
+    if (!marks_.empty()) log_.push_back({slot, values_[slot]});
+    values_[slot] = value;
+  }
+
+  void open() { marks_.push_back(log_.size()); }
+
+  // What was set since, each slot once, in order.
+  Changes close() {
+    Changes changes;
+    for (std::size_t i = log_.size(); i-- > marks_.back();) {
+      const auto [slot, before] = log_[i];
+      if (depths_[slot] < depth()) changes.push_back({slot, values_[slot]});
+      values_[slot] = before;
+    }
+    log_.resize(marks_.back());
+    marks_.pop_back();
+    // Of the changes of one slot, the last to be undone saw what an earlier one had set.
+    std::stable_sort(changes.begin(), changes.end(),
+                     [](const Change& a, const Change& b) { return a.slot < b.slot; });
+    changes.erase(std::unique(changes.begin(), changes.end(),
+                              [](const Change& a, const Change& b) { return a.slot == b.slot; }),
+                  changes.end());
+    return changes;
+  }
+
+  std::uint32_t depth() const { return static_cast<std::uint32_t>(marks_.size()); }
+
+ private:
+  std::vector<Id> values_;
+  std::vector<std::uint32_t> depths_;  // the branches that were open when it was declared
+  Changes log_;
+  std::vector<std::size_t> marks_;
+};
+
+}  // namespace warpjet::glsl

@@ -1,0 +1,200 @@
+#include "glsl/tokens.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace warpjet::glsl {
+
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool isHexDigit(char c) { return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
+
+// The longest first.
+constexpr std::array symbols{
+    std::string_view("<<="), std::string_view(">>="), std::string_view("++"),
+    std::string_view("--"),  std::string_view("<="),  std::string_view(">="),
+    std::string_view("=="),  std::string_view("!="),  std::string_view("&&"),
+    std::string_view("||"),  std::string_view("^^"),  std::string_view("<<"),
+    std::string_view(">>"),  std::string_view("+="),  std::string_view("-="),
+    std::string_view("*="),  std::string_view("/="),  std::string_view("%="),
+    std::string_view("&="),  std::string_view("|="),  std::string_view("^="),
+};
+constexpr std::string_view single = "()[]{}.,;:?+-*/%<>=!~&|^#";
+
+class Reader {
+ public:
+  Reader(std::string_view source, Problems& problems) : source_(source), problems_(problems) {}
+
+  std::vector<Token> read() {
+    std::vector<Token> tokens;
+    // A mark that some editors put before a text.
+    if (source_.starts_with("\xEF\xBB\xBF")) at_ = lineStart_ = 3;
+    while (skipSpace(), at_ < source_.size() && !problems_.any()) {
+      tokens.push_back(next());
+      startsLine_ = followsSpace_ = false;
+    }
+    tokens.push_back({Token::Kind::End, true, true, {}, place()});
+    return tokens;
+  }
+
+ private:
+  char peek(std::size_t ahead = 0) const {
+    return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0';
+  }
+
+  Place place() const { return {line_, static_cast<std::uint32_t>(at_ - lineStart_ + 1), line_}; }
+
+  void newLine() {
+    ++line_;
+    lineStart_ = at_;
+  }
+
+  void skipSpace() {
+    for (;; followsSpace_ = true) {
+      const char c = peek();
+      if (at_ >= source_.size()) return;
+      if (c == '\n') {
+        ++at_;
+        newLine();
+        startsLine_ = true;
+      } else if (c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f') {
+        ++at_;
+      } else if (c == '\\' && (peek(1) == '\n' || (peek(1) == '\r' && peek(2) == '\n'))) {
+        at_ += peek(1) == '\n' ? 2 : 3;
+        newLine();
+      } else if (c == '/' && peek(1) == '/') {
+        while (at_ < source_.size() && peek() != '\n') ++at_;
+      } else if (c == '/' && peek(1) == '*') {
+        skipComment();
+      } else {
+        return;
+      }
+    }
+  }
+
+  void skipComment() {
+    const Place start = place();
+    const auto end = source_.find("*/", at_ + 2);
+    if (end == source_.npos) {
+      problems_.add(start, "this comment never ends; close it by */");
+      at_ = source_.size();
+      return;
+    }
+    for (; at_ < end + 2; ++at_)
+      if (source_[at_] == '\n') {
+        ++line_;
+        lineStart_ = at_ + 1;
+      }
+  }
+
+  Token token(Token::Kind kind, std::size_t size) {
+    const Token found{kind, startsLine_, followsSpace_, source_.substr(at_, size), place()};
+    at_ += size;
+    return found;
+  }
+
+  Token next() {
+    const char c = peek();
+    if (isLetter(c)) {
+      std::size_t size = 1;
+      while (isLetter(peek(size)) || isDigit(peek(size))) ++size;
+      return token(Token::Kind::Name, size);
+    }
+    if (isDigit(c) || (c == '.' && isDigit(peek(1)))) return number();
+    for (const std::string_view symbol : symbols)
+      if (source_.substr(at_).starts_with(symbol)) return token(Token::Kind::Symbol, symbol.size());
+    if (single.find(c) != single.npos && c != '\0') return token(Token::Kind::Symbol, 1);
+    std::size_t size = 1;
+    while ((static_cast<unsigned char>(peek(size)) & 0xC0) == 0x80) ++size;
+    problems_.add(place(), c == '\0'
+                               ? "there is a character here that no shader can hold (number 0)"
+                               : "there is a character here that no shader can hold: " +
+                                     quoted(source_.substr(at_, size)));
+    return token(Token::Kind::End, size);
+  }
+
+  Token number() {
+    using enum Token::Kind;
+    std::size_t size = 0;
+    Token::Kind kind = Int;
+    if (peek() == '0' && (peek(1) == 'x' || peek(1) == 'X')) {
+      size = 2;
+      while (isHexDigit(peek(size))) ++size;
+    } else {
+      while (isDigit(peek(size))) ++size;
+      if (peek(size) == '.') {
+        kind = Float;
+        ++size;
+        while (isDigit(peek(size))) ++size;
+      }
+      if (peek(size) == 'e' || peek(size) == 'E') {
+        const std::size_t sign = peek(size + 1) == '+' || peek(size + 1) == '-';
+        if (isDigit(peek(size + 1 + sign))) {
+          kind = Float;
+          size += 1 + sign;
+          while (isDigit(peek(size))) ++size;
+        }
+      }
+    }
+    if (kind == Int && (peek(size) == 'u' || peek(size) == 'U')) {
+      kind = Uint;
+      ++size;
+    } else if (kind == Float && (peek(size) == 'f' || peek(size) == 'F')) {
+      ++size;
+    }
+    const std::size_t end = size;
+    while (isLetter(peek(size)) || isDigit(peek(size))) ++size;
+    if (size > end)
+      problems_.add(place(), quoted(source_.substr(at_, size)) +
+                                 " is no number; a number ends before its letters");
+    return token(kind, size);
+  }
+
+  std::string_view source_;
+  Problems& problems_;
+  std::size_t at_ = 0, lineStart_ = 0;
+  std::uint32_t line_ = 1;
+  bool startsLine_ = true, followsSpace_ = false;
+};
+
+}  // namespace
+
+std::vector<Token> readTokens(std::string_view source, Problems& problems) {
+  return Reader(source, problems).read();
+}
+
+std::uint32_t intValue(const Token& token, Problems& problems) {
+  std::string_view digits = token.text;
+  if (token.kind == Token::Kind::Uint) digits.remove_suffix(1);
+  unsigned base = 10;
+  if (digits.size() > 1 && digits[0] == '0') {
+    const bool isHex = digits[1] == 'x' || digits[1] == 'X';
+    base = isHex ? 16 : 8;
+    digits.remove_prefix(isHex ? 2 : 1);
+  }
+  std::uint64_t value = 0;
+  bool isFine = !digits.empty();
+  for (const char c : digits) {
+    const unsigned digit =
+        isDigit(c) ? static_cast<unsigned>(c - '0') : static_cast<unsigned>((c | 32) - 'a') + 10;
+    value = value * base + digit;
+    isFine = isFine && digit < base && value <= 0xFFFFFFFF;
+    if (!isFine) break;
+  }
+  if (!isFine)
+    problems.add(token.place, quoted(token.text) + " is no whole number that 32 bits can hold");
+  return static_cast<std::uint32_t>(value);
+}
+
+double floatValue(const Token& token, Problems& problems) {
+  const double value = std::strtod(std::string(token.text).c_str(), nullptr);
+  if (!(value <= 3.4028234663852886e38))
+    problems.add(token.place, quoted(token.text) + " is more than a float can hold, 3.4e38");
+  return value;
+}
+
+}  // namespace warpjet::glsl

@@ -1,0 +1,115 @@
+// The typed tree of a text: what the parser makes and the lowering walks. Nodes stand in lists and
+// name each other by number.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glsl/operators.hpp"
+#include "glsl/source.hpp"
+#include "glsl/types.hpp"
+
+namespace warpjet::glsl {
+
+using Number = std::int32_t;
+inline constexpr Number nothing = -1;
+
+struct Expression {
+  enum class Kind : std::uint8_t {
+    Constant,  // `value`, a number of any type
+    Variable,  // `index`
+    Part,      // `index` is the offset of a field
+    Swizzle,   // `index` packs the components, two bits each
+    Element,   // of an array, vector or matrix by an operand
+    Negate,
+    Plus,
+    Not,
+    Complement,
+    Increment,  // `op` says Add or Subtract; `index` is 1 where the value is the one before
+    Binary,
+    Choose,
+    Assign,  // `isCombined` with `op`
+    Sequence,
+    Construct,
+    Call,     // of the function number `index`
+    BuiltIn,  // row number `index`
+  };
+
+  Kind kind;
+  Operator op{};
+  bool isCombined = false;
+  // Whether it can be assigned to.
+  bool isPlace = false;
+  std::uint16_t depth = 0;
+  Type type{};
+  Number index = 0;
+  double value = 0;
+  Place place{};
+  std::vector<Number> operands{};
+};
+
+struct Statement {
+  enum class Kind : std::uint8_t {
+    Block,     // `children`
+    Evaluate,  // `expression`
+    Declare,   // the variable `index`, `expression` or nothing
+    If,        // `expression`; `children` one or two
+    Loop,      // children: start, step, body, of which the first two may be nothing
+    Switch,    // `expression`; `children`
+    Case,      // `expression`, nothing for default
+    Return,
+    Break,
+    Continue,
+  };
+
+  Kind kind;
+  // Of a loop: whether its condition comes after the body.
+  bool isLate = false;
+  Number index = nothing, expression = nothing;
+  Place place{};
+  std::vector<Number> children{};
+};
+
+struct Variable {
+  std::string_view name;
+  Type type;
+  Place place{};
+  enum class Kind : std::uint8_t { Local, Constant, Uniform, Attribute, Parameter, Global } kind;
+  // Of a constant or a global, the expression that it starts with.
+  Number start = nothing;
+  // Of a constant number.
+  std::optional<double> known{};
+};
+
+struct Parameter {
+  enum class Direction : std::uint8_t { In, Out, InOut } direction = Direction::In;
+  Number variable = nothing;
+  Type type;
+};
+
+struct Function {
+  std::string_view name;
+  Type type;
+  std::vector<Parameter> parameters;
+  Place place;
+  Number body = nothing;
+};
+
+struct Tree {
+  Types types;
+  std::vector<Expression> expressions;
+  std::vector<Statement> statements;
+  std::vector<Variable> variables;
+  std::vector<Function> functions;
+  // Numbers of those above functions, in order.
+  std::vector<Number> globals;
+  int version = 0;
+  // Texts of tokens that macros made.
+  std::deque<std::string> made;
+};
+
+}  // namespace warpjet::glsl

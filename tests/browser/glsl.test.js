@@ -1,0 +1,90 @@
+// Shader text on real pipelines: the original as Chromium compiles it, and ours of the same, value for value.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { compileWarp } from '../../dist/warpjet.js'
+import { glslOffset } from '../../dist/glsl.js'
+import { corpus } from '../glsl/corpus.js'
+import { openPipelines, targetsInThisRun } from './support/pipelines.js'
+
+let pipelines
+before(async () => (pipelines = await openPipelines()))
+after(() => pipelines.close())
+
+const inputs = [{ name: 'p', shape: 3 }]
+
+/** Points of a cube, the same in every run. */
+const points = Array.from({ length: 60 }, (_, i) =>
+  [0.7548776662, 0.569840291, 0.3819660113].map((step) =>
+    Math.fround(2 * ((0.5 + (i + 1) * step) % 1) - 1),
+  ),
+)
+
+/** The original as a function, and in glsl300 beside it our statements. */
+async function valuesOf({ text }, target) {
+  const warp = compileWarp(glslOffset(text, { function: 'corpus' }), {
+    target,
+    normals: false,
+    names: { position: 'p' },
+    outputs: { offset: 'ours', position: 'moved' },
+  })
+  const isOriginal = target === 'glsl300'
+  const outputs = [{ name: 'ours', shape: 3 }]
+  if (isOriginal) outputs.push({ name: 'original', shape: 3 })
+  const values = await pipelines.run(
+    target,
+    {
+      code: `${warp.code}${isOriginal ? 'vec3 original = corpus(p);' : ''}`,
+      declarations: (isOriginal ? text : '') + warp.declarations,
+      inputs,
+      outputs,
+    },
+    points,
+  )
+  return { warp, values }
+}
+
+const tolerance = (value) => 2e-3 * Math.max(1, Math.abs(value))
+
+/** How many numbers are not nearly the same; what no shader promises, such as 0/0, is left out. */
+function differing(values, wanted, compared = { count: 0 }) {
+  let wrong = 0
+  values.forEach((three, i) =>
+    wanted[i].forEach((value, k) => {
+      if (!Number.isFinite(value) || Math.abs(value) > 1e6) return
+      compared.count++
+      if (!(Math.abs(three[k] - value) <= tolerance(value))) wrong++
+    }),
+  )
+  return wrong
+}
+
+test('there are at least 60 functions', () => assert.ok(corpus.length >= 60, `${corpus.length}`))
+
+test('every function of the corpus as the original, in each language and on the CPU', async () => {
+  const problems = []
+  const compared = { count: 0 }
+  for (const each of corpus) {
+    try {
+      const { warp, values } = await valuesOf(each, 'glsl300')
+      const originals = values.map((numbers) => [...numbers.subarray(3)])
+      const check = (name, ours) => {
+        const wrong = differing(ours, originals, compared)
+        // A point may lie on the edge between two branches.
+        if (wrong > 3) problems.push(`${each.name}, ${name}: ${wrong} of ${3 * points.length}`)
+      }
+      check('glsl300', values)
+      for (const target of targetsInThisRun)
+        if (target !== 'glsl300') check(target, (await valuesOf(each, target)).values)
+      const positions = Float32Array.from(points.flat())
+      const moved = warp.evaluate({ positions }).positions
+      check(
+        'CPU',
+        points.map((point, i) => point.map((x, k) => moved[3 * i + k] - x)),
+      )
+    } catch (error) {
+      problems.push(`${each.name}: ${error.message.slice(0, 300)}`)
+    }
+  }
+  assert.deepEqual(problems, [])
+  assert.ok(compared.count > corpus.length * 2 * points.length)
+})

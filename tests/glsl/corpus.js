@@ -1,0 +1,81 @@
+// Functions of shader text: of packages that their licences let us run, read where npm has put them, and our own.
+import { readFileSync, readdirSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import { join } from 'node:path'
+import { own } from './own.js'
+
+const modules = fileURLToPath(new URL('../../node_modules', import.meta.url))
+
+const packages = {
+  'glsl-noise': ['classic', 'periodic', 'simplex'],
+  'glsl-easings': [''],
+  'glsl-sdf-primitives': [''],
+  'glsl-blend': [''],
+  'glsl-worley': [''],
+  'glsl-rotate': [''],
+  'glsl-smooth-min': [''],
+  'glsl-cos-palette': [''],
+  'glsl-hsl2rgb': [''],
+  'glsl-map': [''],
+  'glsl-luma': [''],
+}
+
+const size = (type) => (type === 'float' ? 1 : Number(/^vec([234])$/.exec(type)?.[1] ?? 0))
+
+/** { name, text, head, type, parameters } of the function that a file exports; nothing where it needs another file. */
+function read(name, text) {
+  if (/require\(/.test(text)) return undefined
+  const exported = /#pragma glslify:\s*export\((\w+)\)/.exec(text)?.[1]
+  const plain = text.replace(/\/\/.*|\/\*[^]*?\*\//g, '')
+  const heads = [...plain.matchAll(/^\s*(float|vec[234])\s+(\w+)\s*\(([^)]*)\)\s*\{/gm)]
+  const found = heads.filter(([, , head]) => !exported || head === exported)
+  const [, type, head, list] = found.at(-1) ?? []
+  const parameters = list?.split(',').map(
+    (each) =>
+      each
+        .trim()
+        .replace(/^in\s+/, '')
+        .split(/\s+/)[0],
+  )
+  if (!head || !parameters.every(size)) return undefined
+  return { name, text, head, type, parameters }
+}
+
+function* files() {
+  for (const [name, folders] of Object.entries(packages))
+    for (const folder of folders)
+      for (const file of readdirSync(join(modules, name, folder)))
+        if (file.endsWith('.glsl') && !leftOpen.test(join(name, folder, file)))
+          yield join(name, folder, file)
+}
+
+/** They raise what is below zero to a power, which the language leaves open; ours is the product that is meant. */
+const leftOpen = /^glsl-easings.(?:cubic-in-out|quartic-out|quintic-in-out|quintic-out)\.glsl$/
+
+/** An argument for a parameter of a type, from a vec3 `p`; numbers from 0 up, as easings want them, and no two alike. */
+const argument = (type, i) =>
+  ({
+    float: `(${['p.x', 'p.y', 'p.z'][i % 3]} * 0.49 + 0.5 + ${Math.floor(i / 3)}.0)`,
+    vec2: `(${['p.xy', 'p.yz', 'p.zx'][i % 3]} + ${Math.floor(i / 3)}.0)`,
+    vec3: `(${['p', 'p.yzx', 'p.zxy'][i % 3]} + ${Math.floor(i / 3)}.0)`,
+    vec4: `(vec4(p, 0.3) + ${i}.0 * vec4(0.1, 0.2, 0.3, 0.4))`,
+  })[type]
+
+const toVec3 = (type, call) =>
+  ({
+    float: `vec3(${call})`,
+    vec2: `vec3(${call}, 0.0)`,
+    vec3: call,
+    vec4: `(${call}).xyz + (${call}).w`,
+  })[type]
+
+/** Each with a function `vec3 corpus(vec3 p)` at the end of its text. */
+export const corpus = [
+  ...[...files()].map((file) => read(file, readFileSync(join(modules, file), 'utf8'))),
+  ...Object.entries(own).map(([name, text]) => read(name, text)),
+]
+  .filter(Boolean)
+  .map(({ name, text, head, type, parameters }) => ({
+    name,
+    text: `${text}\nvec3 corpus(vec3 p) { return ${toVec3(type, `${head}(${parameters.map(argument).join(', ')})`)}; }\n`,
+  }))

@@ -1,0 +1,259 @@
+// Bad text of every kind: one sentence, with line, column and a caret.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { WarpError, compileWarp } from 'warpjet'
+import { differentiate, glslOffset } from 'warpjet/glsl'
+
+const body = (text) => `vec3 offset(vec3 p) {\n  ${text}\n}`
+const nested = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
+
+/** Texts, each with the line that is wrong and a piece of the sentence. */
+const wrong = [
+  // where a text ends too early
+  ['vec3 offset(vec3 p) {', 1, 'this { has no }'],
+  ['vec3 offset(vec3 p', 1, 'a ) is missing'],
+  ['vec3 offset', 1, 'missing'],
+  ['vec3', 1, 'a name'],
+  [body('return p'), 3, 'a ; is missing after return'],
+  [body('return vec3(1., 2., 3.;'), 2, 'a ) is missing'],
+  [body('return p['), 3, 'a value is missing'],
+  [body('return p.;'), 2, 'after the point'],
+  [body('float x = ;return p;'), 2, 'a value is missing'],
+  [body('if (p.x > 1. return p;'), 2, 'a ) is missing after a condition'],
+  [body('for (int i = 0; i < 3) {} return p;'), 2, 'a ; is missing'],
+  [body('do { } p.x;'), 2, 'a while is missing'],
+  [body('switch (1) { case 0 return p; }'), 2, 'a : is missing'],
+  ['/* never', 1, 'this comment never ends'],
+  ['struct S { float x; }', 1, 'missing'],
+  ['float x', 1, 'missing'],
+  // names
+  [body('return q;'), 2, '"q" is not declared'],
+  [body('float p2 = p; return p;'), 2, 'is a float, but a vec3 came'],
+  [body('float x; float x; return p;'), 2, '"x" is declared here already'],
+  [body('return missing(p);'), 2, 'there is no function "missing"'],
+  [body('float for = 1.; return p;'), 2, 'word of the language'],
+  [body('float gl_x = 1.; return p;'), 2, 'those with gl_'],
+  [body('return p.w;'), 2, 'a vec3 has no component "w"'],
+  [body('return p.xg;'), 2, 'has no component "xg"'],
+  [body('return p.xyzxy;'), 2, 'has no component'],
+  [body('{ float y = 1.; } return vec3(y);'), 2, '"y" is not declared'],
+  [body('float x = x; return p;'), 2, '"x" is not declared'],
+  [body('return sin;'), 2, 'is a function; call it'],
+  [body('float sin = 1.; return p * sin(1.);'), 2, 'is a variable and cannot be called'],
+  [body('return offset2(p);') + '\nvec3 offset2(vec3 p) { return p; }', 2, 'no function'],
+  ['struct S { float a; };\n' + body('S s; return vec3(s.b);'), 3, 'has no field "b"'],
+  ['struct S { float a; float a; };', 1, 'is a field of this structure already'],
+  ['Thing offset(vec3 p) { }', 1, 'a type was expected'],
+  // types
+  [body('float x = 1; return p;'), 2, 'is a float, but an int came'],
+  [body('return p + 1;'), 2, 'write 1.0 for 1'],
+  [body('return p * mat2(1.);'), 2, '"*" does not take a vec3 and a mat2'],
+  [body('return 1.0;'), 2, 'gives a vec3, but returns a float'],
+  [body('return;'), 2, 'returns nothing'],
+  ['void f() { return 1.; }\n' + body('return p;'), 1, 'is void and gives nothing back'],
+  [body('if (p.x) return p; return p;'), 2, 'must be a bool'],
+  [body('return p.x > 1. ? p : p.x;'), 2, 'both values'],
+  [body('return p.x ? p : p;'), 2, 'a bool must stand before ?'],
+  [body('bool b = p > p; return p;'), 2, '">" does not take'],
+  [body('return !p;'), 2, '"!" does not take a vec3'],
+  [body('return ~p;'), 2, '"~" does not take'],
+  [body('return -true;'), 2, '"-" does not take a bool'],
+  [body('int i = 3 % 2.; return p;'), 2, '"%" does not take'],
+  [body('return vec3(1., 2.);'), 2, 'vec3 has 3 components, but only 2 came'],
+  [body('return vec3(p, 1.);'), 2, 'one too many'],
+  [body('return vec3();'), 2, 'needs a value'],
+  [body('return mat3(1., 2.)[0];'), 2, 'mat3 has 9 components'],
+  [body('return vec3(float[2](1., 2.));'), 2, 'is made of numbers and vectors'],
+  [body('return p[0][0];'), 2, 'a float has no elements'],
+  [body('return vec3(p[1.]);'), 2, 'an index must be an int'],
+  [body('return vec3(p[3]);'), 2, 'the index 3 is not one of 0 to 2'],
+  [body('float a[2]; return vec3(a[-1]);'), 2, 'the index -1'],
+  [body('float a[0]; return p;'), 2, 'the length of an array'],
+  [body('float a[int(p.x)]; return p;'), 2, 'the length of an array'],
+  [body('float a[2][2]; return p;'), 2, 'array of arrays'],
+  [body('float a[]; return p;'), 2, 'needs a length'],
+  [body('float a[3] = float[2](1., 2.); return p;'), 2, 'is a float[3], but a float[2] came'],
+  [body('void v; return p;'), 2, 'cannot be void'],
+  ['vec3 offset(void p) { return vec3(0.); }', 1, 'a parameter cannot be void'],
+  // overloads
+  [body('return sin(p, p);'), 2, '"sin" cannot be called with (vec3, vec3)'],
+  [body('return vec3(dot(p, p.xy));'), 2, '"dot" cannot be called with (vec3, vec2)'],
+  [body('return vec3(max(1, 2.));'), 2, '"max" cannot be called'],
+  [
+    'float f(float x) { return x; }\n' + body('return vec3(f(p));'),
+    3,
+    '"f" takes (float), but (vec3) came',
+  ],
+  [
+    'float f(float x) { return x; }\nfloat f(float y) { return y; }',
+    2,
+    'has a body with these parameters already',
+  ],
+  ['float f(float x);\nint f(float x) { return 1; }', 2, 'declared otherwise before'],
+  ['float f(float x);\n' + body('return vec3(f(p.x));'), 3, 'is declared, but has no body'],
+  // what is assigned to
+  [body('const float x = 1.; x = 2.; return p;'), 2, '"x" is a constant and cannot be changed'],
+  ['const float x = 1.;\n' + body('x += 2.; return p;'), 3, 'is a constant'],
+  ['uniform float x;\n' + body('x++; return p;'), 3, 'is given by the host and cannot be changed'],
+  ['vec3 offset(const vec3 p) { p.x = 1.; return p; }', 1, 'is a constant'],
+  [body('1. = p.x; return p;'), 2, 'is a value, nothing that can be changed'],
+  [body('(p + p).x = 1.; return p;'), 2, 'is a value'],
+  [body('p.xx = p.xy; return p;'), 2, 'a component comes twice'],
+  [body('const float x; return p;'), 2, 'needs a value'],
+  ['uniform float x = 1.;\n' + body('return p;'), 1, 'leave = out'],
+  ['void f(out float x) { x = 1.; }\n' + body('f(1.); return p;'), 3, 'is a value'],
+  [body('true = false; return p;'), 2, 'is a value'],
+  // what runs
+  ['vec3 offset(vec3 p) { return offset(p); }', 1, 'calls itself'],
+  [
+    'float b(float x);\nfloat a(float x) { return b(x); }\nfloat b(float x) { return a(x); }\n' +
+      body('return vec3(a(p.x));'),
+    2,
+    'calls itself',
+  ],
+  [body('for (;;) { } return p;'), 2, 'has not ended after 100000 iterations'],
+  [body('while (true) p.x += 1.; return p;'), 2, 'has not ended'],
+  [body('while (p.x < 1.) p.x += .1; return p;'), 2, 'depends on what only the shader knows'],
+  [
+    body('for (int i = 0; i < 60000; i++) for (int j = 0; j < 60000; j++) p.x += 1.; return p;'),
+    2,
+    'a million steps',
+  ],
+  [body('break; return p;'), 2, 'outside of a loop'],
+  [body('if (true) continue; return p;'), 2, 'outside of a loop'],
+  [body('case 1: return p;'), 2, 'outside of a switch'],
+  [body('switch (p.x) { case 1: break; } return p;'), 2, 'goes by an int'],
+  [body('switch (1) { p.x = 1.; } return p;'), 2, 'a case is missing'],
+  [body('switch (1) { case 1.: break; } return p;'), 2, 'a case needs a constant int'],
+  [body('switch (1) { default: break; default: break; } return p;'), 2, 'has a default already'],
+  [body('discard; return p;'), 2, 'discard is for fragments'],
+  [body('int i = int(p.x) << 3; return vec3(float(i));'), 2, 'only the shader knows these'],
+  [body('int i = int(p.x); return vec3(float(i * i));'), 2, 'may pass 2^24'],
+  [body('return dFdx(p);'), 2, 'has no place in a warp'],
+  // characters and numbers
+  ['\0', 1, 'no shader can hold (number 0)'],
+  [body('return p; \0'), 2, 'no shader can hold'],
+  [body('return p @ p;'), 2, 'no shader can hold: "@"'],
+  [body('return p * 1.0é;'), 2, 'no shader can hold'],
+  [body('return p * 08.0f5;'), 2, 'is no number'],
+  [body('return p * 1e99;'), 2, 'more than a float can hold'],
+  [body('int i = 99999999999; return p;'), 2, 'no whole number that 32 bits can hold'],
+  [body('int i = 0x; return p;'), 2, 'no whole number'],
+  [body('"text"; return p;'), 2, 'no shader can hold'],
+  // how deep
+  [body(`return ${nested('(', 'p', ')', 100_000)};`), 2, 'nested more than 128 deep'],
+  [body(`return ${'-'.repeat(50_001)}p;`.replaceAll('--', '- -')), 2, 'nested more than 128 deep'],
+  [body(nested('{', '', '}', 50_000)), 2, 'nested more than 128 deep'],
+  [body(`return ${nested('sin(', 'p', ')', 30_000)};`), 2, 'nested more than 128 deep'],
+  [body(`return ${'p.x > 0. ? p : '.repeat(20_000)}p;`), 2, 'nested'],
+  [body(`p.x = ${'p.x = '.repeat(20_000)}1.;`), 2, 'nested more than 128 deep'],
+  [body(`${'if (p.x > 0.) '.repeat(20_000)} return p;`), 2, 'nested more than 128 deep'],
+  [body(`return p${'.xyz'.repeat(20_000)};`), 2, 'nested too deep'],
+  // the preprocessor
+  ['#if 1\n' + body('return p;'), 1, 'this #if has no #endif'],
+  ['#endif', 1, '#endif has no #if before it'],
+  ['#if 1\n#else\n#else\n#endif', 3, 'stands after #else'],
+  ['#if (1\n#endif', 1, 'a ) is missing'],
+  ['#if 1 / 0\n#endif', 1, 'divides by zero'],
+  [`#if ${nested('(', '1', ')', 5000)}\n#endif`, 1, 'nested more than 200 deep'],
+  ['#define', 1, '#define needs a name'],
+  ['#define F(1) 2', 1, 'must be names in ( )'],
+  ['#define GL_X 1', 1, "it is the language's"],
+  ['#define F(a, b) a\n' + body('return F(p);'), 3, 'takes 2 arguments'],
+  ['#error not today', 1, '#error: not today'],
+  ['#nonsense', 1, 'there is no directive #nonsense'],
+  ['#version 450', 1, 'the version must be 100 or 300 es'],
+  ['float x;\n#version 300 es', 2, 'must come before everything else'],
+  ['#line x', 1, '#line needs the number of a line'],
+  [
+    Array.from({ length: 30 }, (_, i) => `#define A${i + 1} A${i} A${i}`).join('\n') +
+      '\n#define A0 +\nA30',
+    32,
+    'too long once its macros are expanded',
+  ],
+]
+
+test('there are at least 100 of them', () => assert.ok(wrong.length >= 100, `${wrong.length}`))
+
+for (const [source, line, piece] of wrong)
+  test(`line ${line}: ${piece}`, () => {
+    assert.throws(
+      () => compileWarp(glslOffset(source)),
+      (error) => {
+        assert.ok(error instanceof WarpError, error.stack)
+        const [first, ...rest] = error.message.split('\n')
+        assert.match(first, new RegExp(`^glslOffset: line ${line}, column [0-9]+: .*\\.$`))
+        assert.ok(first.includes(piece), first)
+        assert.equal(rest.length, 2)
+        assert.match(rest[1], /^\s*\^$/)
+        assert.ok(error.message.length < 600)
+        return true
+      },
+    )
+  })
+
+test('#line moves the number that is told, and the line that is shown stays', () => {
+  assert.throws(
+    () => glslOffset('#line 70\nfloat x = y;'),
+    /line 70, column 11: "y" is not declared\.\n {2}float x = y;\n {12}\^/,
+  )
+})
+
+test('what is no text, and wrong options', () => {
+  const good = 'vec3 offset(vec3 p) { return p; }'
+  assert.throws(() => glslOffset(5), /the source must be a text of GLSL, but is the number 5/)
+  assert.throws(() => glslOffset(''), /the source has no function/)
+  assert.throws(
+    () => glslOffset(good, { function: 'other' }),
+    /no function "other"; there are offset/,
+  )
+  assert.throws(() => glslOffset(good, { returns: 'colour' }), /"returns" must be/)
+  assert.throws(() => glslOffset(good, { maxIterations: 0 }), /whole number from 1 to 4096/)
+  assert.throws(() => glslOffset(good, { depth: 1 }), /there is no option "depth"/)
+  assert.throws(() => glslOffset('float offset(vec3 p) { return 1.; }'), /must give a vec3/)
+  assert.throws(
+    () => glslOffset('vec3 offset(float speed) { return vec3(speed); }'),
+    /nothing gives the parameter speed/,
+  )
+  assert.throws(
+    () => glslOffset('vec3 offset(vec3 uv) { return uv; }'),
+    /uv of offset is a vec3, but uv is a vec2/,
+  )
+  assert.throws(() => glslOffset('vec3 offset(out vec3 p) { p = vec3(1.); return p; }'), /is out/)
+  assert.throws(
+    () => differentiate('float f(vec3 p) { return p.x; }', { by: 'q' }),
+    /must be a parameter of f, one of p/,
+  )
+  assert.throws(() => differentiate('float f(vec4 p) { return p.x; }'), /five numbers/)
+  assert.throws(() => differentiate('float f(int i) { return 1.; }'), /only a float or a vector/)
+  const other = compileWarp(
+    glslOffset('uniform vec2 amount; vec3 offset(vec3 p) { return vec3(amount, 0.); }'),
+    { uniforms: { amount: [1, 2] } },
+  )
+  assert.ok(other.code)
+  assert.throws(
+    () =>
+      compileWarp(
+        glslOffset('uniform vec2 amount; vec3 offset(vec3 p) { return vec3(amount, 0.); }'),
+        { uniforms: { amount: 1 } },
+      ),
+    /amount is a vec2 in the text, but a single number/,
+  )
+})
+
+test('random bytes and random tokens end in a sentence or a warp', () => {
+  let state = 12345
+  const random = (n) => (state = (state * 1103515245 + 12345) % 2147483648) % n
+  const pieces =
+    'vec3 offset ( ) { } return p ; . x float int = + - * / if else for while [ ] , 1.0 1 < # define \n struct const uniform switch case : ? mat3 sin out'.split(
+      ' ',
+    )
+  for (let i = 0; i < 1500; i++) {
+    const text = Array.from({ length: random(40) }, () => pieces[random(pieces.length)]).join(' ')
+    try {
+      glslOffset(i % 2 ? text : body(text))
+    } catch (error) {
+      if (!(error instanceof WarpError)) throw new Error(`${error.stack}\n${text}`)
+    }
+  }
+})

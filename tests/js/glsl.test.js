@@ -1,0 +1,104 @@
+// Shader text as offset functions: values by hand, on the CPU and as text.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compileWarp } from 'warpjet'
+import { glslOffset } from 'warpjet/glsl'
+
+const at = (source, position, options = {}, others = {}) =>
+  compileWarp(glslOffset(source, options), { surfaceVariation: false, ...others }).evaluateAt(
+    position,
+    { normal: [0, 1, 0], ...others.given },
+  )
+
+const near = (got, wanted, tolerance = 1e-5) =>
+  Array.from(wanted).forEach((value, i) =>
+    assert.ok(Math.abs(got[i] - value) <= tolerance, `${Array.from(got)} is not ${wanted}`),
+  )
+
+/** What an offset of this body gives at a point. */
+const offsetOf = (body, position = [1, 2, 3], above = '') => {
+  const { position: moved } = at(`${above}\nvec3 offset(vec3 p) { ${body} }`, position)
+  return Array.from(moved, (x, i) => x - position[i])
+}
+
+test('a text is an offset function', () => {
+  const { position, normal } = at(
+    'vec3 offset(vec3 p) { return vec3(0., sin(p.x), 0.); }',
+    [1, 0, 0],
+  )
+  near(position, [1, Math.sin(1), 0])
+  const slope = Math.cos(1)
+  near(normal, [-slope / Math.hypot(1, slope), 1 / Math.hypot(1, slope), 0])
+})
+
+test('it is written in every language', () => {
+  const offset = glslOffset('vec3 offset(vec3 p) { return vec3(0., sin(p.x), 0.); }')
+  for (const target of ['glsl300', 'glsl100', 'wgsl'])
+    assert.match(compileWarp(offset, { target }).code, /sin\(position\.x\)/)
+})
+
+test('statements, by hand', () => {
+  near(
+    offsetOf('float s = 0.; for (int i = 0; i < 4; i++) s += float(i); return vec3(s);'),
+    [6, 6, 6],
+  )
+  near(offsetOf('vec3 q = p; q.zx = q.xz + 1.; q.y *= 2.; return q;'), [4, 4, 2])
+  near(offsetOf('if (p.x > 2.) return vec3(1.); return vec3(2.);'), [2, 2, 2])
+  near(offsetOf('if (p.x < 2.) return vec3(1.); return vec3(2.);'), [1, 1, 1])
+  near(
+    offsetOf(
+      'int n = 0; for (int i = 0; i < 10; i++) { if (i == 2) continue; if (float(i) > p.z) break; n += i; } return vec3(n);',
+    ),
+    [4, 4, 4],
+  )
+  near(offsetOf('int i = 0; do { i++; } while (i < 5); return vec3(i);'), [5, 5, 5])
+  near(
+    offsetOf(
+      'int k = int(p.y); float x = 0.; switch (k) { case 1: x = 1.; case 2: x += 2.; case 3: x += 3.; break; default: x = 9.; } return vec3(x);',
+    ),
+    [5, 5, 5],
+  )
+  near(
+    offsetOf('float t[3] = float[](5., 6., 7.); t[int(p.x)] = 1.; return vec3(t[0], t[1], t[2]);'),
+    [5, 1, 7],
+  )
+})
+
+test('functions, overloads and what they write', () => {
+  const above = `
+    float twice(float x) { return 2. * x; }
+    vec2 twice(vec2 x) { return 2. * x; }
+    void swap(inout float a, inout float b) { float c = a; a = b; b = c; }
+    void split(vec3 v, out float low, out float high) { low = min(v.x, v.y); high = max(v.x, v.y); }
+    struct Wave { float height; vec2 way; };
+    Wave wave(float h) { return Wave(h, vec2(1., 2.)); }`
+  near(offsetOf('return vec3(twice(p.x), twice(p.yz));', [1, 2, 3], above), [2, 4, 6])
+  near(offsetOf('swap(p.x, p.z); return p;', [1, 2, 3], above), [3, 2, 1])
+  near(offsetOf('float a, b; split(p, a, b); return vec3(a, b, 0.);', [4, 2, 3], above), [2, 4, 0])
+  near(
+    offsetOf('Wave w = wave(p.x); w.way.y += 1.; return vec3(w.height, w.way);', [7, 0, 0], above),
+    [7, 1, 3],
+  )
+})
+
+test('uniforms and inputs by name', () => {
+  const source = `uniform float amount; uniform vec2 way;
+    vec3 offset(vec3 position, float millis) { return vec3(way * amount, millis); }`
+  const warp = compileWarp(glslOffset(source), { uniforms: { amount: 0.5, way: [1, 2] } })
+  const { position } = warp.evaluateAt([0, 0, 0], {
+    normal: [0, 1, 0],
+    uniforms: { millis: 3, amount: 2 },
+  })
+  near(position, [2, 4, 3])
+  assert.deepEqual(
+    compileWarp(glslOffset(source)).uniforms.map(({ name, type }) => `${type} ${name}`),
+    ['float millis', 'float amount', 'vec2 way'],
+  )
+})
+
+test('a function that gives the moved position', () => {
+  const { position } = at('vec3 moved(vec3 p) { return p * 2.; }', [1, 2, 3], {
+    returns: 'position',
+  })
+  near(position, [2, 4, 6])
+})
