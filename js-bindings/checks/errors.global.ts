@@ -1,11 +1,13 @@
 /**
- * `errors.ts` for the script of deformers, which stands beside the one that holds the compiler: both throw one class, so
+ * `errors.ts` for scripts that stand beside the one that holds the compiler: all throw one class, so
  * that `instanceof` holds.
  */
 export { describe, describeShape, shorten } from './describe.js'
 
 const { warpjet } = globalThis as { warpjet?: typeof import('../global.js') }
 if (!warpjet?.WarpError)
-  throw new Error('warpjet.deformers.min.js needs the script p5.warpjet.min.js in a tag before it.')
+  throw new Error(
+    'This script of warpjet needs another one, p5.warpjet.min.js, in a tag before it.',
+  )
 
 export const { WarpError } = warpjet

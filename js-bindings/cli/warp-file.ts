@@ -96,10 +96,15 @@ export async function blame<Result>(file: string, work: () => Result): Promise<R
   try {
     return work()
   } catch (error) {
-    if (error instanceof WarpError) throw error
+    if (error instanceof WarpError) {
+      const line = lineOf(file, error)
+      throw line ? new WarpError(`${error.message} (${file}, line ${line})`) : error
+    }
     if (!(error instanceof Error)) throw new WarpError(`${file} throws ${describe(error)}.`)
     const { name, message } = error
-    throw new WarpError(`${file}: ${name}: ${message.split('\n')[0]}${lineOf(file, error)}`)
+    const line = lineOf(file, error)
+    const place = line && ` (line ${line})`
+    throw new WarpError(`${file}: ${name}: ${message.split('\n')[0]}${place}`)
   }
 }
 
@@ -107,5 +112,5 @@ function lineOf(file: string, { stack = '' }: Error): string {
   const url = pathToFileURL(resolve(file)).href
   const at = stack.indexOf(url)
   const [, line] = at < 0 ? [] : (/^:(\d+)/.exec(stack.slice(at + url.length)) ?? [])
-  return line ? ` (line ${line})` : ''
+  return line ?? ''
 }

@@ -16,6 +16,7 @@ const casesOf = (group) => cases.filter((operation) => operation.group === group
 
 /** tests/js and tests/browser have files of their own for these. */
 const functions = [
+  'source',
   'texture',
   'noise',
   'simplex',

@@ -38,7 +38,19 @@ test('the package holds what a user needs and nothing else', () => {
     'package.json',
     'web/gallery.png',
   ])
-  const modules = ['warpjet', 'text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli', 'three', 'three.webgpu', 'react']
+  const modules = [
+    'warpjet',
+    'text',
+    'p5',
+    'p5.browser',
+    'autodiff',
+    'mesh',
+    'deformers',
+    'cli',
+    'three',
+    'three.webgpu',
+    'react',
+  ]
   const single = [
     'warpjet.min',
     'mesh.min',
@@ -73,7 +85,17 @@ test('every entry loads in Node, without a DOM and without p5', async () => {
 
 test('require loads every entry, in the versions of Node that package.json names', () => {
   const require = createRequire(import.meta.url)
-  for (const entry of ['', '/text', '/p5', '/autodiff', '/mesh', '/deformers', '/three', '/three/webgpu', '/react'])
+  for (const entry of [
+    '',
+    '/text',
+    '/p5',
+    '/autodiff',
+    '/mesh',
+    '/deformers',
+    '/three',
+    '/three/webgpu',
+    '/react',
+  ])
     assert.ok(Object.keys(require(`warpjet${entry}`)).length, entry)
   // The first of each line that has require for modules.
   const { engines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
