@@ -9,8 +9,7 @@ Lowering::Value Lowering::evaluate(Number number) {
   ++depth_;
   Value value = evaluateInner(node);
   --depth_;
-  if (!recorder_.refusal().empty())
-    problems_.add(node.place, std::string(recorder_.refusal()));
+  if (!recorder_.refusal().empty()) problems_.add(node.place, std::string(recorder_.refusal()));
   return problems_.any() ? undefined(node.type) : value;
 }
 
