@@ -19,7 +19,7 @@ const { version, license } = JSON.parse(read('package.json'))
 
 /** The beginning of each wasm as text, by which one knows a file that has it. */
 const wasm = Object.fromEntries(
-  ['core', 'evaluation', 'mesh'].map((name) => {
+  ['core', 'evaluation', 'mesh', 'glsl'].map((name) => {
     const [, text] = /"text":"([^"]+)"/.exec(read(`js-bindings/generated/${name}-wasm.js`))
     assert.ok(text.length > 1000)
     return [name, text.slice(0, 200)]
@@ -35,7 +35,7 @@ const files = ['dist', 'dist/shared'].flatMap((folder) =>
 )
 
 test('files keep their names from one release to the next', () => {
-  const shared = ['basics', 'compiler', 'evaluation', 'meshes', 'p5-addon']
+  const shared = ['basics', 'compiler', 'evaluation', 'front-end', 'meshes', 'p5-addon']
   assert.deepEqual(
     files.filter((file) => file.startsWith('dist/shared/')),
     shared.map((name) => `dist/shared/${name}.js`),
@@ -63,7 +63,7 @@ test('every file says its version and licence, and where its code comes from', (
 
 test('the minified files keep the name of the class that errors have', () => {
   for (const file of files.filter((name) => name.endsWith('.min.js')))
-    if (file !== 'dist/warpjet.deformers.min.js')
+    if (!/warpjet\.(?:deformers|glsl)\.min\.js$/.test(file))
       assert.match(read(file), /\bWarpError=class extends Error/, file)
 })
 
@@ -100,9 +100,11 @@ describe('one loads what one uses', () => {
     'p5.browser': ['core'],
     mesh: ['mesh'],
     deformers: [],
+    glsl: ['core', 'glsl'],
     'p5.warpjet.min': ['core', 'evaluation'],
     'p5.warpjet.slim.min': ['core'],
     'warpjet.deformers.min': [],
+    'warpjet.glsl.min': ['glsl'],
     'warpjet.min': ['core', 'evaluation'],
     'mesh.min': ['mesh'],
   }))
