@@ -6,8 +6,6 @@ export { describe, describeShape, shorten } from './describe.js'
 
 const { warpjet } = globalThis as { warpjet?: typeof import('../global.js') }
 if (!warpjet?.WarpError)
-  throw new Error(
-    'This script of warpjet needs another one, p5.warpjet.min.js, in a tag before it.',
-  )
+  throw new Error('warpjet: the script p5.warpjet.min.js must stand in a tag before this one.')
 
 export const { WarpError } = warpjet

@@ -78,6 +78,6 @@ test('the second script says that it needs the first', async () => {
   )
   await leavePage(page)
   assert.deepEqual(messages, [
-    'uncaught: This script of warpjet needs another one, p5.warpjet.min.js, in a tag before it.',
+    'uncaught: warpjet: the script p5.warpjet.min.js must stand in a tag before this one.',
   ])
 })

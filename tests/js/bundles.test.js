@@ -20,7 +20,7 @@ const { version, license } = JSON.parse(read('package.json'))
 
 /** The beginning of each wasm as text, by which one knows a file that has it. */
 const wasm = Object.fromEntries(
-  ['core', 'evaluation', 'mesh'].map((name) => {
+  ['core', 'evaluation', 'mesh', 'glsl'].map((name) => {
     const [, text] = /"text":"([^"]+)"/.exec(read(`js-bindings/generated/${name}-wasm.js`))
     assert.ok(text.length > 1000)
     return [name, text.slice(0, 200)]
@@ -72,7 +72,7 @@ test('every file says its version and licence, and where its code comes from', (
 
 test('the minified files keep the name of the class that errors have', () => {
   for (const file of files.filter((name) => name.endsWith('.min.js')))
-    if (!['dist/warpjet.deformers.min.js', 'dist/warpjet.glsl.min.js'].includes(file))
+    if (!/warpjet\.(?:deformers|glsl)\.min\.js$/.test(file))
       assert.match(read(file), /\bWarpError=class extends Error/, file)
 })
 
@@ -111,9 +111,11 @@ describe('one loads what one uses', () => {
     deformers: [],
     three: ['core', 'evaluation'],
     'three.webgpu': ['core', 'evaluation'],
+    glsl: ['core', 'glsl'],
     'p5.warpjet.min': ['core', 'evaluation'],
     'p5.warpjet.slim.min': ['core'],
     'warpjet.deformers.min': [],
+    'warpjet.glsl.min': ['glsl'],
     'warpjet.min': ['core', 'evaluation'],
     'mesh.min': ['mesh'],
   }))
