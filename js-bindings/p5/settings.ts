@@ -26,9 +26,7 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   /** GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. */
   defs?: string
   /**
-   * How normal and uv vary over the surface, for an offset that depends on them: left out, it counts for shapes that
-   * `addSurfaceVariation` told it of, and a note says so if there are none; `false`: they count as constant. p5 1.11
-   * knows nothing else.
+   * Normal and uv vary over a surface, and so turns the light of an offset that depends on them; `false`: they count as constant.
    */
   surfaceVariation?: boolean
   /**

@@ -156,7 +156,7 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
       scenes: Object.fromEntries(
         stress.map(({ name }, i) => [
           name,
-          `lights(); warps.all[${i}](); fill('coral'); sphere(60, 60, 40)`,
+          `camera(300, -100, 740, 0, 0, 0, 0, 1, 0); lights(); warps.all[${i}](); fill('coral'); sphere(60, 60, 40)`,
         ]),
       ),
       tolerance: 12,
@@ -166,7 +166,8 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
 
 test('on WEBGPU a WarpError says what is wrong', async () => {
   const cases = {
-    'createWarp(still, { surfaceVariation: true })': /surfaceVariation/,
+    'createWarp(({ normal, uv }) => normal.mult(uv.x.mult(uv.y).sin()), {})()':
+      /on WEBGPU an offset that depends on both normal and uv/,
     [`createWarp(still, { defs: 'uniform float size;' })`]:
       /defs.*WGSL.*uniforms: \{ size: 0\.5 \}/,
     'createWarp(({ glsl }) => glsl.vec3(glsl.param("size"), 0, 0))': /uniforms/,
