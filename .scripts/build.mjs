@@ -21,12 +21,20 @@ const compiled = ['mesh.mjs', ...inlined.map((name) => `${name}.wasm`)].map(
   (name) => `.build/wasm/${name}`,
 )
 
-const shared = ['text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli']
-const single = ['warpjet', 'mesh', 'p5.warpjet', 'p5.warpjet.slim', 'warpjet.deformers']
+const operators = ['operators', 'operators-runtime', 'operators-plugin']
+const shared = ['text', 'p5', 'p5.browser', 'autodiff', 'mesh', 'deformers', 'cli', ...operators]
+const single = [
+  'warpjet',
+  'mesh',
+  'p5.warpjet',
+  'p5.warpjet.slim',
+  'warpjet.deformers',
+  'warpjet.operators',
+]
 const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,
 )
-const entries = ['index', ...shared, 'p5.global', 'deformers.global'].map(
+const entries = ['index', ...shared, 'p5.global', 'deformers.global', 'operators.global'].map(
   (name) => `js-bindings/${name}.ts`,
 )
 

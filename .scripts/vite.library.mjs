@@ -53,6 +53,8 @@ const sharedFiles = [
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
   { name: 'p5-addon', test: /\/js-bindings\/p5\// },
+  { name: 'operating', test: /\/js-bindings\/operators\/runtime\.ts$/ },
+  { name: 'translating', test: /\/js-bindings\/operators\/|\/node_modules\/acorn\// },
 ]
 
 export const modules = settings(
@@ -66,6 +68,9 @@ export const modules = settings(
       mesh: path('js-bindings/mesh.ts'),
       deformers: path('js-bindings/deformers.ts'),
       cli: path('js-bindings/cli.ts'),
+      operators: path('js-bindings/operators.ts'),
+      'operators-runtime': path('js-bindings/operators-runtime.ts'),
+      'operators-plugin': path('js-bindings/operators-plugin.ts'),
       memory: path('js-bindings/memory.ts'),
     },
     formats: ['es'],
@@ -110,6 +115,16 @@ const p5Script = (fileName, alias = []) =>
     define: { meshIntegrity: JSON.stringify(integrityOf('dist/mesh.min.js')) },
   })
 
+/** A script that stands beside the one with the compiler, and throws its errors. */
+const beside = (entry, fileName) =>
+  single(entry, fileName, 'iife', {
+    resolve: {
+      alias: [
+        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
+      ],
+    },
+  })
+
 /** Files for <script> tags, when those modules are there. */
 export const scripts = () => [
   p5Script('p5.warpjet.min.js'),
@@ -120,13 +135,8 @@ export const scripts = () => [
       replacement: path('js-bindings/compile/compile-warp-text.ts'),
     },
   ]),
-  single('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js', 'iife', {
-    resolve: {
-      alias: [
-        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
-      ],
-    },
-  }),
+  beside('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js'),
+  beside('js-bindings/operators.global.ts', 'warpjet.operators.min.js'),
 ]
 
 const integrityOf = (file) =>

@@ -5,7 +5,17 @@ import { run } from './run.mjs'
 
 const written = '.build/types'
 
-const entries = ['index', 'text', 'p5', 'autodiff', 'mesh', 'deformers']
+const entries = [
+  'index',
+  'text',
+  'p5',
+  'autodiff',
+  'mesh',
+  'deformers',
+  'operators',
+  'operators-runtime',
+  'operators-plugin',
+]
 
 /** Only names what the entries export. */
 const globals = 'globals.d.ts'

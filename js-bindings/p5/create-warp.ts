@@ -78,11 +78,26 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
     })
 }
 
+/** Under which 'warpjet/operators' stands, where a page has it. */
+const operators = Symbol.for('warpjet.operators')
+
+function withoutOperators(offset: OffsetFunction, scope?: object): OffsetFunction {
+  if (!scope) return offset
+  throw new WarpError(
+    'createWarp: the option "scope" is for functions with operators; add the script warpjet.operators.min.js, or import \'warpjet/operators\'.',
+  )
+}
+
 /** It reads its uniforms by the names that they have in the shader. */
-function offsetFor(given: OffsetFunction, { uniforms, returns }: WarpSettings): OffsetFunction {
+function offsetFor(
+  given: OffsetFunction,
+  { uniforms, returns, scope }: WarpSettings,
+): OffsetFunction {
   checkCallback('createWarp', given)
+  const read = (globalThis as { [operators]?: typeof withoutOperators })[operators]
+  const readable = (read ?? withoutOperators)(given, scope)
   const labels = labelsOf(uniforms)
-  const offset = withUniforms('createWarp', given, uniforms, (name) => labels.get(name)!)
+  const offset = withUniforms('createWarp', readable, uniforms, (name) => labels.get(name)!)
   if (returns === 'offset') return offset
   return (inputs) => {
     const place = offset(inputs)

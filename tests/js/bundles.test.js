@@ -35,7 +35,15 @@ const files = ['dist', 'dist/shared'].flatMap((folder) =>
 )
 
 test('files keep their names from one release to the next', () => {
-  const shared = ['basics', 'compiler', 'evaluation', 'meshes', 'p5-addon']
+  const shared = [
+    'basics',
+    'compiler',
+    'evaluation',
+    'meshes',
+    'operating',
+    'p5-addon',
+    'translating',
+  ]
   assert.deepEqual(
     files.filter((file) => file.startsWith('dist/shared/')),
     shared.map((name) => `dist/shared/${name}.js`),
@@ -63,7 +71,7 @@ test('every file says its version and licence, and where its code comes from', (
 
 test('the minified files keep the name of the class that errors have', () => {
   for (const file of files.filter((name) => name.endsWith('.min.js')))
-    if (file !== 'dist/warpjet.deformers.min.js')
+    if (!/warpjet\.(deformers|operators)\.min\.js$/.test(file))
       assert.match(read(file), /\bWarpError=class extends Error/, file)
 })
 
@@ -100,9 +108,13 @@ describe('one loads what one uses', () => {
     'p5.browser': ['core'],
     mesh: ['mesh'],
     deformers: [],
+    operators: [],
+    'operators-runtime': [],
+    'operators-plugin': [],
     'p5.warpjet.min': ['core', 'evaluation'],
     'p5.warpjet.slim.min': ['core'],
     'warpjet.deformers.min': [],
+    'warpjet.operators.min': [],
     'warpjet.min': ['core', 'evaluation'],
     'mesh.min': ['mesh'],
   }))
@@ -161,8 +173,9 @@ test('a bundle for text alone has no evaluation, and says where it is', async ()
     })
 })
 
+// What translates names import(…) in sentences of its parser.
 test('no module imports what a bundler cannot follow', () => {
-  for (const file of files.filter((name) => !/cli\.js$|min\.js$/.test(name)))
+  for (const file of files.filter((name) => !/cli\.js$|min\.js$|translating\.js$/.test(name)))
     for (const [, asked] of read(file).matchAll(/\bimport\s*\(([^)]*)\)/g))
       assert.match(asked, /^(["'])(\.\.\/mesh\.js|https:.*)\1$/, file)
 })
