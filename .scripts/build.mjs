@@ -21,6 +21,7 @@ const compiled = ['mesh.mjs', ...inlined.map((name) => `${name}.wasm`)].map(
   (name) => `.build/wasm/${name}`,
 )
 
+const operators = ['operators', 'operators-runtime', 'operators-plugin']
 const shared = [
   'text',
   'p5',
@@ -33,6 +34,7 @@ const shared = [
   'three.webgpu',
   'react',
   'cli',
+  ...operators,
 ]
 const single = [
   'warpjet',
@@ -41,13 +43,16 @@ const single = [
   'p5.warpjet',
   'p5.warpjet.slim',
   'warpjet.deformers',
+  'warpjet.operators',
 ]
 const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
   (name) => `dist/${name}.js`,
 )
-const entries = ['index', ...shared, 'p5.global', 'deformers.global', 'glsl.global'].map(
-  (name) => `js-bindings/${name}.ts`,
-)
+const entries = [
+  'index',
+  ...shared,
+  ...['p5', 'deformers', 'glsl', 'operators'].map((name) => `${name}.global`),
+].map((name) => `js-bindings/${name}.ts`)
 
 export const build = () => locked(buildAll)
 

@@ -58,6 +58,8 @@ const sharedFiles = [
   },
   { name: 'p5-addon', test: /\/js-bindings\/p5\// },
   { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu)/ },
+  { name: 'operating', test: /\/js-bindings\/operators\/runtime\.ts$/ },
+  { name: 'translating', test: /\/js-bindings\/operators\/|\/node_modules\/acorn\// },
 ]
 
 export const modules = settings(
@@ -75,6 +77,9 @@ export const modules = settings(
       'three.webgpu': path('js-bindings/three.webgpu.ts'),
       react: path('js-bindings/react.ts'),
       cli: path('js-bindings/cli.ts'),
+      operators: path('js-bindings/operators.ts'),
+      'operators-runtime': path('js-bindings/operators-runtime.ts'),
+      'operators-plugin': path('js-bindings/operators-plugin.ts'),
       memory: path('js-bindings/memory.ts'),
     },
     formats: ['es'],
@@ -119,6 +124,16 @@ const p5Script = (fileName, alias = []) =>
     define: { meshIntegrity: JSON.stringify(integrityOf('dist/mesh.min.js')) },
   })
 
+/** A script that stands beside the one with the compiler, and throws its errors. */
+const beside = (entry, fileName) =>
+  single(entry, fileName, 'iife', {
+    resolve: {
+      alias: [
+        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
+      ],
+    },
+  })
+
 /** Files for <script> tags, when those modules are there. */
 export const scripts = () => [
   p5Script('p5.warpjet.min.js'),
@@ -141,13 +156,8 @@ export const scripts = () => [
       ],
     },
   }),
-  single('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js', 'iife', {
-    resolve: {
-      alias: [
-        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
-      ],
-    },
-  }),
+  beside('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js'),
+  beside('js-bindings/operators.global.ts', 'warpjet.operators.min.js'),
 ]
 
 const integrityOf = (file) =>

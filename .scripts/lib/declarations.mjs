@@ -16,6 +16,9 @@ const entries = [
   'three',
   'three.webgpu',
   'react',
+  'operators',
+  'operators-runtime',
+  'operators-plugin',
 ]
 
 /** Only names what the entries export. */

@@ -18,6 +18,7 @@ import {
   fillModel,
 } from './load-model.js'
 import type { CreateWarpOptions } from './settings.js'
+import { giveArrays } from './variation-buffers.js'
 import { addSurfaceVariation } from './add-surface-variation.js'
 
 /**
@@ -99,6 +100,7 @@ export function warpjet(p5: object, _fn?: object, lifecycles?: { remove?: unknow
 
   for (const methods of [host.prototype, host.Graphics.prototype]) addMethods(methods)
   addLoading(host, !lifecycles)
+  giveArrays(host.Geometry as never)
   if (lifecycles) lifecycles.remove = sketchRemoved
   else host.prototype.registerMethod?.('remove', sketchRemoved)
 }

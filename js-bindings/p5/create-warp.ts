@@ -2,7 +2,6 @@
 import { type KeptWarp, keepWarp, readOptions as readWarpOptions } from '../compile/warp-text.js'
 import { isExpression } from '../checks/describe.js'
 import { WarpError, describe } from '../checks/errors.js'
-import { noteApproximation } from '../checks/notes.js'
 import { guarded } from './guards.js'
 import { namesFor } from './hooks.js'
 import { located } from './places.js'
@@ -22,7 +21,7 @@ import { checkCallback } from '../checks/options.js'
 import type { OffsetFunction, UniformOverrides } from '../types/types.js'
 import { withUniforms } from '../inputs/declared-uniforms.js'
 import { type WarpUniforms, labelsOf, setInputs, setUniforms } from './sketch-uniforms.js'
-import { noteUnlessUsed } from './add-surface-variation.js'
+import { prepareBuffers } from './variation-buffers.js'
 
 /**
  * Puts the warp on what is drawn next: fills, and strokes as the option `stroke` says. Values of the option `uniforms` may be
@@ -59,7 +58,7 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
 
     const isNormal = drawsNormals(renderer)
     const shader = written.shaderFor(settings.type ?? (isNormal ? 'normal' : 'specular'))
-    if (written.varies && settings.surfaceVariation === undefined) noteUnlessUsed()
+    if (written.varies) prepareBuffers(renderer)
     canvas.shader(shader)
     if (isNormal) rememberNormals(renderer, shader)
     for (const each of [shader, ...putOnStrokes(canvas, settings, written.moving)]) {
@@ -79,11 +78,26 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
     })
 }
 
+/** Under which 'warpjet/operators' stands, where a page has it. */
+const operators = Symbol.for('warpjet.operators')
+
+function withoutOperators(offset: OffsetFunction, scope?: object): OffsetFunction {
+  if (!scope) return offset
+  throw new WarpError(
+    'createWarp: the option "scope" is for functions with operators; add the script warpjet.operators.min.js, or import \'warpjet/operators\'.',
+  )
+}
+
 /** It reads its uniforms by the names that they have in the shader. */
-function offsetFor(given: OffsetFunction, { uniforms, returns }: WarpSettings): OffsetFunction {
+function offsetFor(
+  given: OffsetFunction,
+  { uniforms, returns, scope }: WarpSettings,
+): OffsetFunction {
   checkCallback('createWarp', given)
+  const read = (globalThis as { [operators]?: typeof withoutOperators })[operators]
+  const readable = (read ?? withoutOperators)(given, scope)
   const labels = labelsOf(uniforms)
-  const offset = withUniforms('createWarp', given, uniforms, (name) => labels.get(name)!)
+  const offset = withUniforms('createWarp', readable, uniforms, (name) => labels.get(name)!)
   if (returns === 'offset') return offset
   return (inputs) => {
     const place = offset(inputs)
@@ -98,17 +112,13 @@ function keepFor(
   { surfaceVariation, stroke }: WarpSettings,
 ): KeptWarp {
   const { style } = styleFor(canvas)
-  if (surfaceVariation && !style.hasVariation)
-    throw new WarpError('createWarp: surfaceVariation needs p5 2 and WEBGL; leave it out.')
   const settings = readWarpOptions('createWarp', offset, {
     target: targetOf(rendererOf(canvas)!),
     names: namesFor(style),
     outputs: { offset: results.offset, position: results.position, normal: results.normal },
-    surfaceVariation: surfaceVariation ?? (style.hasVariation || undefined),
+    surfaceVariation: surfaceVariation ?? true,
   })
-  const warp = keepWarp(offset, settings, { moves: stroke !== false })
-  if (warp.isApproximate) noteApproximation('createWarp', 'addSurfaceVariation(shape) on p5 2')
-  return warp
+  return keepWarp(offset, settings, { moves: stroke !== false })
 }
 
 /**

@@ -28,7 +28,8 @@ export const namesFor = ({ names }: HookStyle) => ({
 /** p5's shader `base` with the warp in it. */
 export function weave(base: Shader, style: HookStyle, woven: Woven, type: WarpType): Shader {
   const shader = base.modify(style.fill(woven, type, base))
-  if (readsVariation(woven.text)) forgetLastShape(shader)
+  style.finish?.(shader, woven)
+  if (readsVariation(woven.text) && shader._renderer?.GL) forgetLastShape(shader)
   // p5 1.11 draws with a shader of its own in place of one that looks unlit under lights or untextured under texture().
   return Object.assign(shader, { isLightShader: () => true, isTextureShader: () => true })
 }

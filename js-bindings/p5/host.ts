@@ -66,6 +66,12 @@ export interface Renderer extends MaterialState {
   /** On 1.11. */
   readonly _doStroke?: boolean
   _getPointShader?(): Shader
+  /** What shapes hand to shaders: on 2.x, and on 1.11 for shapes that p5 keeps. */
+  readonly buffers?: { readonly fill: object[] }
+  readonly retainedMode?: {
+    readonly buffers: { readonly fill: object[] }
+    readonly geometry: Record<string, { readonly model?: unknown }>
+  }
 }
 
 /** Something a sketch draws on: the sketch itself or a p5.Graphics. */

@@ -8,18 +8,32 @@ const isOfP5 = (file: string) =>
 
 let ours: string | undefined
 
+/** Of a function that `new Function` makes. */
+const linesBefore = 3
+
+const nameIn = (line: string) =>
+  fileOf(line)
+    .replace(/[?#].*$/, '')
+    .replace(/^.*\//, '') || 'the page'
+
 /** Such as `sketch.js, line 12`; nothing where the browser does not tell. */
 function placeOf(error: Error): string | undefined {
   ours ??= fileOf(stackLines()[0] ?? '')
-  const line = stackLines(error).find((each) => {
+  const isSketch = (each: string) => {
     const file = fileOf(each)
     return file !== ours && !isOfP5(file) && !/\/dist\/(?:shared\/)?[\w.-]+\.js$/.test(file)
-  })
+  }
+  const lines = stackLines(error)
+  const line = lines.find(isSketch)
   const [, number] = /:(\d+):\d+\)?$/.exec(line ?? '') ?? []
-  const name = fileOf(line ?? '')
-    .replace(/[?#].*$/, '')
-    .replace(/^.*\//, '')
-  return number && `${name || 'the page'}, line ${number}`
+  const isRemade = (each: string) => /warpjet-operators-\d+\.js/.test(each)
+  if (number && isRemade(line!)) {
+    // Counted from the beginning of the function, which stands where createWarp is called.
+    const call = lines.slice(lines.indexOf(line!)).find((each) => isSketch(each) && !isRemade(each))
+    const [, first] = /:(\d+):\d+\)?$/.exec(call ?? '') ?? []
+    return first && `${nameIn(call!)}, line ${+first + +number - linesBefore}`
+  }
+  return number && `${nameIn(line!)}, line ${number}`
 }
 
 /** As V8 has it. */

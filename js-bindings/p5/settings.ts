@@ -26,9 +26,7 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   /** GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. */
   defs?: string
   /**
-   * How normal and uv vary over the surface, for an offset that depends on them: left out, it counts for shapes that
-   * `addSurfaceVariation` told it of, and a note says so if there are none; `false`: they count as constant. p5 1.11
-   * knows nothing else.
+   * Normal and uv vary over a surface, and so turns the light of an offset that depends on them; `false`: they count as constant.
    */
   surfaceVariation?: boolean
   /**
@@ -41,6 +39,8 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    * `({ glsl, position }) => glsl.rotateY(1).mult(position)`.
    */
   returns?: 'offset' | 'position'
+  /** With 'warpjet/operators': variables of the sketch that the offset function reads, by name, as in `{ scope: { amount } }`. */
+  scope?: Readonly<Record<string, unknown>>
 }
 
 export interface WarpSettings {
@@ -51,6 +51,7 @@ export interface WarpSettings {
   readonly surfaceVariation: boolean | undefined
   readonly stroke: boolean | undefined
   readonly returns: 'offset' | 'position'
+  readonly scope: Readonly<Record<string, unknown>> | undefined
 }
 
 const types = ['specular', 'normal']
@@ -65,14 +66,27 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
     'surfaceVariation',
     'stroke',
     'returns',
+    'scope',
   ])
-  const { type, space = 'local', defs = '', surfaceVariation, stroke, returns = 'offset' } = options
+  const {
+    type,
+    space = 'local',
+    defs = '',
+    surfaceVariation,
+    stroke,
+    returns = 'offset',
+    scope,
+  } = options
   if (stroke !== undefined && typeof stroke !== 'boolean')
     throw new WarpError(
       `createWarp: the option "stroke" must be true or false, but is ${describe(stroke)}.`,
     )
   if (type !== undefined) mustBeOneOf('type', types, type)
   mustBeOneOf('space', spaces, space)
+  if (scope !== undefined && (typeof scope !== 'object' || scope === null || Array.isArray(scope)))
+    throw new WarpError(
+      `createWarp: the option "scope" must be an object of variables by name, as in { scope: { amount } }, but is ${describe(scope)}.`,
+    )
   mustBeOneOf('returns', ['offset', 'position'], returns)
   if (typeof defs !== 'string')
     throw new WarpError(
@@ -85,7 +99,7 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       throw new WarpError(
         `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
       )
-  return { uniforms, type, space, defs, surfaceVariation, stroke, returns }
+  return { uniforms, type, space, defs, surfaceVariation, stroke, returns, scope }
 }
 
 /** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */

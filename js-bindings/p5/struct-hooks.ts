@@ -1,7 +1,7 @@
 /** p5 2.x in WebGL: a vertex comes as one struct through a hook in each space. */
 import { type HookStyle, type Woven, glslDeclarations } from './styles.js'
 import { facingTheEye } from './facing.js'
-import { readsVariation, variationDeclarations, variationIn } from './add-surface-variation.js'
+import { readsVariation, turnedVariation, variationDeclarations } from './add-surface-variation.js'
 import type { WarpSpace } from './settings.js'
 
 const hookIn: Record<WarpSpace, string> = {
@@ -9,6 +9,9 @@ const hookIn: Record<WarpSpace, string> = {
   world: 'getWorldInputs',
   camera: 'getCameraInputs',
 }
+
+/** What turns normals from the shape's own space to another. */
+const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNormalMatrix' }
 
 /**
  * p5's normal shader normalizes at the end of main, hence the last word in `afterVertex`. Its lit shader does not
@@ -21,7 +24,6 @@ export const structHooks: HookStyle = {
     uv: 'warpjetInputs.texCoord',
     color: 'warpjetInputs.color',
   },
-  hasVariation: true,
   fill(woven, type) {
     const { text, space } = woven
     const varies = readsVariation(text)
@@ -32,7 +34,7 @@ export const structHooks: HookStyle = {
         varies && variationDeclarations,
       ),
       [`Vertex ${hookIn[space]}`]: `(Vertex warpjetInputs) {
-${varies ? variationIn(space) : ''}${text.code}
+${varies ? turnedVariation(normalMatrices[space]) : ''}${text.code}
   warpjetFlat = warpjetTurned == vec3(0.0);
   warpjetInputs.position = warpjetMoved;
   warpjetInputs.normal = warpjetTurned;

@@ -28,10 +28,10 @@ export interface Woven {
 
 export interface HookStyle {
   names: Record<'position' | 'normal' | 'uv' | 'color', string>
-  /** Whether shapes can tell how they vary. */
-  hasVariation: boolean
   /** The hooks that run a text and hand its `warpjetMoved` and `warpjetTurned` to p5. */
   fill(woven: Woven, type: WarpType, base: Shader): Modifications
+  /** What is beyond hooks. */
+  finish?(shader: Shader, woven: Woven): void
   /**
    * The same for lines, of `warpjetMoved` and `warpjetSlope`: each end of a line is moved, and the directions t in which lines
    * come and go are turned, to t + J t.

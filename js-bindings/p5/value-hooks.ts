@@ -6,6 +6,7 @@
  * `transpose` (so `v * V`) nor `mat3(V)` (so `vec4(n, 0.0)`).
  */
 import { facingTheEye } from './facing.js'
+import { readsVariation, turnedVariation, variationDeclarations } from './add-surface-variation.js'
 import type { WarpSpace } from './settings.js'
 import { type HookStyle, glslDeclarations } from './styles.js'
 
@@ -16,21 +17,22 @@ export const valueHooks: HookStyle = {
     uv: 'aTexCoord',
     color: '(uUseVertexColor ? aVertexColor : uMaterialColor)',
   },
-  hasVariation: false,
   fill(woven, type) {
     const { position, viewPosition } = positions[woven.space]
-    const { normal, viewNormal } = normals[woven.space]
+    const { normal, viewNormal, matrix } = normals[woven.space]
+    const varies = readsVariation(woven.text)
     return {
       // p5 gives its normal shader medium precision, too little for a warp where a phone takes that at its word.
       vertexDeclarations: glslDeclarations(
         woven,
         'precision highp float;\nvec3 warpjetNormal;',
         matrices(woven.space),
+        varies && variationDeclarations,
       ),
       'vec3 getWorldPosition': `(vec3 warpjetView) {
   vec3 warpjetPosition = ${position};
   warpjetNormal = ${normal};
-${woven.text.code}
+${varies ? turnedVariation(matrix) : ''}${woven.text.code}
   warpjetNormal = ${viewNormal};
   return ${viewPosition};
 }`,
@@ -113,10 +115,15 @@ const positions = {
 }
 
 const normals = {
-  local: { normal: 'aNormal', viewNormal: 'uNormalMatrix * warpjetTurned' },
+  local: { matrix: '', normal: 'aNormal', viewNormal: 'uNormalMatrix * warpjetTurned' },
   world: {
+    matrix: `mat3(${[0, 1, 2].map((i) => `(vec4(uNormalMatrix[${i}], 0.0) * uViewMatrix).xyz`).join(', ')})`,
     normal: '(vec4(uNormalMatrix * aNormal, 0.0) * uViewMatrix).xyz',
     viewNormal: '(uViewMatrix * vec4(warpjetTurned, 0.0)).xyz',
   },
-  camera: { normal: 'uNormalMatrix * aNormal', viewNormal: 'warpjetTurned' },
+  camera: {
+    matrix: 'uNormalMatrix',
+    normal: 'uNormalMatrix * aNormal',
+    viewNormal: 'warpjetTurned',
+  },
 }

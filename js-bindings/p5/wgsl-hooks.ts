@@ -2,6 +2,9 @@
  * p5 2.x on WebGPU: the hooks of WebGL in WGSL, where a parameter cannot be assigned and what `main` hands on is out of reach. So
  * the last hook keeps the normal in a varying of ours, and colours are worked out from that.
  */
+import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import { WarpError } from '../checks/errors.js'
+import { variationIn, variationVariables } from './add-surface-variation.js'
 import type { Declared } from '../module/result.js'
 import type { Modifications, Shader } from './host.js'
 import type { WarpSpace } from './settings.js'
@@ -31,13 +34,35 @@ export const wgslHooks: HookStyle = {
     uv: 'warpjetInputs.texCoord',
     color: 'warpjetInputs.color',
   },
-  hasVariation: false,
   fill: (woven, type, base) => ({
-    ...declarationsOf(woven, base, 'var<private> warpjetFlat: bool;'),
+    ...declarationsOf(
+      woven,
+      base,
+      'var<private> warpjetFlat: bool;',
+      ...attributesOf(woven).map((name) => `var<private> ${variationAttribute(name)}_: vec3<f32>;`),
+    ),
     varyingVariables: ['warpjetShown: vec3<f32>', 'warpjetSeen: vec3<f32>'],
     ...hooks('Vertex', fillHooks(woven)),
     ...(type === 'normal' ? colors : lit),
   }),
+  /** Attributes come in a struct, and hooks do not get them. */
+  finish(shader, woven) {
+    const names = attributesOf(woven)
+    if (names.length === 0) return
+    if (names.length > mostBuffers)
+      throw new WarpError(
+        'createWarp: on WEBGPU an offset that depends on both normal and uv has more attributes than a shader may; write it with one of them, or add the option { surfaceVariation: false }, which lets both count as constant.',
+      )
+    const fields = names.map(
+      (name, i) => `  @location(${4 + i}) ${variationAttribute(name)}: vec3<f32>,\n`,
+    )
+    const globals = names.map(
+      (name) => `  ${variationAttribute(name)}_ = input.${variationAttribute(name)};\n`,
+    )
+    shader._vertSrc = shader
+      ._vertSrc!.replace(/(struct VertexInput \{[^}]*)\}/, `$1${fields.join('')}}`)
+      .replace('HOOK_beforeVertex();', `${globals.join('')}  HOOK_beforeVertex();`)
+  },
   stroke: (woven, base) => ({
     ...declarationsOf(
       woven,
@@ -67,7 +92,7 @@ const colors = {
 }
 
 function fillHooks(woven: Woven): Record<string, string> {
-  const warp = `${runs(woven)}
+  const warp = `${variation(woven)}${runs(woven)}
   warpjetFlat = all(warpjetTurned == vec3<f32>());
   warpjetInputs.position = warpjetMoved;
   warpjetInputs.normal = warpjetTurned;\n`
@@ -76,6 +101,43 @@ function fillHooks(woven: Woven): Record<string, string> {
   if (!warpjetFlat) { warpjetShown = normalize(warpjetInputs.normal); }`
   const name = hookIn[woven.space]
   return { [name]: warp, getCameraInputs: woven.space === 'camera' ? warp + keep : keep }
+}
+
+/** Besides p5's four there may be four more. */
+const mostBuffers = 4
+
+const isOfNormal = (name: string) => name.startsWith('normal')
+
+/** What the text reads, and beyond a shape's own space all of the normal's, if it reads any. */
+function attributesOf({ text, space }: Woven) {
+  const read = variationIn(text)
+  const isWhole = space !== 'local' && read.some(isOfNormal)
+  return variationNames.filter((name) => read.includes(name) || (isWhole && isOfNormal(name)))
+}
+
+/** See `turnedVariation`. */
+function variation(woven: Woven) {
+  const { space } = woven
+  const names = attributesOf(woven)
+  if (names.length === 0) return ''
+  const given = (name: string) => `${variationAttribute(name)}_`
+  const matrix = { local: '', world: 'model.uModelNormalMatrix', camera: 'model.uNormalMatrix' }[
+    space
+  ]
+  const lines = names.map((name) => {
+    if (!matrix) return given(name)
+    if (!isOfNormal(name)) return `warpjetN * ${given(name)}`
+    const row = 'XYZ'.indexOf(name[6]!)
+    const all = ['X', 'Y', 'Z'].map((axis) => `normal${axis}Gradient`)
+    const sum = all
+      .map((each, i) => names.includes(each as never) && `${given(each)} * warpjetN[${i}][${row}]`)
+      .filter(Boolean)
+    return `warpjetN * (${sum.join(' + ')})`
+  })
+  return (
+    (matrix && `  let warpjetN = ${matrix};\n`) +
+    names.map((name, i) => `  let ${variationVariables[name]} = ${lines[i]};\n`).join('')
+  )
 }
 
 /** Hooks by their bodies. */

@@ -42,8 +42,10 @@ test('files keep their names from one release to the next', () => {
     'evaluation',
     'front-end',
     'meshes',
+    'operating',
     'p5-addon',
     'three-warp',
+    'translating',
   ]
   assert.deepEqual(
     files.filter((file) => file.startsWith('dist/shared/')),
@@ -72,7 +74,7 @@ test('every file says its version and licence, and where its code comes from', (
 
 test('the minified files keep the name of the class that errors have', () => {
   for (const file of files.filter((name) => name.endsWith('.min.js')))
-    if (!/warpjet\.(?:deformers|glsl)\.min\.js$/.test(file))
+    if (!/warpjet\.(?:deformers|glsl|operators)\.min\.js$/.test(file))
       assert.match(read(file), /\bWarpError=class extends Error/, file)
 })
 
@@ -112,10 +114,14 @@ describe('one loads what one uses', () => {
     three: ['core', 'evaluation'],
     'three.webgpu': ['core', 'evaluation'],
     glsl: ['core', 'glsl'],
+    operators: [],
+    'operators-runtime': [],
+    'operators-plugin': [],
     'p5.warpjet.min': ['core', 'evaluation'],
     'p5.warpjet.slim.min': ['core'],
     'warpjet.deformers.min': [],
     'warpjet.glsl.min': ['glsl'],
+    'warpjet.operators.min': [],
     'warpjet.min': ['core', 'evaluation'],
     'mesh.min': ['mesh'],
   }))
@@ -194,8 +200,9 @@ test('warpjet/three adds at most 12 KB to warpjet, and warpjet has nothing of it
   }
 })
 
+// What translates names import(…) in sentences of its parser.
 test('no module imports what a bundler cannot follow', () => {
-  for (const file of files.filter((name) => !/cli\.js$|min\.js$/.test(name)))
+  for (const file of files.filter((name) => !/cli\.js$|min\.js$|translating\.js$/.test(name)))
     for (const [, asked] of read(file).matchAll(/\bimport\s*\(([^)]*)\)/g))
       assert.match(asked, /^(["'])(\.\.\/mesh\.js|https:.*)\1$/, file)
 })

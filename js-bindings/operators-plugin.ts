@@ -1,0 +1,2 @@
+// 'warpjet/operators/plugin'.
+export { default, operators, translateModule } from './operators/plugin.js'

@@ -1,0 +1,2 @@
+// 'warpjet/operators/runtime': what translated modules import.
+export { withOperators } from './operators/runtime.js'

@@ -1,0 +1,134 @@
+// What operators mean where an expression is among their operands; numbers among numbers stay numbers.
+import { isExpression } from '../checks/describe.js'
+import { WarpError } from '../checks/errors.js'
+import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
+
+type Glsl = Record<string, (...operands: unknown[]) => unknown>
+type Thunk = () => unknown
+
+const symbols: Record<string, (a: never, b: never) => unknown> = {
+  add: (a: number, b: number) => a + b,
+  sub: (a: number, b: number) => a - b,
+  mult: (a: number, b: number) => a * b,
+  div: (a: number, b: number) => a / b,
+  mod: (a: number, b: number) => a % b,
+  pow: (a: number, b: number) => a ** b,
+  lt: (a: number, b: number) => a < b,
+  le: (a: number, b: number) => a <= b,
+  gt: (a: number, b: number) => a > b,
+  ge: (a: number, b: number) => a >= b,
+  eq: (a: unknown, b: unknown) => a === b,
+  ne: (a: unknown, b: unknown) => a !== b,
+}
+
+/** Of p5 and Math, by what they are of expressions; others have one name. */
+const functions: Record<string, (glsl: Glsl, ...x: unknown[]) => unknown> = {
+  atan2: (glsl, y, x) => glsl.atan!(y, x),
+  hypot: (glsl, ...x) => glsl.length!(glsl[`vec${x.length}`]!(...x)),
+  lerp: (glsl, a, b, t) => glsl.mix!(a, b, t),
+  constrain: (glsl, x, low, high) => glsl.clamp!(x, low, high),
+  sq: (glsl, x) => glsl.mult!(x, x),
+  mag: (glsl, ...x) => glsl.length!(glsl[`vec${x.length}`]!(...x)),
+  cbrt: (glsl, x) => glsl.mult!(glsl.sign!(x), glsl.pow!(glsl.abs!(x), 1 / 3)),
+  map: (glsl, x, a, b, c, d) =>
+    glsl.add!(glsl.mult!(glsl.div!(glsl.sub!(x, a), glsl.sub!(b, a)), glsl.sub!(d, c)), c),
+}
+
+/** The names that `call` knows. */
+export const functionNames = new Set([
+  ...Object.keys(functions),
+  ...'sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh abs sign floor ceil round trunc sqrt pow exp log log2 min max fract degrees radians'.split(
+    ' ',
+  ),
+])
+
+export type Operators = ReturnType<typeof operatorsOf>
+
+export function operatorsOf(glsl: Glsl) {
+  const isWarped = (value: unknown): boolean =>
+    isExpression(value) || (Array.isArray(value) && value.some(isWarped))
+  /** An array of expressions is a vector. */
+  const whole = (value: unknown): unknown =>
+    Array.isArray(value) && value.length >= 2 && value.length <= 4
+      ? glsl[`vec${value.length}`]!(...value)
+      : value
+  const binary = (name: string) => (a: unknown, b: unknown) =>
+    isWarped(a) || isWarped(b)
+      ? glsl[name]!(whole(a), whole(b))
+      : symbols[name]!(a as never, b as never)
+  const choose = (condition: unknown, yes: Thunk, no: Thunk) =>
+    isExpression(condition)
+      ? glsl.ifElse!(condition, whole(yes()), whole(no()))
+      : condition
+        ? yes()
+        : no()
+
+  return {
+    ...(Object.fromEntries(Object.keys(symbols).map((name) => [name, binary(name)])) as Record<
+      string,
+      (a: unknown, b: unknown) => unknown
+    >),
+    whole,
+    choose,
+    neg: (x: unknown) => (isWarped(x) ? glsl.neg!(whole(x)) : -(x as number)),
+    plus: (x: unknown) => (isWarped(x) ? x : +(x as number)),
+    not: (x: unknown) => (isExpression(x) ? glsl.not!(x) : !x),
+    and: (a: unknown, b: Thunk) => (isExpression(a) ? glsl.and!(a, b()) : a && b()),
+    or: (a: unknown, b: Thunk) => (isExpression(a) ? glsl.or!(a, b()) : a || b()),
+    isWarped: isExpression,
+    call(name: string, known: (...x: unknown[]) => unknown, ...x: unknown[]) {
+      if (!x.some(isWarped)) return known(...x)
+      const own = functions[name]
+      const operands = x.map(whole)
+      if (own) return own(glsl, ...operands)
+      return /^m(in|ax)$/.test(name)
+        ? operands.reduce((a, b) => glsl[name]!(a, b))
+        : glsl[name]!(...operands)
+    },
+    /** Both branches of an `if`, and what each leaves in the variables that either sets. */
+    branch(
+      condition: unknown,
+      yes: Thunk,
+      no: Thunk,
+      get: () => unknown[],
+      set: (all: unknown[]) => void,
+    ) {
+      if (!isExpression(condition)) {
+        if (condition) yes()
+        else no()
+        return
+      }
+      const before = get()
+      yes()
+      const after = get()
+      set(before)
+      no()
+      const otherwise = get()
+      set(
+        after.map((value, i) =>
+          value === otherwise[i]
+            ? value
+            : glsl.ifElse!(condition, whole(value), whole(otherwise[i])),
+        ),
+      )
+    },
+    /** A condition that JavaScript itself must decide. */
+    decided(condition: unknown, what: string) {
+      if (isExpression(condition))
+        throw new WarpError(
+          `${what} cannot wait for a condition that differs by vertex; let a loop have a known count, and choose by ?: or by if and else that set variables.`,
+        )
+      return condition
+    },
+  }
+}
+
+/** The offset function that a translated text makes. */
+export const withOperators =
+  (make: (operators: Operators) => (inputs: WarpInputs) => unknown): OffsetFunction =>
+  (inputs) => {
+    const operators = operatorsOf(inputs.glsl as unknown as Glsl)
+    const result = make(operators)(inputs)
+    const isOfVertex = Array.isArray(result) && result.length === 3
+    return (isOfVertex ? operators.whole(result) : result) as Vec3
+  }

@@ -1,0 +1,73 @@
+/**
+ * Hands p5 how shapes vary as attributes of its own kind: a p5.Geometry has them as arrays beside its vertices, made when a shader
+ * first asks, and every renderer that draws with a warp that reads them has buffers of them.
+ */
+import { type VariationInput, variationAttribute, variationNames } from '../inputs/inputs.js'
+import type { Renderer } from './host.js'
+import { type Shape, type Variation, variationOf } from './shape-variation.js'
+
+type Drawn = Shape & { dirtyFlags: Record<string, boolean | undefined> }
+
+const source = (name: string) => `warpjet_${name}`
+
+/** What was found out, and which arrays of it were handed over. */
+const found = new WeakMap<Drawn, { variation: Variation; handed: Set<string> }>()
+
+/** p5's name of what is between beginShape() and endShape(), which is another shape each time. */
+const immediate = '__IMMEDIATE_MODE_GEOMETRY__'
+
+function arrayOf(shape: Drawn, name: VariationInput): Float32Array {
+  if (shape.gid === immediate) return new Float32Array(3 * shape.vertices.length)
+  let known = found.get(shape)
+  // p5 wants it again after the shape has changed.
+  const isStale = known?.handed.has(name) && shape.dirtyFlags[source(name)] !== false
+  if (!known || isStale)
+    found.set(shape, (known = { variation: variationOf(shape, nameOf(shape)), handed: new Set() }))
+  known.handed.add(name)
+  return known.variation[name]
+}
+
+/** Gives the arrays to all that is of the class p5.Geometry. */
+export function giveArrays(geometry: { prototype: object } | undefined) {
+  if (!geometry) return
+  for (const name of variationNames)
+    Object.defineProperty(geometry.prototype, source(name), {
+      configurable: true,
+      get(this: Drawn) {
+        return arrayOf(this, name)
+      },
+    })
+}
+
+const prepared = new WeakSet<Renderer>()
+const keeping: WeakRef<Renderer>[] = []
+
+/** p5's name of a shape: 1.11 keeps shapes under their names, and these do not know them. */
+function nameOf(shape: Drawn): string {
+  if (shape.gid) return shape.gid
+  for (const reference of keeping)
+    for (const [name, { model }] of Object.entries(reference.deref()?.retainedMode?.geometry ?? {}))
+      if (model === shape) return name
+  return ''
+}
+
+/** For a renderer that is to draw with a warp that reads them. */
+export function prepareBuffers(renderer: Renderer) {
+  if (prepared.has(renderer)) return
+  prepared.add(renderer)
+  if (renderer.retainedMode) keeping.push(new WeakRef(renderer))
+  const buffers = renderer.buffers?.fill ?? renderer.retainedMode?.buffers.fill
+  const [first] = buffers ?? []
+  if (!first) return
+  const RenderBuffer = first.constructor as new (...settings: unknown[]) => typeof first
+  for (const name of variationNames)
+    buffers!.push(
+      new RenderBuffer(
+        3,
+        source(name),
+        `${source(name)}Buffer`,
+        variationAttribute(name),
+        renderer,
+      ),
+    )
+}
