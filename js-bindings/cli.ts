@@ -8,7 +8,7 @@ import { reasonOf } from './cli/files.js'
 import { help, helpOf } from './cli/help.js'
 import { info } from './cli/info.js'
 import { printable } from './cli/printable.js'
-import { UsageError } from './cli/usage.js'
+import { UsageError, withFlags } from './cli/usage.js'
 import { WarpError } from './checks/errors.js'
 import { version } from './generated/version.js'
 
@@ -49,7 +49,9 @@ function report(error: unknown): number {
     console.error(`warpjet: ${printable(message)} \`npx warpjet ${command}--help\` shows how.`)
     return 2
   }
-  if (error instanceof WarpError) console.error(`warpjet: ${printable(error.message)}`)
+  // A line of a text of GLSL stands below its sentence, with a caret.
+  if (error instanceof WarpError)
+    console.error(`warpjet: ${withFlags(error.message).split('\n').map(printable).join('\n')}`)
   else console.error(error)
   return 1
 }

@@ -1,16 +1,19 @@
 /**
- * 'warpjet/globals': what the two scripts add to a page, for sketches in global mode, in types alone: `"types":
+ * 'warpjet/globals': what the scripts add to a page, for sketches in global mode, in types alone: `"types":
  * ["warpjet/globals"]` in tsconfig.json or jsconfig.json, or `/// <reference types="warpjet/globals" />` in the sketch.
  */
 import type * as deformers from './deformers.js'
+import type * as glsl from './glsl.js'
+import type * as operators from './operators.js'
 import type { CreateWarpOptions, Distort, LoadModelOptions, ModelOf } from './p5.js'
 import type * as compiler from './index.js'
 
 type Compiler = Pick<typeof compiler, 'WarpError' | 'compile' | 'compileWarp' | 'gen' | 'version'>
 
 declare global {
-  /** What p5.warpjet.min.js has beside p5's functions, and after warpjet.deformers.min.js the deformers. */
-  const warpjet: Compiler & typeof deformers
+  /** What p5.warpjet.min.js has beside p5's functions, and after warpjet.deformers.min.js, warpjet.glsl.min.js and
+   * warpjet.operators.min.js what those add. */
+  const warpjet: Compiler & typeof deformers & typeof glsl & typeof operators
 
   /** glsl-autodiff's global. */
   const AutoDiff: Pick<Compiler, 'gen'>

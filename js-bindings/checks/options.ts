@@ -14,6 +14,10 @@ export function checkOptions(method: string, options: unknown, known: readonly s
 }
 
 export function checkCallback(method: string, callback: unknown) {
+  if (typeof callback === 'string')
+    throw new WarpError(
+      `${method}: a function was expected, but a text came; glslOffset(text) of warpjet/glsl makes a function of one in GLSL.`,
+    )
   if (!isCallable(callback))
     throw new WarpError(`${method}: a function was expected, but ${describe(callback)} came.`)
 }

@@ -7,7 +7,7 @@ import { mostTriangles } from '../wasm/mesh-tables.js'
 import { areOneFile, writing } from './files.js'
 import { Progress, count } from './progress.js'
 import { type UsageError, readArguments, readCount, readPositive } from './usage.js'
-import { blame, readWarp } from './warp-file.js'
+import { blame, glslArguments, readChoice, readWarp } from './warp-file.js'
 
 type Wrong = (message: string) => UsageError
 
@@ -18,8 +18,7 @@ export async function bake(args: string[]): Promise<void> {
     ['a model', 'a warp.js or a file of GLSL'],
     {
       output: { type: 'string', short: 'o' },
-      function: { type: 'string' },
-      returns: { type: 'string' },
+      ...glslArguments,
       set: { type: 'string', multiple: true, default: [] },
       subdivide: { type: 'string' },
       'max-triangles': { type: 'string' },
@@ -40,7 +39,7 @@ export async function bake(args: string[]): Promise<void> {
     most === undefined ? undefined : readCount('max-triangles', most, mostTriangles, wrong)
 
   const progress = new Progress(values.quiet)
-  const { offset, uniforms: declared } = await readWarp(file, values)
+  const { offset, uniforms: declared } = await readWarp(file, readChoice(values, wrong))
   // The text is not needed; baking finds out how the surface varies by itself.
   const warp = await blame(file, () =>
     compileWarp(offset, { uniforms: declared, surfaceVariation: true }),

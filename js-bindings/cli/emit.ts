@@ -5,15 +5,14 @@ import type { Declared } from '../module/result.js'
 import { targets, type Target } from '../module/kept-module.js'
 import { areOneFile, writing } from './files.js'
 import { readArguments } from './usage.js'
-import { blame, readWarp } from './warp-file.js'
+import { blame, glslArguments, readChoice, readWarp } from './warp-file.js'
 
 export async function emit(args: string[]): Promise<void> {
   const { values, files, wrong } = readArguments('emit', args, ['a warp.js or a file of GLSL'], {
     target: { type: 'string', default: 'glsl300' },
     tangents: { type: 'boolean', default: false },
     'surface-variation': { type: 'boolean' },
-    function: { type: 'string' },
-    returns: { type: 'string' },
+    ...glslArguments,
     output: { type: 'string', short: 'o' },
   })
   const target = values.target as Target
@@ -24,7 +23,7 @@ export async function emit(args: string[]): Promise<void> {
   const { output } = values
   if (output !== undefined && (await areOneFile(output, file)))
     throw wrong('emit does not write over the warp itself.')
-  const { offset, uniforms } = await readWarp(file, values)
+  const { offset, uniforms } = await readWarp(file, readChoice(values, wrong))
   const { tangents, 'surface-variation': surfaceVariation } = values
   const warp = await blame(file, () =>
     compileWarp(offset, { uniforms, target, tangents, surfaceVariation }),

@@ -32,6 +32,7 @@ comments above name what they read, which your shader declares.
   --target <language>   glsl300 for WebGL 2 (default), glsl100 for WebGL 1, wgsl for WebGPU
   --function <name>     of a file of GLSL; offset, or the last, unless given
   --returns position    it gives where a vertex moves to, not how far
+  --max-iterations <n>  of a loop whose end depends on data: it runs so often
   --tangents            also turns tangents: declares warpedTangent
   --surface-variation   for an offset that depends on normal or uv: reads how they vary over the surface from attributes,
                         normalXGradient, normalYGradient, normalZGradient, uGradient and vGradient
@@ -44,6 +45,7 @@ Moves every vertex of the model as the shader would, turns normals and tangents,
   -o, --output <file>       where to, always .glb
   --function <name>         of a file of GLSL; offset, or the last, unless given
   --returns position        it gives where a vertex moves to, not how far
+  --max-iterations <n>      of a loop whose end depends on data: it runs so often
   --set <name>=<value>      a uniform that the warp reads: --set millis=1200, --set mouse=10,20; as often as needed; it
                             counts before what warp.js exports
   --subdivide <tolerance>   first gives the model more triangles where the warp bends it: the result is nowhere farther
@@ -59,6 +61,7 @@ of a vector its Jacobian as a matrix.
   --function <name>     which one; offset, or the last, unless given
   --by <parameter>      what to differentiate by; the first parameter unless given
   --name <name>         what the new function is called
+  --max-iterations <n>  of a loop whose end depends on data: it runs so often
   --target <language>   glsl300 for WebGL 2 (default), glsl100 for WebGL 1, wgsl for WebGPU
   -o, --output <file>   writes a file instead`,
 

@@ -14,6 +14,20 @@ export class UsageError extends Error {
 
 type Options = NonNullable<ParseArgsConfig['options']>
 
+/** What JavaScript calls options, as the command line does. */
+const flags: Readonly<Record<string, string>> = {
+  function: '--function',
+  returns: '--returns',
+  by: '--by',
+  name: '--name',
+  maxIterations: '--max-iterations',
+  surfaceVariation: '--surface-variation',
+}
+
+/** A sentence that names options, for somebody at the command line. */
+export const withFlags = (sentence: string) =>
+  sentence.replace(/(?:the|its) option "?(\w+)"?/g, (all, name: string) => flags[name] ?? all)
+
 /** The options of a command, and its files, of which it needs exactly as many as `files` names. */
 export function readArguments<const Known extends Options>(
   command: string,

@@ -2,6 +2,8 @@
 import { readFile } from 'node:fs/promises'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
+import { mostIterations } from '../glsl/options.js'
+import { type UsageError, readCount } from './usage.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { glslOffset } from '../glsl.js'
 import type { OffsetFunction, UniformOptions } from '../types/types.js'
@@ -18,6 +20,29 @@ export interface WarpFile {
 export interface GlslChoice {
   function?: string | undefined
   returns?: string | undefined
+  maxIterations?: number | undefined
+}
+
+/** The same as arguments. */
+export const glslArguments = {
+  function: { type: 'string' },
+  returns: { type: 'string' },
+  'max-iterations': { type: 'string' },
+} as const
+
+interface GlslArguments {
+  function?: string | undefined
+  returns?: string | undefined
+  'max-iterations'?: string | undefined
+}
+
+export function readChoice(
+  { function: name, returns, 'max-iterations': most }: GlslArguments,
+  wrong: (message: string) => UsageError,
+): GlslChoice {
+  const maxIterations =
+    most === undefined ? undefined : readCount('max-iterations', most, mostIterations, wrong)
+  return { function: name, returns, maxIterations }
 }
 
 /** Runs the file, or reads it, where its name says that it is shader text. */
@@ -38,13 +63,12 @@ export async function readWarp(file: string, choice: GlslChoice = {}): Promise<W
 
 const isGlsl = (file: string) => /\.(?:glsl|vert|frag|vs|fs)$/i.test(file)
 
-async function readGlsl(file: string, { function: name, returns }: GlslChoice) {
-  const options = {
-    ...(name !== undefined && { function: name }),
-    ...(returns !== undefined && { returns }),
-  }
-  return glslOffset(await readText(file), options as object)
-}
+const readGlsl = async (file: string, choice: GlslChoice) =>
+  glslOffset(await readText(file), given(choice))
+
+/** What is there of some options. */
+export const given = (options: object) =>
+  Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined))
 
 export async function readText(file: string): Promise<string> {
   try {

@@ -1,5 +1,6 @@
 // `glslOffset`: a function of shader text as an offset function.
 import { WarpError, describe } from '../checks/errors.js'
+import { nearest } from '../checks/nearest.js'
 import { checkOptions } from '../checks/options.js'
 import type { Builder } from '../expression/builder.js'
 import type { OffsetFunction, UniformValues, WarpInputs } from '../types/types.js'
@@ -53,22 +54,40 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
 
 const isInput = (name: string) => name in inputTypes
 
+const article = (type: string) =>
+  type === 'void' ? 'nothing' : `${/^[iu]/.test(type) ? 'an' : 'a'} ${type}`
+
+function unknownParameter(name: string, parameter: string, type: string) {
+  const known = Object.keys(inputTypes)
+  const meant: Record<string, string> = {
+    time: 'millis',
+    t: 'millis',
+    pos: 'position',
+    p: 'position',
+  }
+  const near = meant[parameter] ?? nearest(parameter, known)
+  const advice =
+    near && inputTypes[near] === type
+      ? `call it ${near}`
+      : `there are ${known.join(', ')}, and uniforms of the text`
+  return `glslOffset: nothing gives the parameter ${parameter} of ${name} its value; ${advice}.`
+}
+
 function checkHead({ name, type, parameters }: FunctionHead) {
   if (type !== 'vec3')
     throw new WarpError(
-      `glslOffset: ${name} must give a vec3, how far a vertex moves, but gives a ${type}; name another one by the option "function".`,
+      `glslOffset: ${name} must give a vec3, how far a vertex moves, but gives ${article(type)}; ${
+        type === 'void' ? 'return it' : 'differentiate takes other functions'
+      }, or name another one by the option "function".`,
     )
   for (const parameter of parameters) {
     if (parameter.isOut)
       throw new WarpError(
-        `glslOffset: the parameter ${parameter.name} of ${name} is out; an offset function gives its vec3 back.`,
+        `glslOffset: the parameter ${parameter.name} of ${name} is out or inout; an offset function gives its vec3 back.`,
       )
     if (parameters.length === 1 && parameter.type === 'vec3' && !isInput(parameter.name)) continue
     const expected = inputTypes[parameter.name]
-    if (!expected)
-      throw new WarpError(
-        `glslOffset: nothing gives the parameter ${parameter.name} of ${name} its value; there are ${Object.keys(inputTypes).join(', ')}, and uniforms of the text.`,
-      )
+    if (!expected) throw new WarpError(unknownParameter(name, parameter.name, parameter.type))
     if (expected !== parameter.type)
       throw new WarpError(
         `glslOffset: the parameter ${parameter.name} of ${name} is a ${parameter.type}, but ${parameter.name} is a ${expected}.`,

@@ -18,7 +18,7 @@ export function readName(method: string, name: unknown): string | undefined {
   throw new WarpError(`${method}: the option "function" must be a name, but is ${describe(name)}.`)
 }
 
-const mostIterations = 4096
+export const mostIterations = 4096
 
 export function readIterations(method: string, count: unknown): number {
   if (count === undefined) return 0

@@ -34,7 +34,7 @@ const shapes: Record<number, Shape> = {
 const example = '{ amount: 0.5, center: [0, 0, 0], follow: () => [mouseX, mouseY] }'
 
 const expected =
-  'a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a p5.Vector, a p5.Color, an image, or a function that gives one of them'
+  'a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that gives one of them'
 
 /** Checks the option. Lists are copied, and functions called once for their type. */
 export function readDeclared(method: string, option: unknown): DeclaredUniforms {

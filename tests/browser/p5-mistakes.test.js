@@ -130,7 +130,7 @@ const calls = {
   [`createWarp(still, { returns: 'normal' })`]:
     'createWarp: the option "returns" must be "offset" or "position", but is the text "normal".',
   [`createWarp(still, { uniforms: { amount: 'big' } })`]:
-    'createWarp: the uniform "amount" must be a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a p5.Vector, a p5.Color, an image, or a function that gives one of them, but is the text "big".',
+    'createWarp: the uniform "amount" must be a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that gives one of them, but is the text "big".',
   'createWarp(warpjet.twist)': 'createWarp: a function was expected, but undefined came.',
   'flat.createWarp(still)':
     'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
