@@ -13,7 +13,7 @@ type Compiler = Pick<typeof compiler, 'WarpError' | 'compile' | 'compileWarp' | 
 declare global {
   /** What p5.warpjet.min.js has beside p5's functions, and after warpjet.deformers.min.js, warpjet.glsl.min.js and
    * warpjet.operators.min.js what those add. */
-  const warpjet: Compiler & typeof deformers & typeof glsl & typeof operators
+  const warpjet: Compiler & typeof deformers & typeof glsl & Pick<typeof operators, 'operators'>
 
   /** glsl-autodiff's global. */
   const AutoDiff: Pick<Compiler, 'gen'>

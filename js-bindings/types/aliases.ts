@@ -32,11 +32,20 @@ export interface MadeVectorMethods {
   lengthSq(): Scalar
 }
 
-type OfOne<Result> = <Value extends Operand | object>(
-  value: Value,
-) => Result extends 'same' ? Value : Scalar
-
 /** The same as functions of the builder. */
-export type MadeFunctions = {
-  [Name in keyof MadeMethods<unknown>]: OfOne<'same'>
-} & { [Name in keyof MadeVectorMethods]: OfOne<'number'> }
+export interface MadeFunctions {
+  /** 1 - x */
+  oneMinus<Value extends Operand | object>(value: Value): Value
+  /** Between 0 and 1. */
+  saturate<Value extends Operand | object>(value: Value): Value
+  /** 1 / x */
+  reciprocal<Value extends Operand | object>(value: Value): Value
+  /** x * x */
+  pow2<Value extends Operand | object>(value: Value): Value
+  /** x * x * x */
+  pow3<Value extends Operand | object>(value: Value): Value
+  /** The square of the length. */
+  magSq(value: Operand | object): Scalar
+  /** The square of the length. */
+  lengthSq(value: Operand | object): Scalar
+}

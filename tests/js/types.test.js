@@ -62,7 +62,14 @@ test('each entry has one file of types, beside the one that they share', () => {
   const named = Object.values(exports).flatMap(({ types }) => types ?? [])
   assert.deepEqual(
     readdirSync(`${root}dist/types`).map((name) => `./dist/types/${name}`),
-    [...new Set([...named, './dist/types/shared.d.ts'])].sort(),
+    [
+      ...new Set([
+        ...named,
+        './dist/types/shared.d.ts',
+        // What needs the types of three.js.
+        './dist/types/three.shared.d.ts',
+      ]),
+    ].sort(),
   )
 })
 
@@ -142,9 +149,12 @@ test('an editor says something of all that an expression and the builder have', 
   assert.deepEqual(silent, [])
 })
 
-test('the types of the two scripts have the names that the scripts have', () => {
-  for (const script of ['p5.warpjet.min', 'warpjet.deformers.min'])
-    runInThisContext(readFileSync(`${root}dist/${script}.js`, 'utf8'))
+test('the types of the scripts have the names that the scripts have', () => {
+  for (const script of [
+    'p5.warpjet',
+    ...['deformers', 'glsl', 'operators'].map((s) => `warpjet.${s}`),
+  ])
+    runInThisContext(readFileSync(`${root}dist/${script}.min.js`, 'utf8'))
   const file = `${project}/names.ts`
   writeFileSync(file, '/// <reference types="warpjet/globals" />\nexport const names = warpjet\n')
   const program = ts.createProgram(
