@@ -3,7 +3,9 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { corpus } from '../glsl/corpus.js'
+import { above, randomFunction } from '../glsl/generate.js'
 import { openPipelines, targetsInThisRun } from './support/pipelines.js'
 
 let pipelines
@@ -87,4 +89,47 @@ test('every function of the corpus as the original, in each language and on the 
   }
   assert.deepEqual(problems, [])
   assert.ok(compared.count > corpus.length * 2 * points.length)
+})
+
+/** So many share a shader. */
+const batch = 25
+
+test('random functions as the original', async () => {
+  const count = isRun('every random expression') ? 2000 : 400
+  const problems = []
+  let compared = 0
+  for (let first = 1; first <= count && problems.length < 5; first += batch) {
+    const cases = Array.from({ length: batch }, (_, i) => randomFunction(first + i))
+    const warps = cases.map(({ seed, glsl }) =>
+      compileWarp(glslOffset(above + glsl), {
+        normals: false,
+        names: { position: 'p' },
+        outputs: { offset: `ours${seed}`, position: `moved${seed}` },
+      }),
+    )
+    const values = await pipelines.run(
+      'glsl300',
+      {
+        code: cases
+          .map(({ seed }, i) => `${warps[i].code}\nvec3 original${seed} = random${seed}(p);`)
+          .join('\n'),
+        declarations: above + cases.map(({ glsl }) => glsl).join('\n'),
+        inputs,
+        outputs: cases.flatMap(({ seed }) => [
+          { name: `ours${seed}`, shape: 3 },
+          { name: `original${seed}`, shape: 3 },
+        ]),
+      },
+      points,
+    )
+    cases.forEach(({ seed, glsl }, i) => {
+      const part = (from) => values.map((numbers) => [...numbers.subarray(from, from + 3)])
+      const wrong = differing(part(6 * i), part(6 * i + 3))
+      compared += 3 * points.length
+      // Points that lie on the edge between two branches.
+      if (wrong > 6) problems.push(`${seed}: ${wrong} of ${3 * points.length}\n${glsl}`)
+    })
+  }
+  assert.equal(problems.length, 0, problems.join('\n').slice(0, 4000))
+  assert.equal(compared, count * 3 * points.length)
 })
