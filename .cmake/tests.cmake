@@ -7,7 +7,7 @@ add_executable(warpjet_tests ${test_sources})
 target_include_directories(warpjet_tests PRIVATE tests/cpp)
 # Tests read JSON too.
 target_include_directories(warpjet_tests SYSTEM PRIVATE ${libraries_folder})
-target_link_libraries(warpjet_tests PRIVATE warpjet_mesh warpjet_core GTest::gtest_main)
+target_link_libraries(warpjet_tests PRIVATE warpjet_mesh warpjet_glsl warpjet_core GTest::gtest_main)
 # A process for each eighth of them, not for each: under the sanitizers a process takes longer to start than most tests.
 set(shards 8)
 foreach(shard RANGE 1 ${shards})
@@ -61,6 +61,7 @@ function(warpjet_fuzz_target subject library)
 endfunction()
 
 warpjet_fuzz_target(mesh warpjet_mesh tests/fuzz/mesh_fuzz.cpp tests/fuzz/gltf_mutator.cpp tests/fuzz/limits.cpp)
+warpjet_fuzz_target(glsl warpjet_glsl tests/fuzz/glsl_fuzz.cpp)
 warpjet_fuzz_target(graph warpjet_core tests/fuzz/graph_fuzz.cpp tests/fuzz/graph_calls.cpp)
 
 # Writes the seeds of the fuzz targets.

@@ -19,6 +19,7 @@ const seeds = 'tests/fuzz/corpus'
 const targets = {
   mesh: ['-max_len=8192', '-dict=tests/fuzz/gltf.dict'],
   graph: ['-max_len=1024'],
+  glsl: ['-max_len=4096', '-dict=tests/fuzz/glsl.dict'],
 }
 
 // One input may take 10 s and 2 GB, and ask for 1.5 GB at once: the largest mesh that a file may claim has 1.

@@ -1,0 +1,144 @@
+// The front end for shader text, room by room: tokens, the preprocessor, types, and what is
+// recorded.
+#include "glsl/glsl.hpp"
+
+#include <gtest/gtest.h>
+
+#include "glsl/builtins.hpp"
+#include "glsl/preprocess.hpp"
+#include "glsl/recorder.hpp"
+#include "glsl/typing.hpp"
+
+namespace warpjet::glsl {
+namespace {
+
+std::string preprocessed(std::string_view text) {
+  Problems problems;
+  const Preprocessed read = preprocess(readTokens(text, problems), problems);
+  if (problems.any()) return problems.text(text);
+  std::string all;
+  for (const Token& token : read.tokens) {
+    if (token.kind != Token::Kind::End) (all += all.empty() ? "" : " ") += token.text;
+  }
+  return all;
+}
+
+Listing listed(const std::string& text) {
+  Source source(text);
+  EXPECT_EQ(source.problem(), "");
+  Listing listing = source.lower(0, 0);
+  EXPECT_EQ(source.problem(), "");
+  return listing;
+}
+
+// The only result of a function that gives a known number.
+double known(const std::string& body) {
+  const Listing listing = listed("float f() { " + body + " }");
+  EXPECT_EQ(listing.words.size(), 2u) << body;
+  return listing.constants.empty() ? -1 : listing.constants[0];
+}
+
+TEST(GlslTokens, NumbersNamesAndSymbols) {
+  Problems problems;
+  const auto tokens = readTokens("a1<<=.5e-3f 0x1Fu//x\n/* y */1.", problems);
+  ASSERT_EQ(tokens.size(), 6u);
+  EXPECT_EQ(tokens[1].text, "<<=");
+  EXPECT_EQ(tokens[2].kind, Token::Kind::Float);
+  EXPECT_DOUBLE_EQ(floatValue(tokens[2], problems), 5e-4);
+  EXPECT_EQ(intValue(tokens[3], problems), 31u);
+  EXPECT_EQ(tokens[4].place.line, 2u);
+  EXPECT_EQ(tokens[4].place.column, 8u);
+}
+
+TEST(GlslPreprocessor, ExpandsMacrosOnceEach) {
+  EXPECT_EQ(preprocessed("#define A B\n#define B A\nA B"), "A B");
+  EXPECT_EQ(preprocessed("#define F(x, y) x - y\nF(F(1, 2), (3, 4))"), "1 - 2 - ( 3 , 4 )");
+  EXPECT_EQ(preprocessed("#define F(x) x\nF F(2)"), "F 2");
+  EXPECT_EQ(preprocessed("#define EMPTY\nEMPTY x EMPTY"), "x");
+  EXPECT_EQ(preprocessed("__LINE__\n#line 9\n__LINE__"), "1 9");
+}
+
+TEST(GlslPreprocessor, ChoosesLines) {
+  EXPECT_EQ(preprocessed("#if 1 + 2 * 3 == 7 && !defined(X)\na\n#else\nb\n#endif"), "a");
+  EXPECT_EQ(preprocessed("#define X 2\n#if X == 1\na\n#elif X == 2\nb\n#elif 1\nc\n#endif"), "b");
+  EXPECT_EQ(preprocessed("#if 0\n#if 1\na\n#endif\n#nonsense\n#else\nb\n#endif"), "b");
+  EXPECT_EQ(preprocessed("#ifdef GL_ES\na\n#endif\n#ifndef GL_ES\nb\n#endif"), "a");
+}
+
+TEST(GlslTypes, OperatorsConvertNothing) {
+  const Types types;
+  const auto type = [&](Operator op, Type a, Type b) { return typeOfBinary(op, a, b, types); };
+  const Type vec3 = vectorType(Base::Float, 3), vec2 = vectorType(Base::Float, 2);
+  EXPECT_EQ(type(Operator::Add, floatType, vec3), vec3);
+  EXPECT_EQ(type(Operator::Add, intType, floatType), std::nullopt);
+  EXPECT_EQ(type(Operator::Multiply, matrixType(2, 3), vec2), vec3);
+  EXPECT_EQ(type(Operator::Multiply, vec3, matrixType(2, 3)), vec2);
+  EXPECT_EQ(type(Operator::Multiply, matrixType(2, 3), matrixType(4, 2)), matrixType(4, 3));
+  EXPECT_EQ(type(Operator::Multiply, matrixType(2, 3), vec3), std::nullopt);
+  EXPECT_EQ(type(Operator::Equal, vec3, vec3), boolType);
+  EXPECT_EQ(type(Operator::Less, vec3, vec3), std::nullopt);
+  EXPECT_EQ(type(Operator::Remainder, floatType, floatType), std::nullopt);
+}
+
+TEST(GlslTypes, BuiltInFunctionsAreFoundByTheirOperands) {
+  const Type vec3 = vectorType(Base::Float, 3), bvec3 = vectorType(Base::Bool, 3);
+  const auto result = [](std::string_view name, std::vector<Type> operands) {
+    const auto found = findBuiltIn(name, operands);
+    return found ? std::optional(found->result) : std::nullopt;
+  };
+  EXPECT_EQ(result("mix", {vec3, vec3, floatType}), vec3);
+  EXPECT_EQ(result("mix", {vec3, vec3, bvec3}), vec3);
+  EXPECT_EQ(result("mix", {vec3, vec3, boolType}), std::nullopt);
+  EXPECT_EQ(result("lessThan", {vec3, vec3}), bvec3);
+  EXPECT_EQ(result("outerProduct", {vec3, vectorType(Base::Float, 2)}), matrixType(2, 3));
+  EXPECT_EQ(result("transpose", {matrixType(2, 3)}), matrixType(3, 2));
+  EXPECT_EQ(result("max", {intType, intType}), intType);
+  EXPECT_EQ(result("max", {intType, floatType}), std::nullopt);
+}
+
+TEST(GlslLowering, WhatIsKnownIsFolded) {
+  EXPECT_EQ(known("float s = 0.; for (int i = 0; i < 5; i++) { if (i == 3) break; s += float(i); } "
+                  "return s;"),
+            3);
+  EXPECT_EQ(known("int i = 7; return float(i / 2 * 2 + i % 2 - -i);"), 14);
+  EXPECT_EQ(known("return float(-7 / 2);"), -3);
+  EXPECT_EQ(known("return float(2147483647 + 1);"), -2147483648.0);
+  EXPECT_EQ(known("return float(0u - 1u);"), static_cast<double>(4294967295.0f));
+  EXPECT_EQ(known("return float(-8 >> 1) + float(0xF0u >> 4);"), 11);
+  EXPECT_EQ(known("return float(int(-2.9)) + float(int(2.9));"), 0);
+  EXPECT_EQ(known("int a[3] = int[](4, 5, 6); a[1] += a[2]; return float(a[a.length() - 2]);"), 11);
+  // As often as float32 has it: the tenth sum is just above 1.
+  EXPECT_EQ(known("float n = 0.; for (float t = 0.; t < 1.; t += .1) n += 1.; return n;"), 10);
+}
+
+TEST(GlslLowering, OnlyWhatAResultNeedsIsListed) {
+  const Listing listing = listed("float f(float x, float y) { float unused = sin(y); return x; }");
+  EXPECT_EQ(listing.words.size(), 4u);
+  EXPECT_EQ(listing.words[0], static_cast<std::uint32_t>(Code::Argument));
+}
+
+TEST(GlslRecorder, ConditionsAreSimplified) {
+  Recorder recorder;
+  const Id c = recorder.apply(
+      Code::Lt, Base::Bool, {recorder.leaf(Code::Argument, 0), recorder.constant(Base::Float, 1)});
+  const Id yes = recorder.constant(Base::Bool, 1), no = recorder.constant(Base::Bool, 0);
+  EXPECT_EQ(recorder.choose(c, yes, no), c);
+  EXPECT_EQ(recorder.choose(c, no, yes), recorder.negated(c));
+  EXPECT_EQ(recorder.negated(recorder.negated(c)), c);
+  EXPECT_EQ(recorder.both(c, yes), c);
+  EXPECT_EQ(recorder.either(c, c), c);
+  const Id x = recorder.leaf(Code::Argument, 1);
+  EXPECT_EQ(recorder.choose(c, x, recorder.undefined(Base::Float)), x);
+}
+
+TEST(GlslLowering, TheMostThatATextMayAskFor) {
+  std::string sum = "float f(float x) { return x";
+  for (int i = 0; i < 20'000; ++i) sum += " + x";
+  EXPECT_EQ(Source(sum + "; }").problem(), "");
+  Source endless("float f(float x) { for (int i = 0; i < 2000000; i++) x = sin(x); return x; }");
+  endless.lower(0, 0);
+  EXPECT_NE(endless.problem().find("more than a million steps"), std::string::npos) << endless.problem();
+}
+
+}  // namespace
+}  // namespace warpjet::glsl
