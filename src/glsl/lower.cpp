@@ -7,8 +7,8 @@ namespace warpjet::glsl {
 
 namespace {
 
-// More than any shader has, and what takes a second or two.
-constexpr std::size_t mostSteps = 1'000'000;
+// More than any shader has, and what takes half a second.
+constexpr std::size_t mostSteps = 250'000;
 constexpr int deepest = 600;
 
 }  // namespace
@@ -122,7 +122,7 @@ void Lowering::merge(Id condition, Store::Changes yes, Store::Changes no) {
 bool Lowering::isTooMuch(Place place) {
   if (problems_.any()) return true;
   if (++steps_ > mostSteps || recorder_.isFull()) {
-    problems_.add(place, "this takes more than a million steps once its loops are unrolled");
+    problems_.add(place, "this takes more than 250,000 steps once its loops are unrolled");
   } else if (depth_ > deepest) {
     problems_.add(place, "calls and expressions are nested too deep here");
   } else if (!recorder_.refusal().empty()) {

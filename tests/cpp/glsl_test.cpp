@@ -133,11 +133,11 @@ TEST(GlslRecorder, ConditionsAreSimplified) {
 
 TEST(GlslLowering, TheMostThatATextMayAskFor) {
   std::string sum = "float f(float x) { return x";
-  for (int i = 0; i < 20'000; ++i) sum += " + x";
+  for (int i = 0; i < 10'000; ++i) sum += " + x";
   EXPECT_EQ(Source(sum + "; }").problem(), "");
   Source endless("float f(float x) { for (int i = 0; i < 2000000; i++) x = sin(x); return x; }");
   endless.lower(0, 0);
-  EXPECT_NE(endless.problem().find("more than a million steps"), std::string::npos) << endless.problem();
+  EXPECT_NE(endless.problem().find("250,000 steps"), std::string::npos) << endless.problem();
 }
 
 }  // namespace

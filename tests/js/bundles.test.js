@@ -20,7 +20,7 @@ const { version, license } = JSON.parse(read('package.json'))
 
 /** The beginning of each wasm as text, by which one knows a file that has it. */
 const wasm = Object.fromEntries(
-  ['core', 'evaluation', 'mesh'].map((name) => {
+  ['core', 'evaluation', 'mesh', 'glsl'].map((name) => {
     const [, text] = /"text":"([^"]+)"/.exec(read(`js-bindings/generated/${name}-wasm.js`))
     assert.ok(text.length > 1000)
     return [name, text.slice(0, 200)]
@@ -111,9 +111,11 @@ describe('one loads what one uses', () => {
     deformers: [],
     three: ['core', 'evaluation'],
     'three.webgpu': ['core', 'evaluation'],
+    glsl: ['core', 'glsl'],
     'p5.warpjet.min': ['core', 'evaluation'],
     'p5.warpjet.slim.min': ['core'],
     'warpjet.deformers.min': [],
+    'warpjet.glsl.min': ['glsl'],
     'warpjet.min': ['core', 'evaluation'],
     'mesh.min': ['mesh'],
   }))

@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
-import { glslOffset } from 'warpjet/glsl'
+import { chain } from 'warpjet/deformers'
+import { differentiate, glslOffset } from 'warpjet/glsl'
 
 const at = (source, position, options = {}, others = {}) =>
   compileWarp(glslOffset(source, options), { surfaceVariation: false, ...others }).evaluateAt(
@@ -101,4 +102,70 @@ test('a function that gives the moved position', () => {
     returns: 'position',
   })
   near(position, [2, 4, 6])
+})
+
+test('a text among expressions, as the same by hand', () => {
+  const warp = (offset) =>
+    compileWarp(offset, { surfaceVariation: false }).evaluateAt([0.3, 0.5, 0.7], {
+      normal: [0, 1, 0],
+      uniforms: { millis: 2 },
+    })
+  const text = 'float ripple(vec2 p, float t) { return sin(3. * length(p) - t); }'
+  const ours = warp(({ glsl, position, millis }) =>
+    glsl.vec3(0, glsl.source(text)(position.xy(), millis), 0),
+  )
+  const byHand = warp(({ glsl, position, millis }) =>
+    glsl.vec3(0, position.xy().length().mult(3).sub(millis).sin(), 0),
+  )
+  near(ours.position, byHand.position)
+  near(ours.normal, byHand.normal)
+})
+
+test('what a text is called with is checked', () => {
+  const call = (...operands) =>
+    compileWarp(({ glsl, position }) => {
+      const f = glsl.source('float f(vec2 p, float x) { return x; }')
+      return glsl.vec3(f(...operands.map((each) => (each === 'p' ? position : each))), 0, 0)
+    })
+  assert.throws(() => call(1), /f: it takes 2 arguments \(vec2, float\), but 1 came/)
+  assert.throws(() => call('p', 1), /f: argument 1 must be a vec2, but is a vec3/)
+  assert.throws(() => call(1, 2), /f: argument 1 must be a vec2, but is a single number/)
+})
+
+test('loops that only the shader ends run as often as they are let', () => {
+  const source = 'vec3 offset(vec3 p) { float x = p.x; while (x < 10.) x *= 2.; return vec3(x); }'
+  const { position } = at(source, [1, 0, 0], { maxIterations: 16 })
+  near(position, [17, 16, 16])
+})
+
+test('warps of text go wherever warps go', () => {
+  const wave = glslOffset('vec3 offset(vec3 p) { return vec3(0., sin(p.x), 0.); }')
+  const lift = glslOffset('vec3 offset(vec3 p) { return vec3(0., 0., p.y); }')
+  const { position } = compileWarp(chain(wave, lift)).evaluateAt([1, 0, 0], { normal: [0, 1, 0] })
+  near(position, [1, Math.sin(1), Math.sin(1)])
+  const { min, max } = compileWarp(wave).bounds({ min: [-1, 0, 0], max: [1, 0, 0] })
+  assert.ok(min[1] <= -Math.sin(1) && max[1] >= Math.sin(1))
+})
+
+test('the text of a function with its derivatives, in each language', () => {
+  const field = 'float map(vec3 p) { return p.x * p.x + p.y * p.z; }'
+  assert.match(differentiate(field), /^vec4 mapGradient\(vec3 p\) \{\n {2}vec4 result;/)
+  assert.match(differentiate(field, { target: 'wgsl' }), /^fn mapGradient\(p: vec3f\) -> vec4f \{/)
+  assert.match(
+    differentiate(field, { name: 'slope', target: 'glsl100' }),
+    /vec4 slope\(vec3 p\)[^]*return result;\n\}\n$/,
+  )
+  assert.match(
+    differentiate('vec2 turn(vec2 result, float a) { return result * a; }', { by: 'result' }),
+    /mat2 turnJacobian\(vec2 result, float a\) \{\n {2}mat2 outcome;/,
+  )
+  assert.match(differentiate('float f(float x) { return x * x; }'), /vec2 fGradient\(float x\)/)
+  assert.match(
+    differentiate('vec2 f(vec3 p) { return p.xy; }', { target: 'glsl300' }),
+    /mat3x2 fJacobian/,
+  )
+  assert.throws(
+    () => differentiate('vec2 f(vec3 p) { return p.xy; }', { target: 'glsl100' }),
+    /glsl100 has no matrix/,
+  )
 })
