@@ -231,6 +231,43 @@ export const sections = [
     ],
   },
   {
+    title: 'Shader text',
+    source:
+      'Read by warpjet/glsl; Gerstner waves after Gerstner, 1809; simplex noise by Gustavson and McEwan',
+    examples: [
+      {
+        name: 'glsl-terrain',
+        figure: 'GLSL',
+        title: 'Terrain from a text',
+        text: 'Octaves that turn and shrink, in the manner of Shadertoy, are the height of a plane. The text has a loop, a matrix and two functions, and says nothing of normals; the light is exact all the same.',
+      },
+      {
+        name: 'glsl-waves',
+        figure: 'GLSL',
+        title: 'Gerstner waves',
+        text: 'Four waves carry the water round in circles, as they stand in many shaders: crests are sharp, troughs are wide, and the normal follows from the text.',
+      },
+      {
+        name: 'glsl-noise',
+        figure: 'GLSL',
+        title: 'Noise of a package',
+        text: 'The simplex noise that half the web uses, read from its package as it is, displaces a sphere. Its derivative, which nobody wrote, turns the normal.',
+      },
+      {
+        name: 'strands-exact-normals',
+        figure: 'p5.strands',
+        title: 'Strands, before and after',
+        text: 'A sketch in p5.strands with operators, an if and a loop. Left it is lit as if nothing had moved; right exactNormals has read the shader and turns its normals.',
+      },
+      {
+        name: 'ray-marched-field',
+        figure: 'differentiate',
+        title: 'A field with its gradient',
+        text: 'Blobs as a field of distances, ray-marched. Left the light takes four more evaluations of the field, right one of the function of value and gradient that was made of its text.',
+      },
+    ],
+  },
+  {
     title: 'Images as functions',
     source:
       'Interpolants of Keys, 1981, and of Sigg and Hadwiger, 2005; domain warping by Inigo Quilez, 2002',

@@ -105,6 +105,45 @@ export const gallery = {
   'domain-warping-3d-warped': relief(1),
   'domain-warping-3d-twice': relief(2),
 
+  'glsl-terrain': {
+    size: 0.5,
+    offset([x, y], { millis }) {
+      let [u, v] = [4 * x, 4 * y + millis / 4000]
+      let [sum, size, slope] = [0, 1, 0]
+      for (let i = 0; i < 6; i++) {
+        const h = sin(u + slope) * cos(v - slope)
+        sum += size * h
+        slope += 0.35 * size * h
+        ;[u, v] = [1.6 * u - 1.2 * v, 1.2 * u + 1.6 * v]
+        size *= 0.45
+      }
+      return [0, 0, 0.11 * sum]
+    },
+  },
+
+  'glsl-waves': {
+    size: 0.5,
+    offset([x, y], { millis }) {
+      const waves = [
+        [1, 0.3, 0.28, 4],
+        [0.7, -0.8, 0.22, 2.3],
+        [0.2, 1, 0.2, 1.4],
+        [-0.6, 0.9, 0.15, 0.8],
+      ]
+      const moved = [0, 0, 0]
+      for (const [dx, dy, steepness, length] of waves) {
+        const [k, size] = [(2 * 3.14159265) / length, hypot(dx, dy)]
+        const along = (10 * (dx * x + dy * y)) / size
+        const phase = k * (along - (sqrt(9.8 / k) * millis) / 1500)
+        const a = (steepness * 0.9) / k / 10
+        moved[0] += (a * dx * cos(phase)) / size
+        moved[1] += (a * dy * cos(phase)) / size
+        moved[2] += a * sin(phase)
+      }
+      return moved
+    },
+  },
+
   fingers: {
     size: 180,
     offset([x, y], { millis }) {

@@ -13,9 +13,11 @@ const read = (path) => readFile(new URL(path, root))
 const libraries = [
   'dist/p5.warpjet.min.js',
   'dist/warpjet.deformers.min.js',
+  'dist/warpjet.glsl.min.js',
   // What the script fetches from beside it, for the sketches that make it do so.
   'dist/mesh.min.js',
   'node_modules/p5/lib/p5.min.js',
+  'node_modules/glsl-noise/simplex/3d.glsl',
 ]
 const fonts = {
   'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',
@@ -24,6 +26,7 @@ const recorder = 'web/recorder.js'
 
 const types = {
   '.html': 'text/html; charset=utf-8',
+  '.glsl': 'text/plain; charset=utf-8',
   '.js': 'text/javascript; charset=utf-8',
   '.obj': 'text/plain; charset=utf-8',
   '.woff': 'font/woff',
