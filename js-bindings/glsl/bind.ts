@@ -2,7 +2,7 @@
 import { WarpError, describeShape } from '../checks/errors.js'
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
-import { inputSizes, variationInputs } from '../inputs/inputs.js'
+import { drawInputs, inputSizes, variationInputs } from '../inputs/inputs.js'
 import type { WarpInputs } from '../types/types.js'
 import type { Named, Outside } from './listing.js'
 import type { Given } from './replay.js'
@@ -44,7 +44,8 @@ export function bindOutsides(
     const { name, type, isAttribute } = outside
     if (!isAttribute && name in declared) return checked(method, outside, declared[name]!)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
-    if (input) return input
+    // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
+    if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
     if (!isAttribute) return parameterOf(method, glsl, outside)
     throw new WarpError(
       `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv and color.`,

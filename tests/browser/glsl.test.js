@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'
-import { glslOffset } from '../../dist/glsl.js'
+import { differentiate, glslOffset } from '../../dist/glsl.js'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { corpus } from '../glsl/corpus.js'
 import { above, randomFunction } from '../glsl/generate.js'
@@ -132,4 +132,46 @@ test('random functions as the original', async () => {
   }
   assert.equal(problems.length, 0, problems.join('\n').slice(0, 4000))
   assert.equal(compared, count * 3 * points.length)
+})
+
+test('value and gradient as one function: as the field has them, in each language', async () => {
+  const field = `float blend(float a, float b, float k) {
+      float h = clamp(0.5 + 0.5 * (b - a) / k, 0.0, 1.0);
+      return mix(b, a, h) - k * h * (1.0 - h);
+    }
+    float map(vec3 p) {
+      float d = length(p) - 0.5;
+      for (int i = 0; i < 3; i++) d = blend(d, length(p - 0.4 * vec3(i, 1 - i, 0.3)) - 0.2, 0.3);
+      return d;
+    }`
+  // The same by hand, in double.
+  const map = (p) => {
+    let d = Math.hypot(...p) - 0.5
+    for (let i = 0; i < 3; i++) {
+      const b = Math.hypot(p[0] - 0.4 * i, p[1] - 0.4 * (1 - i), p[2] - 0.12) - 0.2
+      const h = Math.min(Math.max(0.5 + (0.5 * (b - d)) / 0.3, 0), 1)
+      d = b + (d - b) * h - 0.3 * h * (1 - h)
+    }
+    return d
+  }
+  const slope = (p, k) => {
+    const at = (step) => map(p.map((x, i) => (i === k ? x + step : x)))
+    return (at(1e-5) - at(-1e-5)) / 2e-5
+  }
+  const wanted = points.map((p) => [map(p), ...[0, 1, 2].map((k) => slope(p, k))])
+  for (const target of targetsInThisRun) {
+    const text = differentiate(field, { by: 'p', target })
+    const values = await pipelines.run(
+      target,
+      {
+        code: target === 'wgsl' ? 'let ours = mapGradient(p);' : 'vec4 ours = mapGradient(p);',
+        declarations: text,
+        inputs,
+        outputs: [{ name: 'ours', shape: 4 }],
+      },
+      points,
+    )
+    // A point may lie where a blend begins.
+    assert.ok(differing(values, wanted) <= 2, target)
+  }
 })

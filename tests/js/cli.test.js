@@ -426,3 +426,58 @@ test('a warp along the normal is baked with how the normal varies, and its text 
     /attributes: vec3 position, vec3 normal, vec3 normalXGradient, vec3 normalYGradient, vec3 normalZGradient/,
   )
 })
+
+describe('shader text on the command line', () => {
+  write(
+    'waves.glsl',
+    `uniform float height;
+vec3 offset(vec3 position) { return vec3(0.0, height * sin(position.x), 0.0); }
+vec3 up(vec3 p) { return p + vec3(0.0, 1.0, 0.0); }
+float map(vec3 p) { return dot(p, p); }
+`,
+  )
+  write('bad.frag', 'vec3 offset(vec3 p) {\n  return q;\n}\n')
+
+  test('emit takes it in the place of a warp.js', async () => {
+    const { code, stdout } = await warpjet('emit', 'waves.glsl', '--target', 'wgsl')
+    assert.equal(code, 0)
+    assert.match(stdout, /uniforms: float height/)
+    assert.match(stdout, /offset = vec3f\(0\.0f, height \* sin\(position\.x\), 0\.0f\);/)
+  })
+
+  test('bake too, by any of its functions', async () => {
+    const args = ['--function', 'up', '--returns', 'position', '-o', 'up.glb']
+    const { code, stderr } = await warpjet('bake', 'model.glb', 'waves.glsl', ...args)
+    assert.equal(code, 0, stderr)
+    const [before, after] = await Promise.all(
+      ['model.glb', 'up.glb'].map((file) => loadMesh(join(folder, file))),
+    )
+    assert.ok(Math.abs(after.positions[1] - before.positions[1] - 1) < 1e-6)
+    assert.equal(after.positions[0], before.positions[0])
+    const missing = await warpjet(
+      'bake',
+      'model.glb',
+      'waves.glsl',
+      '-o',
+      'up.glb',
+      '--function',
+      'offset',
+    )
+    assert.equal(missing.code, 1)
+    assert.match(missing.stderr, /reads height; add --set height=/)
+  })
+
+  test('derive prints a function with its gradient', async () => {
+    const { code, stdout } = await warpjet('derive', 'waves.glsl', '--function', 'map', '--by', 'p')
+    assert.equal(code, 0)
+    assert.match(stdout, /^vec4 mapGradient\(vec3 p\) \{/)
+  })
+
+  test('what is wrong in it is told with its line', async () => {
+    const { code, stderr } = await warpjet('emit', 'bad.frag')
+    assert.equal(code, 1)
+    assert.match(stderr, /line 2, column 10: "q" is not declared/)
+    assert.equal((await warpjet('emit', 'none.glsl')).code, 1)
+    assert.equal((await warpjet('derive', 'waves.glsl', '--target', 'msl')).code, 2)
+  })
+})
