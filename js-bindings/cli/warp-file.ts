@@ -64,7 +64,10 @@ export async function blame<Result>(file: string, work: () => Result): Promise<R
   try {
     return work()
   } catch (error) {
-    if (error instanceof WarpError) throw error
+    if (error instanceof WarpError) {
+      const line = lineOf(file, error)
+      throw line ? new WarpError(`${file}: ${error.message}${line}`) : error
+    }
     if (!(error instanceof Error)) throw new WarpError(`${file} throws ${describe(error)}.`)
     const { name, message } = error
     throw new WarpError(`${file}: ${name}: ${message.split('\n')[0]}${lineOf(file, error)}`)

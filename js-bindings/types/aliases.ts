@@ -1,6 +1,6 @@
 // Other names of operations; js-bindings/expression/aliases.ts has them and says where they come from.
 import type { sameAs } from '../expression/aliases.js'
-import type { Operand, Scalar } from './expressions.js'
+import type { Scalar } from './expressions.js'
 
 type Names = typeof sameAs
 
@@ -32,11 +32,20 @@ export interface MadeVectorMethods {
   lengthSq(): Scalar
 }
 
-type OfOne<Result> = <Value extends Operand | object>(
-  value: Value,
-) => Result extends 'same' ? Value : Scalar
-
 /** The same as functions of the builder. */
-export type MadeFunctions = {
-  [Name in keyof MadeMethods<unknown>]: OfOne<'same'>
-} & { [Name in keyof MadeVectorMethods]: OfOne<'number'> }
+export interface MadeFunctions {
+  /** 1 - x */
+  oneMinus<Value extends object>(x: Value): Value
+  /** Between 0 and 1. */
+  saturate<Value extends object>(x: Value): Value
+  /** 1 / x */
+  reciprocal<Value extends object>(x: Value): Value
+  /** x * x */
+  pow2<Value extends object>(x: Value): Value
+  /** x * x * x */
+  pow3<Value extends object>(x: Value): Value
+  /** The square of the length of a vector. */
+  magSq(v: object): Scalar
+  /** The square of the length of a vector. */
+  lengthSq(v: object): Scalar
+}

@@ -218,7 +218,7 @@ describe('emit', () => {
     await refuses(['emit', 'broken.js'], /broken\.js cannot be run: SyntaxError/)
     await refuses(['emit', 'throws.js'], /throws\.js cannot be run: Error: no/)
     await refuses(['emit', 'undefined.js'], /must return a vec3/)
-    await refuses(['emit', 'typo.js'], /typo\.js: TypeError: .*sine is not a function \(line 2\)/)
+    await refuses(['emit', 'typo.js'], /typo\.js: sine: .*did you mean sin\? \(line 2\)/)
     write('null.js', 'throw null')
     write('text.js', 'export default () => { throw "no" }')
     await refuses(['emit', 'null.js'], /null\.js cannot be run: it throws null\./)
