@@ -5,12 +5,14 @@
 import type * as deformers from './deformers.js'
 import type { CreateWarpOptions, Distort, LoadModelOptions, ModelOf } from './p5.js'
 import type * as compiler from './index.js'
+import type { operators } from './operators.js'
 
 type Compiler = Pick<typeof compiler, 'WarpError' | 'compile' | 'compileWarp' | 'gen' | 'version'>
 
 declare global {
-  /** What p5.warpjet.min.js has beside p5's functions, and after warpjet.deformers.min.js the deformers. */
-  const warpjet: Compiler & typeof deformers
+  /** What p5.warpjet.min.js has beside p5's functions, and after warpjet.deformers.min.js the deformers, after warpjet.operators.min.js
+   * `operators`. */
+  const warpjet: Compiler & typeof deformers & { operators: typeof operators }
 
   /** glsl-autodiff's global. */
   const AutoDiff: Pick<Compiler, 'gen'>
