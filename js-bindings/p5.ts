@@ -4,7 +4,7 @@
  */
 import { registerGlobally } from './p5/register.js'
 
-export { warpjet as default, createWarp } from './p5/addon.js'
+export { warpjet as default, warpjet as setupWarp, createWarp } from './p5/addon.js'
 export type { Loading, Warping } from './p5/addon.js'
 export type { Distort } from './p5/create-warp.js'
 export type { LoadModelOptions, ModelOf, WarpModel } from './p5/load-model.js'

@@ -238,8 +238,9 @@ export const writeMoves = (
   kept: KeptWarp,
   target: Target,
   outputs: Record<'position' | 'jacobian', string>,
+  names?: InputNames,
 ): Written =>
-  writeResults(kept, target, kept.settings.names, [
+  writeResults(kept, target, { ...kept.settings.names, ...withoutGaps(names) }, [
     [warpResults.position, outputs.position],
     [kept.jacobian!, outputs.jacobian],
   ])

@@ -28,8 +28,8 @@ export const vertexInputs = {
   ...variationInputs,
 }
 
-/** The same for a whole draw call. */
-export const drawInputs = { millis: 1, mouse: 2, size: 2, pixelDensity: 1 }
+/** The same for a whole draw call, or for all of one instance. */
+export const drawInputs = { millis: 1, mouse: 2, size: 2, pixelDensity: 1, instance: 1 }
 
 export const inputSizes = { ...vertexInputs, ...drawInputs }
 

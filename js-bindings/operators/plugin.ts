@@ -2,7 +2,8 @@
 // where they stand, so that they see the variables around them.
 import { parse } from 'acorn'
 import { declaredIn, walk } from './scopes.js'
-import { type Tree, operatorsName, translate } from './translate.js'
+import { operatorsName, translate } from './translate.js'
+import type { Tree } from './tree.js'
 
 const callees = new Set(['createWarp', 'compileWarp'])
 const runtime = 'warpjetWithOperators'

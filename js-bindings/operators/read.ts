@@ -5,7 +5,8 @@ import { WarpError } from '../checks/errors.js'
 import type { OffsetFunction, WarpInputs } from '../types/types.js'
 import { type Operators, withOperators } from './runtime.js'
 import { declaredIn, freeIn } from './scopes.js'
-import { type Tree, operatorsName, translate } from './translate.js'
+import { operatorsName, translate } from './translate.js'
+import type { Tree } from './tree.js'
 
 /** Values that a text may read by name, since it cannot see the variables around it. */
 export type Scope = Readonly<Record<string, unknown>>

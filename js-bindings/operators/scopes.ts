@@ -1,5 +1,5 @@
 // Names in the text of a function: which it declares, which it sets, and which it takes from around it.
-import type { Tree } from './translate.js'
+import type { Tree } from './tree.js'
 
 /** Visits a tree from the top; `visit` returns false to leave out what is in a node. */
 export function walk(

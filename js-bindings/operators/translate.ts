@@ -1,11 +1,8 @@
 // From the text of a function, whose operators work on numbers, to one whose operators ask what they work on. Lines stay where
 // they are, so that errors name the sketch's own.
-import type { Node } from 'acorn'
 import { functionNames } from './runtime.js'
 import { assignedIn, walk } from './scopes.js'
-
-/** Of any kind: acorn's own types name each apart. */
-export type Tree = Node & Record<string, any>
+import type { Tree } from './tree.js'
 
 const binary: Record<string, string> = {
   '+': 'add',

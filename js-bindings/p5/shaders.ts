@@ -4,7 +4,7 @@ import { WarpError } from '../checks/errors.js'
 import type { Target } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
 import { readsVariation } from './add-surface-variation.js'
-import { hookStyleOf, isOfLines, weave } from './hooks.js'
+import { hookStyleOf, isOfLines, namesFor, weave } from './hooks.js'
 import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
 import type { WarpSettings, WarpType } from './settings.js'
 import { declaredInputs, declaredUniforms, refuseUndeclared } from './sketch-uniforms.js'
@@ -33,12 +33,15 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
   const renderer = rendererOf(canvas)!
   const target = targetOf(renderer)
   const weavable = ({ text, parameters }: ReturnType<typeof writeWarp>, base: Shader) => {
+    if (target === 'glsl100' && text.uniforms.some(({ name }) => name === 'instance'))
+      throw new WarpError('createWarp: the input instance needs WebGL 2 or WebGPU.')
     const own = declaredUniforms(settings.uniforms, parameters)
     refuseUndeclared(parameters, base, own, settings, target)
     const { space, defs } = settings
     return { text, space, defs, uniforms: [...declaredInputs(text.uniforms), ...own] }
   }
-  const woven = weavable(writeWarp(kept, target), material)
+  const names = namesFor(style)
+  const woven = weavable(writeWarp(kept, target, { names }), material)
   const shaders: Partial<Record<WarpType, Shader>> = {}
   return {
     renderer,
@@ -53,7 +56,7 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
       )),
     /** Nothing where the warp reads what lines lack: then they cannot follow the fill. */
     moving: lazily((): MovingShaders | undefined => {
-      const written = writeMoves(kept, target, results)
+      const written = writeMoves(kept, target, results, names)
       if (!isOfLines(written.text)) return undefined
       const base = canvas.baseStrokeShader()
       const along = weavable(written, base)

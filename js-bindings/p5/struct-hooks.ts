@@ -23,6 +23,7 @@ export const structHooks: HookStyle = {
     normal: 'warpjetInputs.normal',
     uv: 'warpjetInputs.texCoord',
     color: 'warpjetInputs.color',
+    instance: 'float(gl_InstanceID)',
   },
   fill(woven, type) {
     const { text, space } = woven

@@ -27,7 +27,7 @@ export interface Woven {
 }
 
 export interface HookStyle {
-  names: Record<'position' | 'normal' | 'uv' | 'color', string>
+  names: Record<'position' | 'normal' | 'uv' | 'color' | 'instance', string>
   /** The hooks that run a text and hand its `warpjetMoved` and `warpjetTurned` to p5. */
   fill(woven: Woven, type: WarpType, base: Shader): Modifications
   /** What is beyond hooks. */

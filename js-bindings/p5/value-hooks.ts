@@ -16,6 +16,7 @@ export const valueHooks: HookStyle = {
     normal: 'warpjetNormal',
     uv: 'aTexCoord',
     color: '(uUseVertexColor ? aVertexColor : uMaterialColor)',
+    instance: 'float(gl_InstanceID)',
   },
   fill(woven, type) {
     const { position, viewPosition } = positions[woven.space]

@@ -33,6 +33,7 @@ export const wgslHooks: HookStyle = {
     normal: 'warpjetInputs.normal',
     uv: 'warpjetInputs.texCoord',
     color: 'warpjetInputs.color',
+    instance: 'f32(instanceID)',
   },
   fill: (woven, type, base) => ({
     ...declarationsOf(

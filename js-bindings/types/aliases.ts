@@ -1,6 +1,6 @@
 // Other names of operations; js-bindings/expression/aliases.ts has them and says where they come from.
 import type { sameAs } from '../expression/aliases.js'
-import type { Operand, Scalar } from './expressions.js'
+import type { Scalar } from './expressions.js'
 
 type Names = typeof sameAs
 
@@ -35,17 +35,17 @@ export interface MadeVectorMethods {
 /** The same as functions of the builder. */
 export interface MadeFunctions {
   /** 1 - x */
-  oneMinus<Value extends Operand | object>(value: Value): Value
+  oneMinus<Value extends object>(x: Value): Value
   /** Between 0 and 1. */
-  saturate<Value extends Operand | object>(value: Value): Value
+  saturate<Value extends object>(x: Value): Value
   /** 1 / x */
-  reciprocal<Value extends Operand | object>(value: Value): Value
+  reciprocal<Value extends object>(x: Value): Value
   /** x * x */
-  pow2<Value extends Operand | object>(value: Value): Value
+  pow2<Value extends object>(x: Value): Value
   /** x * x * x */
-  pow3<Value extends Operand | object>(value: Value): Value
-  /** The square of the length. */
-  magSq(value: Operand | object): Scalar
-  /** The square of the length. */
-  lengthSq(value: Operand | object): Scalar
+  pow3<Value extends object>(x: Value): Value
+  /** The square of the length of a vector. */
+  magSq(v: object): Scalar
+  /** The square of the length of a vector. */
+  lengthSq(v: object): Scalar
 }

@@ -104,6 +104,8 @@ export interface WarpInputs<Uniforms extends UniformValues = {}> {
   width: Scalar
   height: Scalar
   pixelDensity: Scalar
+  /** The number of the instance that is drawn, from 0, as of `model(shape, count)` in p5 2. Needs WebGL 2 or WebGPU. */
+  instance: Scalar
 }
 
 /** From a vertex to the offset that moves it. Called once; loops and functions act as macros. */

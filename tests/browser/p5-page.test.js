@@ -181,7 +181,8 @@ describe('the modules', () => {
   })
 
   test('load without a browser', async () => {
-    const { default: warpjet, createWarp } = await import('../../dist/p5.js')
+    const { default: warpjet, createWarp, setupWarp } = await import('../../dist/p5.js')
+    assert.equal(setupWarp, warpjet)
     class Sketch {}
     Sketch.Graphics = class {}
     warpjet(Sketch)

@@ -1,0 +1,45 @@
+// model(shape, count): each instance has a warp of its own. Judged by where the picture is.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { launchBrowser, launchBrowserWithWebGPU } from './support/browser.js'
+import { colorAt, litPixels } from './support/pixels.js'
+import { servePages } from './support/server.js'
+import { drawScenes, p5Versions, p5WebGPU } from './support/sketch.js'
+
+let browsers, server
+before(async () => {
+  server = await servePages()
+  browsers = { WEBGL: await launchBrowser(), WEBGPU: await launchBrowserWithWebGPU() }
+})
+after(async () => {
+  for (const browser of Object.values(browsers)) await browser.close()
+  await server.close()
+})
+
+/** p5 1.11 has no instances of a model. */
+const p5 = p5Versions['2.x']
+
+for (const [renderer, scripts] of Object.entries({ WEBGL: [p5], WEBGPU: [p5, p5WebGPU] }))
+  test(`instances by ${renderer}, fills and strokes`, async () => {
+    const { fills, strokes } = await drawScenes(
+      browsers[renderer],
+      server,
+      [...scripts, '/dist/p5.warpjet.min.js'],
+      {
+        renderer,
+        setup: `
+          shape = buildGeometry(() => plane(20))
+          warps.row = createWarp(({ glsl, instance }) => glsl.vec3(instance.sub(1).mult(50), 0, 0), { space: 'world' })`,
+        scenes: {
+          fills: `noStroke(); warps.row(); fill('red'); model(shape, 3)`,
+          strokes: `noFill(); stroke('red'); strokeWeight(4); warps.row(); model(shape, 3)`,
+        },
+      },
+    )
+    for (const x of [-50, 0, 50]) assert.deepEqual(colorAt(fills, 100 + x, 100), [255, 0, 0])
+    assert.equal(litPixels(fills).length, 3 * 400)
+    const at = (x) => litPixels(strokes).filter((pixel) => Math.abs(pixel.x - x) < 25).length
+    assert.ok(at(0) > 200, `${at(0)} pixels of a frame`)
+    for (const x of [-50, 50])
+      assert.ok(Math.abs(at(x) - at(0)) <= 4, `${at(x)} at ${x}, ${at(0)} in the middle`)
+  })
