@@ -8,7 +8,7 @@
 # of 3,000 nodes takes six times as long.
 set(fast_sources
   src/algebra/value.cpp src/builder/builder.cpp src/builder/call.cpp src/builder/results.cpp src/diff/differentiator.cpp
-  src/emit/emit.cpp src/emit/literal.cpp src/emit/names.cpp src/emit/statements.cpp src/emit/writer.cpp
+  src/emit/emit.cpp src/emit/names.cpp src/emit/statements.cpp src/emit/writer.cpp
   src/graph/graph.cpp src/graph/schedule.cpp src/graph/simplify.cpp src/module/save.cpp)
 set(fast_evaluation_sources
   src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp src/eval/registers.cpp)
