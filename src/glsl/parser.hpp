@@ -47,11 +47,13 @@ class Parser {
   Type type();
   Type structure();
   Type arrayOf(Type element);
+  bool checkFree(const Token& name);
+  Number addVariable(const Token& name, Type type, Variable::Kind kind);
+
+  // parse_functions.cpp
   void function(Type result, const Token& name);
   std::vector<Parameter> parameters();
   Number declareFunction(const Function& function);
-  bool checkFree(const Token& name);
-  Number addVariable(const Token& name, Type type, Variable::Kind kind);
   void refuseRecursion();
 
   // parse_statements.cpp
@@ -77,6 +79,13 @@ class Parser {
   Number choice();
   Number binary(int level);
   Number unary();
+  Number makeBinary(Operator op, Number left, Number right, Place place);
+  Number makePlace(Number operand, Place place, std::string_view what);
+  Number increment(Number operand, Operator op, Place place, bool isPostfix);
+  Number failed(Place place, std::string sentence);
+  Number add(Expression expression);
+
+  // parse_operands.cpp
   Number postfix();
   Number primary();
   Number number();
@@ -85,12 +94,7 @@ class Parser {
   Number call(const Token& name);
   Number member(Number operand);
   Number element(Number operand);
-  Number increment(Number operand, Operator op, Place place, bool isPostfix);
   std::vector<Number> arguments();
-  Number makeBinary(Operator op, Number left, Number right, Place place);
-  Number makePlace(Number operand, Place place, std::string_view what);
-  Number failed(Place place, std::string sentence);
-  Number add(Expression expression);
   Number callFunction(const Token& name, std::vector<Number> operands,
                       const std::vector<Type>& types);
   std::string typesOf(const std::vector<Type>& types) const;

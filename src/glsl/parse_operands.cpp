@@ -1,0 +1,251 @@
+// What operators stand between: names, numbers, calls, constructors, and parts of them.
+#include "glsl/builtins.hpp"
+#include "glsl/constants.hpp"
+#include "glsl/parser.hpp"
+#include "glsl/typing.hpp"
+
+namespace warpjet::glsl {
+
+std::string Parser::typesOf(const std::vector<Type>& types) const {
+  std::string text;
+  for (const Type type : types) text += (text.empty() ? "" : ", ") + tree_.types.name(type);
+  return text;
+}
+
+Number Parser::postfix() {
+  Number operand = primary();
+  for (;;) {
+    const Token& token = peek();
+    if (token.is(".")) {
+      operand = member(operand);
+    } else if (token.is("[")) {
+      operand = element(operand);
+    } else if (token.is("++") || token.is("--")) {
+      take();
+      operand = increment(operand, token.is("++") ? Operator::Add : Operator::Subtract, token.place,
+                          true);
+    } else {
+      return operand;
+    }
+  }
+}
+
+Number Parser::member(Number operand) {
+  const Place place = take().place;
+  const Token name = peek();
+  if (name.kind != Kind::Name) {
+    return failed(name.place, "a component or field is missing after the point; " + found());
+  }
+  take();
+  if (problems_.any()) return operand;
+  const Type type = typeOf(operand);
+  const bool isPlace = tree_.expressions[operand].isPlace;
+  if (type.isArray() && name.is("length")) {
+    expect("(", "length");
+    expect(")", "length(");
+    return add(Expression{.kind = Code::Constant,
+                          .type = intType,
+                          .value = static_cast<double>(type.length),
+                          .place = place});
+  }
+  if (type.isStruct()) {
+    const Field* field = tree_.types.structure(type).find(name.text);
+    if (!field)
+      return failed(name.place, "" + tree_.types.a(type) + " has no field " + quoted(name.text));
+    return add(Expression{.kind = Code::Part,
+                          .isPlace = isPlace,
+                          .type = field->type,
+                          .index = field->offset,
+                          .place = place,
+                          .operands = {operand}});
+  }
+  const auto packed = type.isVector() ? readSwizzle(name.text, type.rows) : std::nullopt;
+  if (!packed)
+    return failed(name.place, "" + tree_.types.a(type) + " has no component " + quoted(name.text));
+  return add(Expression{.kind = Code::Swizzle,
+                        .isPlace = isPlace,
+                        .type = vectorType(type.base, static_cast<int>(name.text.size())),
+                        .index = *packed,
+                        .place = place,
+                        .operands = {operand}});
+}
+
+Number Parser::element(Number operand) {
+  const Place place = take().place;
+  const Number index = expression();
+  expect("]", "an index");
+  if (problems_.any()) return operand;
+  const Type type = typeOf(operand);
+  if (!type.isArray() && !type.isVector() && !type.isMatrix())
+    return failed(place, "" + tree_.types.a(type) + " has no elements");
+  if (!typeOf(index).isWhole() || !typeOf(index).isScalar())
+    return failed(place, "an index must be an int or uint, but is " + tree_.types.a(typeOf(index)));
+  const int count = type.isArray() ? type.length : type.isMatrix() ? type.columns : type.rows;
+  if (const auto known = constantInt(tree_, index); known && (*known < 0 || *known >= count))
+    return failed(place, "the index " + std::to_string(*known) + " is not one of 0 to " +
+                             std::to_string(count - 1));
+  const Type element = type.isArray()    ? type.element()
+                       : type.isMatrix() ? vectorType(type.base, type.rows)
+                                         : scalarOf(type.base);
+  return add(Expression{.kind = Code::Element,
+                        .isPlace = tree_.expressions[operand].isPlace,
+                        .type = element,
+                        .place = place,
+                        .operands = {operand, index}});
+}
+
+Number Parser::primary() {
+  const Token token = peek();
+  if (token.is("(")) {
+    take();
+    const Number inner = expression();
+    expect(")", "an expression");
+    return inner;
+  }
+  if (token.kind == Kind::Int || token.kind == Kind::Uint || token.kind == Kind::Float)
+    return number();
+  if (token.kind == Kind::Name) return named();
+  return failed(token.place, "a value is missing; " + found());
+}
+
+Number Parser::number() {
+  const Token token = take();
+  Expression made{.kind = Code::Constant, .place = token.place};
+  if (token.kind == Kind::Float) {
+    made.type = floatType;
+    made.value = floatValue(token, problems_);
+  } else {
+    const std::uint32_t bits = intValue(token, problems_);
+    made.type = token.kind == Kind::Int ? intType : uintType;
+    made.value =
+        token.kind == Kind::Int ? static_cast<std::int32_t>(bits) : static_cast<double>(bits);
+  }
+  return add(std::move(made));
+}
+
+Number Parser::named() {
+  const Token name = peek();
+  if (name.is("true") || name.is("false")) {
+    take();
+    return add(Expression{.kind = Code::Constant,
+                          .type = boolType,
+                          .value = name.is("true") ? 1.0 : 0.0,
+                          .place = name.place});
+  }
+  if (startsType()) {
+    const Type made = type();
+    return construct(made, name.place);
+  }
+  if (peek(1).is("(")) {
+    take();
+    return call(name);
+  }
+  const Meaning meaning = scope_.find(name.text);
+  if (meaning.kind != Meaning::Kind::Variable) {
+    const bool isFunction = meaning.kind == Meaning::Kind::Function || isBuiltIn(name.text);
+    if (isFunction)
+      return failed(name.place, quoted(name.text) + " is a function; call it with ( )");
+    return failed(name.place, quoted(name.text) + " is not declared");
+  }
+  take();
+  return add(Expression{.kind = Code::Variable,
+                        .isPlace = true,
+                        .type = tree_.variables[meaning.index].type,
+                        .index = meaning.index,
+                        .place = name.place});
+}
+
+// From the parenthesis on to the one that closes it.
+std::vector<Number> Parser::arguments() {
+  std::vector<Number> all;
+  expect("(", "this");
+  if (accept(")")) return all;
+  if (peek().is("void") && peek(1).is(")")) {
+    take();
+    take();
+    return all;
+  }
+  do {
+    all.push_back(assignment());
+  } while (accept(","));
+  expect(")", "the arguments");
+  return all;
+}
+
+Number Parser::construct(Type type, Place place) {
+  if (!problems_.any() && !peek().is("("))
+    return failed(place, "a value is missing; a type stands here");
+  std::vector<Number> operands = arguments();
+  if (problems_.any()) return failed(place, "");
+  std::vector<Type> types;
+  for (const Number operand : operands) types.push_back(typeOf(operand));
+  if (type.length == 0) type.length = static_cast<std::int32_t>(operands.size());
+  std::string why = constructorProblem(type, types, tree_.types);
+  if (!why.empty()) return failed(place, std::move(why));
+  return add(Expression{
+      .kind = Code::Construct, .type = type, .place = place, .operands = std::move(operands)});
+}
+
+Number Parser::call(const Token& name) {
+  const Meaning meaning = scope_.find(name.text);
+  std::vector<Number> operands = arguments();
+  if (problems_.any()) return failed(name.place, "");
+  std::vector<Type> types;
+  for (const Number operand : operands) types.push_back(typeOf(operand));
+  if (meaning.kind == Meaning::Kind::Function) {
+    const Number made = callFunction(name, operands, types);
+    if (problems_.any()) return failed(name.place, "");
+    if (made != nothing) return made;
+  }
+  if (meaning.kind == Meaning::Kind::Variable)
+    return failed(name.place, quoted(name.text) + " is a variable and cannot be called");
+  const auto found = findBuiltIn(name.text, types);
+  if (!found) {
+    if (meaning.kind == Meaning::Kind::None && !isBuiltIn(name.text))
+      return failed(name.place, "there is no function " + quoted(name.text));
+    return failed(name.place, quoted(name.text) + " cannot be called with (" + typesOf(types) +
+                                  "); GLSL converts nothing by itself");
+  }
+  const BuiltIn& row = builtIns[found->row];
+  for (std::size_t i = 0; i < operands.size(); ++i)
+    if (isOut(row, i)) makePlace(operands[i], name.place, "this call");
+  if (row.way == Way::Refused)
+    return failed(name.place,
+                  quoted(name.text) +
+                      " has no place in a warp, which needs exact derivatives of what vertices do");
+  return add(Expression{.kind = Code::BuiltIn,
+                        .type = found->result,
+                        .index = found->row,
+                        .place = name.place,
+                        .operands = std::move(operands)});
+}
+
+// One of the text's own; nothing where none of that name fits, for a built-in one may.
+Number Parser::callFunction(const Token& name, std::vector<Number> operands,
+                            const std::vector<Type>& types) {
+  std::string known;
+  for (std::size_t i = 0; i < tree_.functions.size(); ++i) {
+    const Function& function = tree_.functions[i];
+    if (function.name != name.text) continue;
+    std::vector<Type> wanted;
+    for (const Parameter& parameter : function.parameters) wanted.push_back(parameter.type);
+    known += (known.empty() ? "(" : " or (") + typesOf(wanted) + ')';
+    if (wanted != types) continue;
+    for (std::size_t k = 0; k < operands.size(); ++k)
+      if (function.parameters[k].direction != Parameter::Direction::In)
+        makePlace(operands[k], name.place, "this call");
+    if (current_ != nothing) calls_.push_back({current_, static_cast<Number>(i), name.place});
+    if (problems_.any()) return nothing;
+    return add(Expression{.kind = Code::Call,
+                          .type = function.type,
+                          .index = static_cast<Number>(i),
+                          .place = name.place,
+                          .operands = std::move(operands)});
+  }
+  if (!findBuiltIn(name.text, types))
+    return failed(name.place, quoted(name.text) + " takes " + known + ", but (" + typesOf(types) +
+                                  ") came; GLSL converts nothing by itself");
+  return nothing;
+}
+
+}  // namespace warpjet::glsl
