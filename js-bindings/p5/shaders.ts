@@ -8,7 +8,7 @@ import { hookStyleOf, isOfLines, namesFor, weave } from './hooks.js'
 import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
 import type { WarpSettings, WarpType } from './settings.js'
 import { declaredInputs, declaredUniforms, refuseUndeclared } from './sketch-uniforms.js'
-import { results, targetOf } from './styles.js'
+import { readsInstance, results, targetOf } from './styles.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()
@@ -33,7 +33,7 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
   const renderer = rendererOf(canvas)!
   const target = targetOf(renderer)
   const weavable = ({ text, parameters }: ReturnType<typeof writeWarp>, base: Shader) => {
-    if (target === 'glsl100' && text.uniforms.some(({ name }) => name === 'instance'))
+    if (target === 'glsl100' && readsInstance(text))
       throw new WarpError('createWarp: the input instance needs WebGL 2 or WebGPU.')
     const own = declaredUniforms(settings.uniforms, parameters)
     refuseUndeclared(parameters, base, own, settings, target)

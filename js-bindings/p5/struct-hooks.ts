@@ -23,7 +23,7 @@ export const structHooks: HookStyle = {
     normal: 'warpjetInputs.normal',
     uv: 'warpjetInputs.texCoord',
     color: 'warpjetInputs.color',
-    instance: 'float(gl_InstanceID)',
+    instance: 'warpjetInstance',
   },
   fill(woven, type) {
     const { text, space } = woven

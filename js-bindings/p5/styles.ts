@@ -45,10 +45,14 @@ export interface HookStyle {
 export const targetOf = (renderer: { webglVersion?: string; GL?: unknown }): Target =>
   renderer.GL ? (renderer.webglVersion === 'webgl' ? 'glsl100' : 'glsl300') : 'wgsl'
 
+export const readsInstance = ({ uniforms }: WarpText) =>
+  uniforms.some(({ name }) => name === 'instance')
+
 /** GLSL for above the hooks. */
 export const glslDeclarations = ({ text, defs, uniforms }: Woven, ...own: (string | false)[]) =>
   [
     ...own,
+    readsInstance(text) && '#define warpjetInstance float(gl_InstanceID)',
     ...uniforms.map(({ name, type }) => `uniform ${glslType(type)} ${name};`),
     defs,
     text.declarations,

@@ -16,7 +16,7 @@ export const valueHooks: HookStyle = {
     normal: 'warpjetNormal',
     uv: 'aTexCoord',
     color: '(uUseVertexColor ? aVertexColor : uMaterialColor)',
-    instance: 'float(gl_InstanceID)',
+    instance: 'warpjetInstance',
   },
   fill(woven, type) {
     const { position, viewPosition } = positions[woven.space]

@@ -8,7 +8,7 @@ import { variationIn, variationVariables } from './add-surface-variation.js'
 import type { Declared } from '../module/result.js'
 import type { Modifications, Shader } from './host.js'
 import type { WarpSpace } from './settings.js'
-import type { HookStyle, Woven } from './styles.js'
+import { type HookStyle, type Woven, readsInstance } from './styles.js'
 
 const types: Record<Declared['type'], string> = {
   float: 'f32',
@@ -33,7 +33,7 @@ export const wgslHooks: HookStyle = {
     normal: 'warpjetInputs.normal',
     uv: 'warpjetInputs.texCoord',
     color: 'warpjetInputs.color',
-    instance: 'f32(instanceID)',
+    instance: 'warpjetInstance',
   },
   fill: (woven, type, base) => ({
     ...declarationsOf(
@@ -153,10 +153,12 @@ function hooks(struct: string, bodies: Record<string, string>): Modifications {
 
 /** The text, with the uniforms under the names that they have in GLSL. */
 const runs = ({ text, uniforms }: Woven) =>
+  (readsInstance(text) ? '  let warpjetInstance = f32(instanceID);\n' : '') +
   uniforms
     .filter(({ type }) => type !== 'sampler2D')
     .map(({ name }) => `  let ${name} = hooks.${name};\n`)
-    .join('') + text.code
+    .join('') +
+  text.code
 
 function declarationsOf({ text, defs, uniforms }: Woven, base: Shader, ...own: string[]) {
   const images = uniforms.filter(({ type }) => type === 'sampler2D')

@@ -120,7 +120,7 @@ const calls = {
   [`createWarp(still, 'world')`]:
     'createWarp: the options must be an object, but are the text "world".',
   [`createWarp(still, { spaces: 'world' })`]:
-    'createWarp: there is no option "spaces"; there are uniforms, type, space, defs, surfaceVariation, stroke, returns.',
+    'createWarp: there is no option "spaces"; there are uniforms, type, space, defs, surfaceVariation, stroke, returns, scope.',
   [`createWarp(still, { space: 'wold' })`]:
     'createWarp: the option "space" must be "local" or "world" or "camera", but is the text "wold".',
   [`createWarp(still, { type: 'phong' })`]:
