@@ -249,4 +249,28 @@ export const sections = [
       },
     ],
   },
+  {
+    title: 'With three.js',
+    source: 'warpjet/three: one line, and light, shadows, rays and culling follow',
+    examples: [
+      {
+        name: 'three-sea',
+        figure: 'Waves',
+        title: 'Sea',
+        text: 'Four waves that go round in circles, as Gerstner found in 1804. They cast shadows on each other, and the buoy asks three.js with a ray where the water is and which way it faces.',
+      },
+      {
+        name: 'three-grass',
+        figure: 'Instances',
+        title: 'Grass in the wind',
+        text: 'Ten thousand blades in one InstancedMesh, warped in the world, where the wind blows the same way for all of them. Noise wanders over the field, and light and shadows bend along.',
+      },
+      {
+        name: 'three-terrain',
+        figure: 'Rays',
+        title: 'Terrain to point at',
+        text: 'A plane that ridged noise makes mountains of. The flag stands where the pointer meets them, upright on the slope; a click plants it. Drag to turn.',
+      },
+    ],
+  },
 ]

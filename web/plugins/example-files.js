@@ -16,11 +16,18 @@ const libraries = [
   // What the script fetches from beside it, for the sketches that make it do so.
   'dist/mesh.min.js',
   'node_modules/p5/lib/p5.min.js',
+  // Those of three.js take modules, which their pages map names to.
+  'dist/three.js',
+  ...['basics', 'compiler', 'evaluation', 'three-warp'].map((name) => `dist/shared/${name}.js`),
+  ...['three.module.js', 'three.core.js'].map((name) => `node_modules/three/build/${name}`),
+  ...['controls/OrbitControls.js', 'libs/lil-gui.module.min.js', 'libs/stats.module.js'].map(
+    (name) => `node_modules/three/examples/jsm/${name}`,
+  ),
 ]
 const fonts = {
   'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',
 }
-const recorder = 'web/recorder.js'
+const recorders = ['recorder.js', 'three-recorder.js']
 
 const types = {
   '.html': 'text/html; charset=utf-8',
@@ -38,15 +45,17 @@ function obj(name) {
 
 /** The example's page with the recorder in it: what the gallery frames. */
 const framedPage = (html) =>
-  String(html).replace(
-    '<script src="sketch.js">',
-    '<script src="../../recorder.js"></script>\n    $&',
-  )
+  String(html)
+    .replace('<script src="sketch.js">', '<script src="../../recorder.js"></script>\n    $&')
+    .replace(
+      '<script type="module" src="sketch.js">',
+      '<script src="../../three-recorder.js"></script>\n    $&',
+    )
 
 /** The content of the file at `path` below the gallery; undefined where there is none. */
 async function contentOf(path) {
   if (libraries.includes(path)) return read(path)
-  if (path === 'recorder.js') return read(recorder)
+  if (recorders.includes(path)) return read(`web/${path}`)
 
   const [, example, file] = /^examples\/([\w-]+)\/([\w.-]*)$/.exec(path) ?? []
   if (!example) return
@@ -59,7 +68,7 @@ async function contentOf(path) {
 
 /** Everything that a built gallery needs: for each example its pages, its sketch, and what the sketch loads. */
 async function allPaths() {
-  const paths = [...libraries, 'recorder.js']
+  const paths = [...libraries, ...recorders]
   const folders = await readdir(new URL('examples/', root))
   for (const name of folders.sort()) {
     const sketch = String(await read(`examples/${name}/sketch.js`))

@@ -1,0 +1,112 @@
+import * as THREE from 'three'
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
+import { GUI } from 'three/addons/libs/lil-gui.module.min.js'
+import Stats from 'three/addons/libs/stats.module.js'
+import { warp } from 'warpjet/three'
+
+const renderer = new THREE.WebGLRenderer({ antialias: true })
+renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
+renderer.shadowMap.enabled = true
+document.body.append(renderer.domElement)
+
+const scene = new THREE.Scene()
+scene.background = new THREE.Color('#cfe3f1')
+scene.fog = new THREE.Fog('#cfe3f1', 9, 17)
+const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50)
+camera.position.set(3.5, 2, 6)
+const controls = new OrbitControls(camera, renderer.domElement)
+controls.target.set(0, 0.4, 0)
+controls.maxPolarAngle = 1.5
+controls.enableDamping = true
+
+const sun = new THREE.DirectionalLight('#fff1cf', 3.5)
+sun.position.set(-4, 5, 2)
+sun.castShadow = true
+sun.shadow.mapSize.set(2048, 2048)
+sun.shadow.bias = -0.001
+Object.assign(sun.shadow.camera, { left: -6, right: 6, top: 6, bottom: -6, far: 16 })
+scene.add(sun, new THREE.HemisphereLight('#d9ecff', '#3a4a1c', 1.3))
+
+const ground = new THREE.Mesh(
+  new THREE.CircleGeometry(12, 48).rotateX(-Math.PI / 2),
+  new THREE.MeshStandardMaterial({ color: '#4f6b28', roughness: 1 }),
+)
+ground.receiveShadow = true
+scene.add(ground)
+
+// Ten thousand blades, each with a place, a height and a colour of its own.
+const blade = new THREE.ConeGeometry(0.025, 1, 5, 8).translate(0, 0.5, 0).scale(1, 1, 0.4)
+const count = 10_000
+const grass = new THREE.InstancedMesh(
+  blade,
+  new THREE.MeshStandardMaterial({ roughness: 0.7, side: THREE.DoubleSide }),
+  count,
+)
+const one = new THREE.Object3D()
+const color = new THREE.Color()
+for (let i = 0; i < count; i++) {
+  const [angle, radius] = [i * 2.39996, 5.5 * Math.sqrt(i / count)]
+  one.position.set(radius * Math.cos(angle), 0, radius * Math.sin(angle))
+  one.rotation.y = 7 * Math.random()
+  one.scale.set(1, 0.5 + 0.5 * Math.random(), 1)
+  one.updateMatrix()
+  grass.setMatrixAt(i, one.matrix)
+  grass.setColorAt(i, color.setHSL(0.22 + 0.06 * Math.random(), 0.6, 0.3 + 0.12 * Math.random()))
+}
+grass.castShadow = grass.receiveShadow = true
+scene.add(grass)
+
+// In the world, where the wind blows the same way for all of them: gusts are noise that wanders over the field, and each
+// blade bends the more the higher up.
+const settings = { wind: 0.9, gusts: 0.45, direction: 0.6 }
+const warped = warp(
+  grass,
+  ({ glsl, position, millis, uniforms }) => {
+    const { wind, gusts, direction } = uniforms
+    const way = glsl.vec3(direction.cos(), 0, direction.sin())
+    const place = position
+      .xz()
+      .mult(gusts)
+      .sub(way.xz().mult(millis.div(900)))
+    const strength = place.simplex().mult(0.5).add(0.6).mult(wind)
+    const flutter = position
+      .x()
+      .mult(5)
+      .add(position.z().mult(7))
+      .add(millis.div(120))
+      .sin()
+      .mult(0.03)
+    const bend = position.y().max(0).pow(2).mult(strength.add(flutter))
+    return way.mult(bend).sub(glsl.vec3(0, bend.mult(bend).mult(0.4), 0))
+  },
+  {
+    space: 'world',
+    uniforms: {
+      wind: () => settings.wind,
+      gusts: () => settings.gusts,
+      direction: () => settings.direction,
+    },
+  },
+)
+
+const panel = new GUI({ title: 'Wind' })
+panel.add(settings, 'wind', 0, 1.5)
+panel.add(settings, 'gusts', 0.1, 1.5)
+panel.add(settings, 'direction', -3.14, 3.14)
+const stats = new Stats()
+document.body.append(stats.dom)
+
+function resize() {
+  renderer.setSize(innerWidth, innerHeight)
+  camera.aspect = innerWidth / innerHeight
+  camera.updateProjectionMatrix()
+}
+addEventListener('resize', resize)
+resize()
+
+renderer.setAnimationLoop((time) => {
+  warped.update(time)
+  controls.update()
+  renderer.render(scene, camera)
+  stats.update()
+})

@@ -1,0 +1,30 @@
+// Runs in the page of an example with three.js before its sketch, in the gallery only: counts frames, keeps the shader text of
+// each warp for the page around it, and leaves the wheel to that page.
+{
+  window.frameCount = 0
+  const recorded = (window.recordedCode = [])
+  const { requestAnimationFrame } = window
+  window.requestAnimationFrame = (work) =>
+    requestAnimationFrame((time) => {
+      work(time)
+      window.frameCount++
+    })
+
+  /** The block that a warp is, in a vertex shader of three.js with all its chunks. */
+  const block =
+    /\{\n(?:#ifdef USE_TANGENT\n)?(?:(?!\n\{\n)[\s\S])*?transformed = warpjetMoved;|\{\nmat4 warpjetToWorld[\s\S]*?transformed = \( inverse/
+  const { shaderSource } = WebGL2RenderingContext.prototype
+  WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
+    const [code] = block.exec(text.slice(text.indexOf('void main'))) ?? []
+    if (code && !recorded.some((record) => record.code === code))
+      recorded.push({ maker: 'warp', code })
+    return shaderSource.call(this, shader, text)
+  }
+
+  addEventListener('wheel', (event) => event.stopImmediatePropagation(), { capture: true })
+  document.head.append(
+    Object.assign(document.createElement('style'), {
+      textContent: 'canvas { touch-action: pan-y !important } .lil-gui { --width: 180px }',
+    }),
+  )
+}
