@@ -11,6 +11,7 @@ import {
   addSurfaceVariation,
 } from 'warpjet/three'
 import { bakeWarp } from 'warpjet/mesh'
+import { bend, bulge, shear, spherify, stretch, taper, twist } from 'warpjet/deformers'
 
 const wave = ({ glsl, position, uniforms, millis }) =>
   glsl.vec3(0, 0, position.x().mult(3).add(millis.div(500)).sin().mult(uniforms.height))
@@ -501,4 +502,35 @@ test('a geometry can say how its normals vary', async () => {
     assert.ok(new THREE.Vector3().fromBufferAttribute(gradient, i).distanceTo(expected) < 0.02)
   }
   await assert.rejects(addSurfaceVariation(5), WarpError)
+})
+
+test('a thousand rays meet ten warps where they meet the baked meshes', () => {
+  const { min, max } = Math
+  const warps = [
+    twist({ axis: 'y', length: 2, angle: 1.5 }),
+    bend({ axis: 'z', from: -1, to: 1, angle: 1.2 }),
+    taper({ axis: 'y', length: 2, amount: 0.4 }),
+    bulge({ radius: 1, amount: 0.5 }),
+    stretch({ axis: 'x', amount: 1.6 }),
+    shear({ axis: 'y', direction: 'x', amount: 0.4 }),
+    spherify({ amount: 0.7, radius: 1 }),
+    ({ position }) => position.mult(2).noise().mult(position).mult(0.4),
+    ({ glsl, position }) => glsl.vec3(position.y().mult(5).sin().mult(0.2), 0, 0),
+    ({ normal }) => normal.mult(0.3),
+  ]
+  const geometry = new THREE.TorusKnotGeometry(0.7, 0.25, 120, 20)
+  const random = numbers(3)
+  for (const [i, offset] of warps.entries()) {
+    const mesh = placed(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial()))
+    const warped = warp(mesh, offset, { surfaceVariation: false })
+    const baked = bakeWarp(
+      fromBufferGeometry(geometry),
+      compileWarp(offset, { surfaceVariation: false }),
+    )
+    const other = new THREE.Mesh(toBufferGeometry(baked), mesh.material)
+    other.matrixWorld.copy(mesh.matrixWorld)
+    assert.ok(max(...baked.positions) - min(...baked.positions) < 20, `warp ${i}`)
+    sameHits(mesh, [other], { rays: 1000, random })
+    warped.dispose()
+  }
 })

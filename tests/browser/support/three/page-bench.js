@@ -1,0 +1,89 @@
+// Frame times of a warped mesh and of one with the same motion and its derivatives by hand, for `npm run bench:three`.
+import * as THREE from 'three'
+import { warp } from 'warpjet/three'
+
+const renderer = new THREE.WebGLRenderer({ antialias: false })
+renderer.setSize(64, 64)
+document.body.append(renderer.domElement)
+const gl = renderer.getContext()
+const scene = new THREE.Scene()
+scene.add(new THREE.DirectionalLight(0xffffff, 2), new THREE.HemisphereLight())
+const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 50)
+camera.position.z = 4
+
+const mesh = () =>
+  new THREE.Mesh(new THREE.SphereGeometry(1, 400, 300), new THREE.MeshStandardMaterial())
+
+/** Sines along y and x; millis makes them run. */
+const offset = ({ glsl, position, millis }) =>
+  glsl.vec3(
+    position.y().mult(4).add(millis.div(500)).sin().mult(0.15),
+    position.x().mult(3).sin().mult(0.1),
+    0,
+  )
+
+const time = { value: 0 }
+
+/** With M = I + J, whose cofactors turn the normal. */
+function byHand(object) {
+  object.material.onBeforeCompile = (shader) => {
+    shader.uniforms.time = time
+    shader.vertexShader = shader.vertexShader
+      .replace('void main() {', 'uniform float time;\nvoid main() {')
+      .replace(
+        '#include <beginnormal_vertex>',
+        `#include <beginnormal_vertex>
+        float u = position.y * 4.0 + time / 500.0;
+        float v = position.x * 3.0;
+        float a = 0.6 * cos( u );
+        float b = 0.3 * cos( v );
+        objectNormal = normalize( vec3( normal.x - b * normal.y, normal.y - a * normal.x, ( 1.0 - a * b ) * normal.z ) );`,
+      )
+      .replace(
+        '#include <begin_vertex>',
+        'vec3 transformed = position + vec3( 0.15 * sin( u ), 0.1 * sin( v ), 0.0 );',
+      )
+  }
+  return { update: (millis) => (time.value = millis), dispose() {} }
+}
+
+const pixel = new Uint8Array(4)
+function draw() {
+  const start = performance.now()
+  renderer.render(scene, camera)
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel)
+  return performance.now() - start
+}
+
+const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
+
+window.bench = () => {
+  const ways = { warped: (object) => warp(object, offset), byHand }
+  const first = { warped: [], byHand: [] }
+  const frame = { warped: [], byHand: [] }
+  for (let round = 0; round < 12; round++) {
+    const made = Object.entries(ways).map(([name, way]) => {
+      const object = mesh()
+      // Nothing is known of a text that is new.
+      object.material.customProgramCacheKey = () => `${name} ${round}`
+      return { name, object, ...way(object) }
+    })
+    // In turn, so that what else the machine does counts for both.
+    if (round % 2) made.reverse()
+    for (let i = 0; i < 20; i++)
+      for (const { name, object, update } of made) {
+        scene.add(object)
+        update(16 * i)
+        ;(i ? frame : first)[name].push(draw())
+        scene.remove(object)
+      }
+    for (const { object, dispose } of made) {
+      dispose()
+      object.geometry.dispose()
+      object.material.dispose()
+    }
+  }
+  const medians = ({ warped, byHand }) => ({ warped: median(warped), byHand: median(byHand) })
+  return { 'first frame': medians(first), frame: medians(frame) }
+}
+document.title = 'ready'
