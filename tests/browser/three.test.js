@@ -90,6 +90,13 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       assert.ok(moved > seen)
     })
 
+    test('three-custom-shader-material takes the text as it is', async () => {
+      messages.length = 0
+      const { differing, moved } = await page.evaluate(() => three.custom())
+      assert.deepEqual([messages, differing], [[], 0])
+      assert.ok(moved > seen)
+    })
+
     test('warped and disposed many times, nothing is left', async () => {
       const times = isRun('every material of three') ? 1000 : 100
       const { before, after } = await page.evaluate((times) => three.churn(times), times)

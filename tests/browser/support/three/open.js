@@ -15,6 +15,8 @@ const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
     warpjet: '/dist/warpjet.js',
     'warpjet/mesh': '/dist/mesh.js',
     'warpjet/deformers': '/dist/deformers.js',
+    'three-custom-shader-material/vanilla':
+      '/node_modules/three-custom-shader-material/vanilla/three-custom-shader-material.es.js',
     'warpjet/three': '/dist/three.js',
     'warpjet/three/webgpu': '/dist/three.webgpu.js',
     ...imports,

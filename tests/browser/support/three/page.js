@@ -131,6 +131,47 @@ export function image() {
   return { differing: differing(shown, draw(scene)), moved: differing(shown, before) }
 }
 
+/** The ten lines of web/docs/three.md, with three-custom-shader-material, against the motion by three.js. */
+export async function custom() {
+  renderer = rendererFor({})
+  const { default: CustomShaderMaterial } = await import('three-custom-shader-material/vanilla')
+  const { compileWarp } = await import('warpjet')
+  const { elements: e } = scenes.motion
+  const { code, declarations } = compileWarp(
+    ({ glsl, position, millis }) =>
+      glsl
+        .mat3(
+          glsl.vec3(e[0], e[1], e[2]),
+          glsl.vec3(e[4], e[5], e[6]),
+          glsl.vec3(e[8], e[9], e[10]),
+        )
+        .mult(position)
+        .add(glsl.vec3(e[12], e[13], e[14]).mult(millis.div(1000)))
+        .sub(position),
+    { names: { millis: 'uTime' } },
+  )
+  const object = scenes.unmoved(scenes.shapes.plain)
+  const scene = scenes.sceneOf(object, 'directional')
+  const before = draw(scene)
+  object.material = new CustomShaderMaterial({
+    baseMaterial: object.material,
+    uniforms: { uTime: { value: 1000 } },
+    vertexShader: `uniform float uTime;
+      ${declarations}
+      void main() {
+        ${code}
+        csm_Position = warpedPosition;
+        csm_Normal = warpedNormal;
+      }`,
+  })
+  object.castShadow = false
+  const shown = draw(scene)
+  const moved = scenes.moved(scenes.shapes.plain)
+  const reference = scenes.sceneOf(moved, 'directional')
+  moved.castShadow = false
+  return { differing: differing(shown, draw(reference)), moved: differing(shown, before) }
+}
+
 /** Warps and disposes a mesh in a scene many times → what three.js counts and the heap, before and after. */
 export function churn(times) {
   renderer = rendererFor({})
@@ -156,5 +197,5 @@ export function churn(times) {
 
 export const names = Object.keys(scenes.shapes)
 
-window.three = { compare, names, normals, image, churn }
+window.three = { compare, names, normals, image, custom, churn }
 document.title = 'ready'
