@@ -32,6 +32,7 @@ const shared = [
   'three',
   'three.webgpu',
   'react',
+  'babylon',
   'cli',
 ]
 const single = [

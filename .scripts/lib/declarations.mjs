@@ -16,6 +16,7 @@ const entries = [
   'three',
   'three.webgpu',
   'react',
+  'babylon',
 ]
 
 /** Only names what the entries export. */
