@@ -33,6 +33,7 @@ const shared = [
   'three',
   'three.webgpu',
   'react',
+  'babylon',
   'cli',
   ...operators,
 ]

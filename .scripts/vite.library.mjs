@@ -6,7 +6,7 @@ import { path } from './lib/files.mjs'
 const { name, version, license } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
 
 // p5 is the page's own: the addon is handed it, or finds it as a global. So is three. The command line runs in Node only.
-const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^node:/]
+const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^@babylonjs\//, /^node:/]
 
 const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
@@ -76,6 +76,7 @@ export const modules = settings(
       three: path('js-bindings/three.ts'),
       'three.webgpu': path('js-bindings/three.webgpu.ts'),
       react: path('js-bindings/react.ts'),
+      babylon: path('js-bindings/babylon.ts'),
       cli: path('js-bindings/cli.ts'),
       operators: path('js-bindings/operators.ts'),
       'operators-runtime': path('js-bindings/operators-runtime.ts'),

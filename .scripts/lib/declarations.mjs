@@ -19,6 +19,7 @@ const entries = [
   'operators',
   'operators-runtime',
   'operators-plugin',
+  'babylon',
 ]
 
 /** Only names what the entries export. */
@@ -43,6 +44,8 @@ export async function declareTypes() {
   const { dts } = await import('rolldown-plugin-dts')
   const bundle = await rolldown({
     input: Object.fromEntries(entries.map((name) => [name, path(written, `${name}.d.ts`)])),
+    // Theirs are their own.
+    external: /^(three|react|@react-three\/fiber|@babylonjs\/core)(\/|$)/,
     plugins: [dts({ dtsInput: true, tsconfig: false })],
     experimental: { attachDebugInfo: 'none' },
   })

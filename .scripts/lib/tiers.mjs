@@ -18,6 +18,8 @@ export const leftOut = {
     'tests/browser/bench-results.test.js': 'likewise the page of its results',
     'tests/browser/drop.test.js':
       'the page for one’s own model changes seldom; what it calls has its tests every day',
+    'tests/browser/react.test.js': 'what it wraps has its tests every day',
+    'tests/browser/babylon.test.js': 'the plugin is small, and bundling Babylon.js takes long',
   },
   parts: {
     'p5 1.11':

@@ -49,6 +49,7 @@ test('the package holds what a user needs and nothing else', () => {
     'cli',
     'three',
     'three.webgpu',
+    'babylon',
     'react',
   ]
   const single = [

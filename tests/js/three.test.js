@@ -10,6 +10,7 @@ import {
   warpMaterial,
   addSurfaceVariation,
 } from 'warpjet/three'
+import { glslOffset } from 'warpjet/glsl'
 import { bakeWarp } from 'warpjet/mesh'
 import { bend, bulge, shear, spherify, stretch, taper, twist } from 'warpjet/deformers'
 
@@ -533,4 +534,16 @@ test('a thousand rays meet ten warps where they meet the baked meshes', () => {
     sameHits(mesh, [other], { rays: 1000, random })
     warped.dispose()
   }
+})
+
+test('shader text is an offset too', () => {
+  const mesh = plane()
+  const warped = warp(
+    mesh,
+    glslOffset('vec3 offset(vec3 p) { return vec3(0.0, 0.0, 2.0 + sin(p.x)); }'),
+  )
+  const ray = new THREE.Raycaster(new THREE.Vector3(0, 0.2, 9), new THREE.Vector3(0, 0, -1))
+  const [hit] = ray.intersectObject(mesh)
+  assert.ok(Math.abs(hit.point.z - 2) < 1e-4)
+  warped.dispose()
 })

@@ -134,6 +134,8 @@ export function image() {
 /** The ten lines of web/docs/three.md, with three-custom-shader-material, against the motion by three.js. */
 export async function custom() {
   renderer = rendererFor({})
+  // Variance shadows draw also what only receives them.
+  renderer.shadowMap.type = THREE.PCFShadowMap
   const { default: CustomShaderMaterial } = await import('three-custom-shader-material/vanilla')
   const { compileWarp } = await import('warpjet')
   const { elements: e } = scenes.motion
