@@ -123,6 +123,7 @@ export const gallery = {
 
   'glsl-waves': {
     size: 0.5,
+    params: { choppiness: 0.9 },
     offset([x, y], { millis }) {
       const waves = [
         [1, 0.3, 0.28, 4],
