@@ -9,7 +9,13 @@ export interface GlslOptions {
 }
 
 export function checkSource(method: string, source: unknown): asserts source is string {
-  if (typeof source === 'string') return
+  if (typeof source === 'string') {
+    if (/^[\w./\\-]+\.\w+$/.test(source.trim()))
+      throw new WarpError(
+        `${method}: the source must be a text of GLSL, but is the name of a file, ${describe(source)}; read it first, as by fetch or loadStrings.`,
+      )
+    return
+  }
   throw new WarpError(`${method}: the source must be a text of GLSL, but is ${describe(source)}.`)
 }
 

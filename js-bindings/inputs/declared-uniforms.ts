@@ -67,7 +67,14 @@ function declare(method: string, name: string, given: Given): DeclaredUniform {
   const shape = numbers && shapes[numbers.length]
   if (!shape) {
     const came = `${isFunction ? 'its function gives' : 'is'} ${describe(first)}`
-    throw new WarpError(`${method}: the uniform "${name}" must be ${expected}, but ${came}.`)
+    // As three.js has its own uniforms.
+    const advice =
+      typeof first === 'object' && first !== null && 'value' in first
+        ? '; give its value itself'
+        : ''
+    throw new WarpError(
+      `${method}: the uniform "${name}" must be ${expected}, but ${came}${advice}.`,
+    )
   }
   checkFinite(`${method}: ${place}`, numbers)
   if (!isFunction) return { shape, numbers: () => numbers, isFunction: false }

@@ -129,6 +129,11 @@ const sealed = (method: string, handles: Record<string, { value: unknown }>) =>
         `${method}: the warp has no uniform "${name}"; ${names.length ? `there are ${names.join(', ')}` : `the option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }`}.`,
       )
     },
+    set(_, name) {
+      throw new WarpError(
+        `${method}: a uniform itself stays; set its value, as in uniforms.${String(name)}.value = 0.5.`,
+      )
+    },
   })
 
 /** For the CPU, by what the shader calls them, with their numbers of the moment. */

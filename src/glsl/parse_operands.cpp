@@ -1,6 +1,7 @@
 // What operators stand between: names, numbers, calls, constructors, and parts of them.
 #include "glsl/builtins.hpp"
 #include "glsl/constants.hpp"
+#include "glsl/nearest.hpp"
 #include "glsl/parser.hpp"
 #include "glsl/typing.hpp"
 
@@ -145,7 +146,9 @@ Number Parser::named() {
     const bool isFunction = meaning.kind == Meaning::Kind::Function || isBuiltIn(name.text);
     if (isFunction)
       return failed(name.place, quoted(name.text) + " is a function; call it with ( )");
-    return failed(name.place, quoted(name.text) + " is not declared");
+    Nearest nearest(name.text);
+    scope_.each(Meaning::Kind::Variable, [&](std::string_view other) { nearest.offer(other); });
+    return failed(name.place, quoted(name.text) + " is not declared" + nearest.question());
   }
   take();
   return add(Expression{.kind = Code::Variable,
@@ -201,8 +204,12 @@ Number Parser::call(const Token& name) {
     return failed(name.place, quoted(name.text) + " is a variable and cannot be called");
   const auto found = findBuiltIn(name.text, types);
   if (!found) {
-    if (meaning.kind == Meaning::Kind::None && !isBuiltIn(name.text))
-      return failed(name.place, "there is no function " + quoted(name.text));
+    if (meaning.kind == Meaning::Kind::None && !isBuiltIn(name.text)) {
+      Nearest nearest(name.text);
+      for (const BuiltIn& row : builtIns) nearest.offer(row.name);
+      scope_.each(Meaning::Kind::Function, [&](std::string_view other) { nearest.offer(other); });
+      return failed(name.place, "there is no function " + quoted(name.text) + nearest.question());
+    }
     return failed(name.place, quoted(name.text) + " cannot be called with (" + typesOf(types) +
                                   "); GLSL converts nothing by itself");
   }

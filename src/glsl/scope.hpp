@@ -46,6 +46,13 @@ class Scope {
     meanings_[name].push_back(meaning);
   }
 
+  // All names of a kind that mean something here, to `visit(name)`.
+  template <class Visit>
+  void each(Meaning::Kind kind, Visit visit) const {
+    for (const auto& [name, meanings] : meanings_)
+      if (!meanings.empty() && meanings.back().kind == kind) visit(name);
+  }
+
  private:
   std::vector<std::string_view> names_;
   std::vector<std::size_t> marks_;

@@ -57,7 +57,8 @@ std::string Problems::text(std::string_view source) const {
   for (std::size_t i = 0; i < before; ++i)
     if (!continues(line[i])) caret += line[i] == '\t' ? '\t' : ' ';
   return "line " + std::to_string(place.shown) + ", column " + std::to_string(place.column) + ": " +
-         sentence + ".\n  " + dots + printable(line) + "\n  " + caret + '^';
+         sentence + (sentence.ends_with('?') ? "\n  " : ".\n  ") + dots + printable(line) + "\n  " +
+         caret + '^';
 }
 
 }  // namespace warpjet::glsl

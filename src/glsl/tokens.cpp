@@ -25,6 +25,13 @@ constexpr std::array symbols{
 };
 constexpr std::string_view single = "()[]{}.,;:?+-*/%<>=!~&|^#";
 
+std::string noCharacter(std::string_view character) {
+  if (character == "\"")
+    return "GLSL has no text in quotes; in the place of an #include, put the text of its file";
+  const std::string what = "there is a character here that no shader can hold";
+  return character[0] == '\0' ? what + " (number 0)" : what + ": " + quoted(character);
+}
+
 class Reader {
  public:
   Reader(std::string_view source, Problems& problems) : source_(source), problems_(problems) {}
@@ -110,10 +117,7 @@ class Reader {
     if (single.find(c) != single.npos && c != '\0') return token(Token::Kind::Symbol, 1);
     std::size_t size = 1;
     while ((static_cast<unsigned char>(peek(size)) & 0xC0) == 0x80) ++size;
-    problems_.add(place(), c == '\0'
-                               ? "there is a character here that no shader can hold (number 0)"
-                               : "there is a character here that no shader can hold: " +
-                                     quoted(source_.substr(at_, size)));
+    problems_.add(place(), noCharacter(source_.substr(at_, size)));
     return token(Token::Kind::End, size);
   }
 

@@ -31,6 +31,8 @@ const wrong = [
   [body('float p2 = p; return p;'), 2, 'is a float, but a vec3 came'],
   [body('float x; float x; return p;'), 2, '"x" is declared here already'],
   [body('return missing(p);'), 2, 'there is no function "missing"'],
+  [body('return vec3(sine(p.x));'), 2, 'there is no function "sine"; did you mean sin?'],
+  [body('float height = 1.; return vec3(heigth);'), 2, 'not declared; did you mean height?'],
   [body('float for = 1.; return p;'), 2, 'word of the language'],
   [body('float gl_x = 1.; return p;'), 2, 'those with gl_'],
   [body('return p.w;'), 2, 'a vec3 has no component "w"'],
@@ -139,7 +141,8 @@ const wrong = [
   [body('return p * 1e99;'), 2, 'more than a float can hold'],
   [body('int i = 99999999999; return p;'), 2, 'no whole number that 32 bits can hold'],
   [body('int i = 0x; return p;'), 2, 'no whole number'],
-  [body('"text"; return p;'), 2, 'no shader can hold'],
+  [body('"text"; return p;'), 2, 'no text in quotes'],
+  ['#include "noise.glsl"', 1, 'in the place of an #include'],
   // how deep
   [body(`return ${nested('(', 'p', ')', 100_000)};`), 2, 'nested more than 128 deep'],
   [body(`return ${'-'.repeat(50_001)}p;`.replaceAll('--', '- -')), 2, 'nested more than 128 deep'],
@@ -182,7 +185,7 @@ for (const [source, line, piece] of wrong)
       (error) => {
         assert.ok(error instanceof WarpError, error.stack)
         const [first, ...rest] = error.message.split('\n')
-        assert.match(first, new RegExp(`^glslOffset: line ${line}, column [0-9]+: .*\\.$`))
+        assert.match(first, new RegExp(`^glslOffset: line ${line}, column [0-9]+: .*[.?]$`))
         assert.ok(first.includes(piece), first)
         assert.equal(rest.length, 2)
         assert.match(rest[1], /^\s*\^$/)
@@ -202,6 +205,7 @@ test('#line moves the number that is told, and the line that is shown stays', ()
 test('what is no text, and wrong options', () => {
   const good = 'vec3 offset(vec3 p) { return p; }'
   assert.throws(() => glslOffset(5), /the source must be a text of GLSL, but is the number 5/)
+  assert.throws(() => glslOffset('shaders/waves.glsl'), /is the name of a file, .*read it first/)
   assert.throws(() => glslOffset(''), /the source has no function/)
   assert.throws(
     () => glslOffset(good, { function: 'other' }),
@@ -214,6 +218,10 @@ test('what is no text, and wrong options', () => {
   assert.throws(
     () => glslOffset('vec3 offset(float speed) { return vec3(speed); }'),
     /nothing gives the parameter speed/,
+  )
+  assert.throws(
+    () => glslOffset('vec3 offset(vec3 position, float time) { return position; }'),
+    /nothing gives the parameter time of offset its value; call it millis\.$/,
   )
   assert.throws(
     () => glslOffset('vec3 offset(vec3 uv) { return uv; }'),

@@ -536,6 +536,18 @@ test('a thousand rays meet ten warps where they meet the baked meshes', () => {
   }
 })
 
+test('what three.js calls uniforms is told how it goes here', () => {
+  const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.a, 0, 0)
+  const refused = (work, message) => assert.throws(work, { name: 'WarpError', message })
+  refused(
+    () => warp(plane(), offset, { uniforms: { a: { value: 1 } } }),
+    /; give its value itself\.$/,
+  )
+  const warped = warp(plane(), offset, { uniforms: { a: 1 } })
+  refused(() => (warped.uniforms.a = 2), /set its value, as in uniforms\.a\.value = 0\.5/)
+  warped.dispose()
+})
+
 test('shader text is an offset too', () => {
   const mesh = plane()
   const warped = warp(
