@@ -18,12 +18,17 @@ export const leftOut = {
     'tests/browser/bench-results.test.js': 'likewise the page of its results',
     'tests/browser/drop.test.js':
       'the page for one’s own model changes seldom; what it calls has its tests every day',
+    'tests/browser/p5-webgpu.test.js': 'what it compares with WebGL has its tests there every day',
+    'tests/browser/three-webgpu.test.js':
+      'without a GPU it is slow, and the nodes hold the text that three.test.js draws',
     'tests/browser/react.test.js': 'what it wraps has its tests every day',
     'tests/browser/babylon.test.js': 'the plugin is small, and bundling Babylon.js takes long',
   },
   parts: {
     'p5 1.11':
       'what it does differently is little and changes seldom; p5-1.test.js has a smoke test',
+    'p5 on WebGPU':
+      'it draws the same warps through the same hooks, on a CPU at a fifth of the speed',
     'three 0.159': 'what the oldest three.js does differently is little and changes never',
     'every material of three':
       'the shaders of three’s materials are made of the same chunks; every day seven go through them',

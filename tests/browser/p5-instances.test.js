@@ -1,25 +1,24 @@
 // model(shape, count): each instance has a warp of its own. Judged by where the picture is.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { launchBrowser, launchBrowserWithWebGPU } from './support/browser.js'
 import { colorAt, litPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions, p5WebGPU } from './support/sketch.js'
+import { drawScenes, launchFor, p5HostsInThisRun } from './support/sketch.js'
+
+/** p5 1.11 has no instances of a model. */
+const hosts = p5HostsInThisRun.filter(([version]) => version === '2.x')
 
 let browsers, server
 before(async () => {
   server = await servePages()
-  browsers = { WEBGL: await launchBrowser(), WEBGPU: await launchBrowserWithWebGPU() }
+  browsers = await launchFor(hosts)
 })
 after(async () => {
   for (const browser of Object.values(browsers)) await browser.close()
   await server.close()
 })
 
-/** p5 1.11 has no instances of a model. */
-const p5 = p5Versions['2.x']
-
-for (const [renderer, scripts] of Object.entries({ WEBGL: [p5], WEBGPU: [p5, p5WebGPU] }))
+for (const [, renderer, scripts] of hosts)
   test(`instances by ${renderer}, fills and strokes`, async () => {
     const { fills, strokes } = await drawScenes(
       browsers[renderer],

@@ -6,7 +6,13 @@ import { launchBrowser, launchBrowserWithWebGPU, leavePage } from './support/bro
 import * as m from './support/matrix.js'
 import { colorAt } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions, p5WebGPU, runSketch } from './support/sketch.js'
+import {
+  drawScenes,
+  launchFor,
+  p5HostsInThisRun,
+  p5InThisRun,
+  runSketch,
+} from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 const size = 900
@@ -14,7 +20,7 @@ const size = 900
 let browsers, server
 before(async () => {
   server = await servePages()
-  browsers = { WEBGL: await launchBrowser(), WEBGPU: await launchBrowserWithWebGPU() }
+  browsers = await launchFor(p5HostsInThisRun)
 })
 after(async () => {
   for (const browser of Object.values(browsers)) await browser.close()
@@ -123,15 +129,10 @@ function seenVertices({ grid, at }, offset, [aboutX, aboutY]) {
   return seen
 }
 
-const hosts = [
-  ...Object.entries(p5Versions).map(([version, p5]) => [version, 'WEBGL', [p5]]),
-  ['2.x', 'WEBGPU', [p5Versions['2.x'], p5WebGPU]],
-]
-
 /** Those that hide none of their own vertices, and have some inside. */
 const shown = Object.keys(turns)
 
-for (const [version, renderer, scripts] of hosts)
+for (const [version, renderer, scripts] of p5HostsInThisRun)
   describe(`p5 ${version} by ${renderer} lights`, () => {
     for (const [what, offset] of Object.entries(offsets))
       test(`${what} within half a degree`, async () => {
@@ -158,7 +159,7 @@ for (const [version, renderer, scripts] of hosts)
       })
   })
 
-for (const [version, p5] of Object.entries(p5Versions))
+for (const [version, p5] of p5InThisRun)
   test(`p5 ${version}: how each of its shapes varies is by its formula`, async () => {
     const { page, messages } = await runSketch(
       browsers.WEBGL,

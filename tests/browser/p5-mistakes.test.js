@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { launchBrowser, leavePage } from './support/browser.js'
 import { servePages } from './support/server.js'
-import { p5Versions, runSketch } from './support/sketch.js'
+import { p5InThisRun, runSketch } from './support/sketch.js'
 
 let browser, server
 before(async () => {
@@ -141,7 +141,7 @@ const calls = {
 
 const inBraces = (code) => (code.startsWith('{') ? code : `return ${code}`)
 
-for (const [version, p5] of Object.entries(p5Versions))
+for (const [version, p5] of p5InThisRun)
   test(`p5 ${version}: each mistake has its sentence, and the line of the sketch`, async () => {
     const works = [
       ...Object.keys(offsets).map(

@@ -1,17 +1,16 @@
 // Lines, wireframes and points under a warp, against p5's own `rotate`: the oracle is the host's own transformation.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { launchBrowser, launchBrowserWithWebGPU } from './support/browser.js'
 import { colorAt, differingPixels, litPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
-import { drawScenes, p5Versions, p5WebGPU } from './support/sketch.js'
+import { drawScenes, launchFor, p5HostsInThisRun } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 
 let browsers, server
 before(async () => {
   server = await servePages()
-  browsers = { WEBGL: await launchBrowser(), WEBGPU: await launchBrowserWithWebGPU() }
+  browsers = await launchFor(p5HostsInThisRun)
 })
 after(async () => {
   for (const browser of Object.values(browsers)) await browser.close()
@@ -52,12 +51,7 @@ const shapes = {
   },
 }
 
-const hosts = [
-  ...Object.entries(p5Versions).map(([version, p5]) => [version, 'WEBGL', [p5]]),
-  ['2.x', 'WEBGPU', [p5Versions['2.x'], p5WebGPU]],
-]
-
-for (const [version, renderer, scripts] of hosts) {
+for (const [version, renderer, scripts] of p5HostsInThisRun) {
   const draw = (options) =>
     drawScenes(browsers[renderer], server, [...scripts, addon], { renderer, ...options })
 

@@ -1,7 +1,7 @@
 // p5 sketches as pages, drawn frame by frame.
 import assert from 'node:assert/strict'
 import { isRun } from '../../../.scripts/lib/tiers.mjs'
-import { leavePage, openPage } from './browser.js'
+import { launchBrowser, launchBrowserWithWebGPU, leavePage, openPage } from './browser.js'
 import { readPixels, readWebGPUPixels } from './pixels.js'
 
 /** The p5 versions that the addon promises to work with; the full files, which have p5's friendly errors in them. */
@@ -17,6 +17,20 @@ export const p5WebGPU = '/node_modules/p5/lib/p5.webgpu.js'
 export const p5InThisRun = Object.entries(p5Versions).filter(
   ([version]) => version !== '1.11' || isRun('p5 1.11'),
 )
+
+/** How this run draws with p5, [[version, renderer, scripts]]; `launchFor` opens the browsers. */
+export const p5HostsInThisRun = [
+  ...p5InThisRun.map(([version, p5]) => [version, 'WEBGL', [p5]]),
+  ...(isRun('p5 on WebGPU') ? [['2.x', 'WEBGPU', [p5Versions['2.x'], p5WebGPU]]] : []),
+]
+
+/** A browser for each renderer of `hosts`. */
+export async function launchFor(hosts) {
+  const launch = { WEBGL: launchBrowser, WEBGPU: launchBrowserWithWebGPU }
+  const renderers = new Set(hosts.map(([, renderer]) => renderer))
+  const opened = [...renderers].map(async (renderer) => [renderer, await launch[renderer]()])
+  return Object.fromEntries(await Promise.all(opened))
+}
 
 /** Opens a page with `scripts` (addresses) and then `code`, and waits until that sets `window.done` → { page, messages }. */
 export async function runSketch(browser, server, scripts, code, type = '') {
