@@ -2,7 +2,7 @@
 // of the surface which the offset makes, whose normal comes from differences in double of what p5 documents its shapes to be.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { launchBrowser, launchBrowserWithWebGPU, leavePage } from './support/browser.js'
+import { leavePage } from './support/browser.js'
 import * as m from './support/matrix.js'
 import { colorAt } from './support/pixels.js'
 import { servePages } from './support/server.js'
