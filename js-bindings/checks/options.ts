@@ -14,12 +14,14 @@ export function checkOptions(method: string, options: unknown, known: readonly s
 }
 
 export function checkCallback(method: string, callback: unknown) {
-  if (typeof callback === 'string')
-    throw new WarpError(
-      `${method}: a function was expected, but a text came; glslOffset(text) of warpjet/glsl makes a function of one in GLSL.`,
-    )
-  if (!isCallable(callback))
-    throw new WarpError(`${method}: a function was expected, but ${describe(callback)} came.`)
+  if (isCallable(callback)) return
+  const advice =
+    typeof callback === 'string' && callback.includes('{')
+      ? '; glslOffset(text) of warpjet/glsl makes a function of one in GLSL'
+      : ''
+  throw new WarpError(
+    `${method}: a function was expected, but ${describe(callback)} came${advice}.`,
+  )
 }
 
 /** A function, and neither a class nor a component, which may be called too. */

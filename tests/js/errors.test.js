@@ -93,7 +93,8 @@ test('expressions of another copy of warpjet', async () => {
 
 test('what is no offset function', () => {
   refuses(() => compileWarp(), /a function was expected, but undefined/)
-  refuses(() => compileWarp('x'), /a function was expected, but a text came; glslOffset/)
+  refuses(() => compileWarp('x'), /a function was expected, but the text "x" came\.$/)
+  refuses(() => compileWarp('vec3 offset(vec3 p) { return p; }'), /came; glslOffset\(text\)/)
   refuses(() => compile(7), /compile: a function was expected/)
   refuses(() => gen({}), /gen: a function was expected/)
   refuses(() => gen(async () => {}), /gen: the function must be a plain one/)
