@@ -44,6 +44,8 @@ function WarpOf(
   const warped = useRef<WarpedObject>(null)
   const isAround = children !== undefined && children !== null && children !== false
   const kinds = JSON.stringify(Object.entries(uniforms ?? {}).map(kindOf))
+  // New values are set below.
+  const causes = [offset, space, share, surfaceVariation, warp, isAround, kinds]
   useLayoutEffect(() => {
     const object = isAround ? group.current : group.current?.parent
     if (!object) return
@@ -54,14 +56,13 @@ function WarpOf(
       warped.current = null
       made.dispose()
     }
-    // New values are set below.
-  }, [offset, space, share, surfaceVariation, warp, isAround, kinds])
+  }, causes)
   useLayoutEffect(() => {
     const handles = warped.current?.uniforms as Record<string, { value: unknown }> | undefined
     for (const [name, value] of Object.entries(uniforms ?? {}))
       if (handles && handles[name]!.value !== value) handles[name]!.value = value
   })
-  useImperativeHandle(ref, () => warped.current!, [offset, space, share, warp, isAround, kinds])
+  useImperativeHandle(ref, () => warped.current!, causes)
   useFrame(({ clock }) => warped.current?.update(1000 * clock.elapsedTime))
   return createElement('group', { ref: group }, children)
 }

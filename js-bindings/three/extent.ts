@@ -3,6 +3,7 @@ import { type BatchedMesh, Box3, type InstancedMesh, Matrix4, Sphere, Vector3 } 
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import type { ThreeWarp } from './kept.js'
 import { type Warpable, boxOf, isMoved, poseState, posedBox, posedFrom, sphereOf } from './pose.js'
+import { fillOf } from './surface.js'
 
 const everything = () =>
   new Box3(new Vector3().setScalar(-Infinity), new Vector3().setScalar(Infinity))
@@ -52,8 +53,11 @@ export function remembered<Result>(state: () => number[], work: () => Result): (
 /** What changes where an object is, beside the warp. */
 export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
   const { instanceMatrix, count } = object as InstancedMesh
+  const { drawRange, index } = object.geometry
   return [
     ...warp.numbers(),
+    ...[drawRange.start, drawRange.count, index?.version ?? 0],
+    ...(warp.reads.has('color') ? fillOf(object.material) : []),
     ...poseState(object),
     ...(warp.settings.space === 'world' ? object.matrixWorld.elements : []),
     ...(instanceMatrix ? [instanceMatrix.version, count] : []),
@@ -61,13 +65,13 @@ export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
   ]
 }
 
-/** A batch keeps the matrices of its instances in a texture. */
+/** A batch keeps the matrices of its instances in a texture, and which of them are visible beside it. */
 function batchState(object: BatchedMesh) {
   if (!object.isBatchedMesh) return []
   const { _matricesTexture: matrices } = object as unknown as {
     _matricesTexture?: { version: number }
   }
-  return [matrices?.version ?? NaN]
+  return [matrices?.version ?? NaN, ...idsOf(object)]
 }
 
 /** The matrix of each instance; of what has none a single one that changes nothing. */

@@ -24,6 +24,7 @@ import { fillOf } from './surface.js'
 export interface AnyNode {
   assign(value: unknown): AnyNode
   mul(value: unknown): AnyNode
+  div(value: unknown): AnyNode
   element(i: number): AnyNode
   transpose(): AnyNode
   xyz: AnyNode
@@ -65,6 +66,8 @@ const make = TSL as unknown as {
   texture: (texture: Texture) => AnyNode & { onObjectUpdate?: unknown; value: Texture }
   attribute: (name: string, type: string) => AnyNode
   uv: () => AnyNode
+  length: (value: unknown) => AnyNode
+  max: (...values: unknown[]) => AnyNode
   vec3: (...values: unknown[]) => AnyNode
   vec4: (...values: unknown[]) => AnyNode
   mat3: (...values: unknown[]) => AnyNode
@@ -77,7 +80,7 @@ export function nodeFor(warp: ThreeWarp, before?: unknown): AnyNode {
   const calls = new Map<string, Call>()
   const uniforms = uniformsOf(warp)
   return make.Fn((builder) => {
-    const { object, geometry, renderer } = builder
+    const { object, geometry, material, renderer } = builder
     const turned: Turned = geometry.hasAttribute('tangent')
       ? 'tangent'
       : geometry.hasAttribute('normal')
@@ -93,7 +96,7 @@ export function nodeFor(warp: ThreeWarp, before?: unknown): AnyNode {
     const there = isLocal ? here : inWorld
     const result = calls.get(key)!({
       ...there.inputs(turned),
-      ...inputsFor(warp, geometry, uniforms, isLocal),
+      ...inputsFor(warp, { geometry, material }, uniforms, isLocal),
     })
     there.assign(result, turned)
     // Three.js had applied the matrices of instances already, which come after the warp.
@@ -130,11 +133,17 @@ const here = {
 
 const linear = () => make.mat3(tsl.modelWorldMatrix)
 
+/** The normal in the world, of length 1, as the other renderer and rays have it; a zero one stays. */
+function normalInWorld() {
+  const normal = tsl.modelNormalMatrix.mul(tsl.normalLocal)
+  return normal.div(make.max(make.length(normal), 1e-30))
+}
+
 /** In the world, and back. */
 const inWorld = {
   inputs: (turned: Turned): Record<string, unknown> => ({
     warpjetPosition: tsl.modelWorldMatrix.mul(make.vec4(tsl.positionLocal, 1)).xyz,
-    ...(turned !== 'position' && { warpjetNormal: tsl.modelNormalMatrix.mul(tsl.normalLocal) }),
+    ...(turned !== 'position' && { warpjetNormal: normalInWorld() }),
     ...(turned === 'tangent' && { warpjetTangent: linear().mul(tsl.tangentLocal) }),
   }),
   assign(result: AnyNode, turned: Turned) {
@@ -196,14 +205,15 @@ function imageOf(read: () => Texture): AnyNode {
 
 function inputsFor(
   warp: ThreeWarp,
-  geometry: Mesh['geometry'],
+  { geometry, material }: Pick<Builder, 'geometry' | 'material'>,
   uniforms: Record<string, AnyNode>,
   isLocal: boolean,
 ) {
   const inputs: Record<string, unknown> = { ...uniforms }
   inputs.warpjetUv = geometry.hasAttribute('uv') ? make.uv() : make.vec3(0, 0, 0)
   const { color } = geometry.attributes
-  if (color) inputs.warpjetColor = colorOf(color.itemSize)
+  // Otherwise it is the material's, as in WebGL.
+  if (color && [material].flat()[0]?.vertexColors) inputs.warpjetColor = colorOf(color.itemSize)
   for (const name of variationNames) {
     const attribute = variationAttribute(name)
     inputs[`warpjet_${name}`] =
