@@ -57,6 +57,15 @@ for (const backend of ['webgl', 'webgpu'])
         await isSame(name, { space: 'world' })
     })
 
+    test('a normal in the world has length 1, however large the object', async () => {
+      messages.length = 0
+      const { differing, moved } = await page.evaluate((given) => three.alongNormal(given), {
+        backend,
+      })
+      assert.deepEqual([messages, differing], [[], 0])
+      assert.ok(moved > seen)
+    })
+
     test('MeshNormalMaterial shows the normals of a wave, and so does a node', async () => {
       for (const asNode of [false, true]) {
         const { worst, unwarped } = await page.evaluate((settings) => three.normals(settings), {

@@ -109,7 +109,29 @@ async function image({ backend }) {
   }
 }
 
-window.three = { compare, names: Object.keys(scenes.shapes), normals, image }
+/** A plane of twice its size that an offset moves along its normal, in the world, and by its place. */
+async function alongNormal({ backend }) {
+  const renderer = await rendererFor(backend)
+  const plane = () => {
+    const mesh = new THREE.Mesh(new THREE.PlaneGeometry(0.5, 0.5), new THREE.MeshStandardMaterial())
+    mesh.scale.setScalar(2)
+    mesh.rotation.set(0.5, 0.4, 0)
+    return mesh
+  }
+  const [object, moved] = [plane(), plane()]
+  const way = new THREE.Vector3(0, 0, 0.3).applyEuler(moved.rotation)
+  moved.position.add(way)
+  const before = await draw(renderer, scenes.sceneOf(plane(), 'directional'))
+  const expected = await draw(renderer, scenes.sceneOf(moved, 'directional'))
+  const scene = scenes.sceneOf(object, 'directional')
+  const offset = ({ normal }) => normal.mult(0.3)
+  const warped = warp(object, offset, { space: 'world', surfaceVariation: false })
+  const shown = await draw(renderer, scene)
+  warped.dispose()
+  return { differing: differing(shown, expected), moved: differing(shown, before) }
+}
+
+window.three = { compare, names: Object.keys(scenes.shapes), normals, image, alongNormal }
 // Without somebody who holds it, the browser loses the device.
 window.gpu = navigator.gpu
 window.lib = { THREE, warp, warpNode, rendererFor, draw, scenes }
