@@ -536,6 +536,47 @@ test('a thousand rays meet ten warps where they meet the baked meshes', () => {
   }
 })
 
+test('an instance of a batch that is shown again, and more of a geometry, count for bounds and rays', () => {
+  const batch = new THREE.BatchedMesh(2, 8, 12, new THREE.MeshStandardMaterial())
+  const geometry = batch.addGeometry(new THREE.PlaneGeometry(1, 1))
+  const [here, there] = [0, 5].map((x) => {
+    const id = batch.addInstance(geometry)
+    batch.setMatrixAt(id, new THREE.Matrix4().makeTranslation(x, 0, 0))
+    return id
+  })
+  batch.setVisibleAt(there, false)
+  const up = ({ glsl }) => glsl.vec3(0, 0, 2)
+  const warped = warp(batch, up)
+  const ray = new THREE.Raycaster(new THREE.Vector3(5, 0, 9), new THREE.Vector3(0, 0, -1))
+  assert.ok(warped.bounds().max.x < 1)
+  assert.equal(ray.intersectObject(batch).length, 0)
+  batch.setVisibleAt(there, true)
+  assert.ok(warped.bounds().max.x >= 5.5)
+  assert.equal(ray.intersectObject(batch)[0].batchId, there)
+  batch.setVisibleAt(here, false)
+  assert.ok(warped.bounds().min.x > 4)
+  warped.dispose()
+
+  const mesh = plane()
+  const { index } = mesh.geometry
+  mesh.geometry.setDrawRange(0, 3)
+  const partly = warp(mesh, up)
+  const down = new THREE.Raycaster(new THREE.Vector3(), new THREE.Vector3(0, 0, -1))
+  const hits = () => {
+    let met = 0
+    for (const x of [-0.9, 0.9])
+      for (const y of [-0.9, 0.9]) {
+        down.ray.origin.set(x, y, 9)
+        met += down.intersectObject(mesh).length
+      }
+    return met
+  }
+  const before = hits()
+  mesh.geometry.setDrawRange(0, index.count)
+  assert.ok(hits() > before, `${before} hits of four before, ${hits()} after`)
+  partly.dispose()
+})
+
 test('what three.js calls uniforms is told how it goes here', () => {
   const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.a, 0, 0)
   const refused = (work, message) => assert.throws(work, { name: 'WarpError', message })
