@@ -30,7 +30,8 @@ export function translateModule(code: string): string | undefined {
     result += `${code.slice(at, offset.start)}${runtime}((${operatorsName}) => (${text}))`
     at = offset.end
   }
-  return `import { withOperators as ${runtime} } from 'warpjet/operators/runtime'; ${result}${code.slice(at)}`
+  // At the end, since imports count from anywhere, and what is first may be "use client".
+  return `${result}${code.slice(at)}\nimport { withOperators as ${runtime} } from 'warpjet/operators/runtime'\n`
 }
 
 /** `plugins: [operators()]` in a configuration of Vite or Rollup. */

@@ -3,7 +3,7 @@ import { parse } from 'acorn'
 import { isCallable } from '../checks/options.js'
 import { WarpError } from '../checks/errors.js'
 import type { OffsetFunction, WarpInputs } from '../types/types.js'
-import { type Operators, withOperators } from './runtime.js'
+import { type Operators, translated, withOperators } from './runtime.js'
 import { declaredIn, freeIn } from './scopes.js'
 import { operatorsName, translate } from './translate.js'
 import type { Tree } from './tree.js'
@@ -11,7 +11,6 @@ import type { Tree } from './tree.js'
 /** Values that a text may read by name, since it cannot see the variables around it. */
 export type Scope = Readonly<Record<string, unknown>>
 
-const made = new WeakMap<object, OffsetFunction>()
 let count = 0
 
 /** Whether a text can read a variable of that name: `let` at the top of a script is no property of the page. */
@@ -47,14 +46,13 @@ export function operators(offset: OffsetFunction, scope: Scope = {}): OffsetFunc
     throw new WarpError(
       'operators: a function was expected, as in operators(({ position }) => position * 2).',
     )
-  const known = made.get(offset)
-  if (known) return known
+  if (translated.has(offset)) return offset
   const read = parsed(Function.prototype.toString.call(offset))
   if (!read) return offset
   const { source, tree } = read
   const missing = [...freeIn(tree)].filter((name) => !Object.hasOwn(scope, name) && !isSeen(name))
   const result = missing.length ? sayingSo(offset, missing) : remade(source, tree, scope)
-  made.set(offset, result).set(result, result)
+  translated.add(result)
   return result
 }
 

@@ -1,4 +1,5 @@
-// What operators mean where an expression is among their operands; numbers among numbers stay numbers.
+// What operators mean where an expression is among their operands; numbers among numbers stay numbers,
+// and JavaScript's own: `-1 % 3` is -1 there, while `x % 3` of an expression takes the sign of its divisor, as GLSL's mod.
 import { isExpression } from '../checks/describe.js'
 import { WarpError } from '../checks/errors.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
@@ -19,6 +20,8 @@ const symbols: Record<string, (a: never, b: never) => unknown> = {
   ge: (a: number, b: number) => a >= b,
   eq: (a: unknown, b: unknown) => a === b,
   ne: (a: unknown, b: unknown) => a !== b,
+  looseEq: (a: unknown, b: unknown) => a == b,
+  looseNe: (a: unknown, b: unknown) => a != b,
 }
 
 /** Of p5 and Math, by what they are of expressions; others have one name. */
@@ -42,6 +45,13 @@ export const functionNames = new Set([
   ),
 ])
 
+/** What expressions know by another name. */
+const named: Record<string, string> = { looseEq: 'eq', looseNe: 'ne' }
+
+/** Whether a value is there at all, JavaScript says. */
+const isNothing = (name: string, ...operands: unknown[]) =>
+  /eq$|ne$/i.test(name) && operands.some((each) => each === null || each === undefined)
+
 export type Operators = ReturnType<typeof operatorsOf>
 
 export function operatorsOf(glsl: Glsl) {
@@ -53,15 +63,23 @@ export function operatorsOf(glsl: Glsl) {
       ? glsl[`vec${value.length}`]!(...value)
       : value
   const binary = (name: string) => (a: unknown, b: unknown) =>
-    isWarped(a) || isWarped(b)
-      ? glsl[name]!(whole(a), whole(b))
+    (isWarped(a) || isWarped(b)) && !isNothing(name, a, b)
+      ? glsl[named[name] ?? name]!(whole(a), whole(b))
       : symbols[name]!(a as never, b as never)
-  const choose = (condition: unknown, yes: Thunk, no: Thunk) =>
-    isExpression(condition)
-      ? glsl.ifElse!(condition, whole(yes()), whole(no()))
-      : condition
-        ? yes()
-        : no()
+  /** One of two values; the second is computed with variables as they were before the first. */
+  const choose = (
+    condition: unknown,
+    yes: Thunk,
+    no: Thunk,
+    get?: () => unknown[],
+    set?: (all: unknown[]) => void,
+  ) => {
+    if (!isExpression(condition)) return condition ? yes() : no()
+    const before = get?.()
+    const first = whole(yes())
+    if (before) set!(before)
+    return glsl.ifElse!(condition, first, whole(no()))
+  }
 
   return {
     ...(Object.fromEntries(Object.keys(symbols).map((name) => [name, binary(name)])) as Record<
@@ -75,7 +93,9 @@ export function operatorsOf(glsl: Glsl) {
     not: (x: unknown) => (isExpression(x) ? glsl.not!(x) : !x),
     and: (a: unknown, b: Thunk) => (isExpression(a) ? glsl.and!(a, b()) : a && b()),
     or: (a: unknown, b: Thunk) => (isExpression(a) ? glsl.or!(a, b()) : a || b()),
-    isWarped: isExpression,
+    /** `object[key] += 1`, where what stands for object and key must not be computed twice. */
+    change: (object: Record<PropertyKey, unknown>, key: string, to: (value: unknown) => unknown) =>
+      (object[key] = to(object[key])),
     call(name: string, known: (...x: unknown[]) => unknown, ...x: unknown[]) {
       if (!x.some(isWarped)) return known(...x)
       const own = functions[name]
@@ -123,12 +143,19 @@ export function operatorsOf(glsl: Glsl) {
   }
 }
 
+/** Functions that need no translation any more. */
+export const translated = new WeakSet<object>()
+
 /** The offset function that a translated text makes. */
-export const withOperators =
-  (make: (operators: Operators) => (inputs: WarpInputs) => unknown): OffsetFunction =>
-  (inputs) => {
+export function withOperators(
+  make: (operators: Operators) => (inputs: WarpInputs) => unknown,
+): OffsetFunction {
+  const result: OffsetFunction = (inputs) => {
     const operators = operatorsOf(inputs.glsl as unknown as Glsl)
-    const result = make(operators)(inputs)
-    const isOfVertex = Array.isArray(result) && result.length === 3
-    return (isOfVertex ? operators.whole(result) : result) as Vec3
+    const place = make(operators)(inputs)
+    const isOfVertex = Array.isArray(place) && place.length === 3
+    return (isOfVertex ? operators.whole(place) : place) as Vec3
   }
+  translated.add(result)
+  return result
+}

@@ -41,21 +41,91 @@ export function declaredIn(tree: Tree): Set<string> {
       for (const parameter of node.params ?? [])
         for (const name of bound(parameter)) names.add(name)
     if (node.type === 'CatchClause') for (const name of bound(node.param)) names.add(name)
+    if (/^Import\w*Specifier$/.test(node.type)) names.add(node.local.name)
   })
   return names
 }
 
 /** The variables from outside of them that statements set. */
 export function assignedIn(trees: Tree[]): Set<string> {
-  const own = new Set(trees.flatMap((tree) => [...declaredIn(tree)]))
   const names = new Set<string>()
+  const visit = (node: Tree, around: Set<string>) => {
+    const here = scopeOf(node)
+    const own = here.length ? new Set([...around, ...here]) : around
+    for (const name of targetsOf(node).flatMap(bound)) if (!own.has(name)) names.add(name)
+    for (const child of Object.values(node).flat())
+      if (child && typeof child === 'object' && typeof child.type === 'string') visit(child, own)
+  }
+  const around = new Set([...trees.flatMap(declared), ...trees.flatMap(varsIn)])
+  for (const tree of trees) visit(tree, around)
+  return names
+}
+
+/** What a node sets. */
+function targetsOf({ type, left, argument }: Tree): Tree[] {
+  if (type === 'AssignmentExpression') return [left]
+  if (type === 'UpdateExpression') return [argument]
+  return /^For(In|Of)/.test(type) && left.type !== 'VariableDeclaration' ? [left] : []
+}
+
+/** The first property that statements set, such as `v.y`. */
+export function propertySetIn(trees: Tree[]): Tree | undefined {
+  let found: Tree | undefined
+  const inPattern = (target: Tree | null) => {
+    if (target?.type === 'MemberExpression') found ??= target
+    else if (target?.type === 'ObjectPattern')
+      for (const each of target.properties) inPattern(each.value ?? each.argument)
+    else if (target?.type === 'ArrayPattern') target.elements.forEach(inPattern)
+    else if (target?.type === 'AssignmentPattern') inPattern(target.left)
+    else if (target?.type === 'RestElement') inPattern(target.argument)
+  }
   for (const tree of trees)
     walk(tree, (node) => {
-      if (node.type === 'AssignmentExpression') for (const name of bound(node.left)) names.add(name)
-      if (node.type === 'UpdateExpression') for (const name of bound(node.argument)) names.add(name)
+      targetsOf(node).forEach(inPattern)
+      if (node.type === 'UnaryExpression' && node.operator === 'delete') inPattern(node.argument)
     })
-  return new Set([...names].filter((name) => !own.has(name)))
+  return found
 }
+
+/** The names that one statement declares, for those beside it. */
+function declared(statement: Tree | null): string[] {
+  if (statement?.type === 'VariableDeclaration')
+    return statement.declarations.flatMap(({ id }: Tree) => bound(id))
+  return /^(Function|Class)Declaration$/.test(statement?.type ?? '') ? bound(statement!.id) : []
+}
+
+/** The names of `var` in it, which its blocks do not hold; without a loop's own, which are read in the loop. */
+export function varsIn(tree: Tree, withLoops: unknown = true): string[] {
+  const names: string[] = []
+  walk(tree, (node, parent) => {
+    if (/Function/.test(node.type)) return false
+    const isOfLoop = /^For/.test(parent?.type ?? '') && node !== parent!.body
+    if (node.type === 'VariableDeclaration' && node.kind === 'var' && (withLoops || !isOfLoop))
+      names.push(...declared(node))
+    return true
+  })
+  return names
+}
+
+/** The names that hold within a node alone. */
+function scopeOf(node: Tree): string[] {
+  if (/Function/.test(node.type))
+    return [...node.params.flatMap(bound), ...bound(node.id), ...varsIn(node.body)]
+  if (/^For/.test(node.type)) return declared(node.init ?? node.left ?? null)
+  if (node.type === 'BlockStatement') return node.body.flatMap(declared)
+  if (node.type === 'SwitchStatement')
+    return node.cases.flatMap(({ consequent }: Tree) => consequent.flatMap(declared))
+  return node.type === 'CatchClause' ? bound(node.param) : []
+}
+
+/** Whether an identifier is the name of a property or of a label. */
+export const isProperty = (node: Tree, parent?: Tree): boolean =>
+  (parent?.type === 'MemberExpression' && parent.property === node && !parent.computed) ||
+  (/^(Property|MethodDefinition|PropertyDefinition)$/.test(parent?.type ?? '') &&
+    parent!.key === node &&
+    !parent!.computed &&
+    !parent!.shorthand) ||
+  /^(Labeled|Break|Continue)Statement$/.test(parent?.type ?? '')
 
 /** The names that it takes from around it. */
 export function freeIn(tree: Tree): Set<string> {
@@ -63,14 +133,7 @@ export function freeIn(tree: Tree): Set<string> {
   const names = new Set<string>()
   walk(tree, (node, parent) => {
     if (node.type !== 'Identifier' || own.has(node.name as string)) return
-    const isProperty =
-      (parent?.type === 'MemberExpression' && parent.property === node && !parent.computed) ||
-      (/^(Property|MethodDefinition|PropertyDefinition)$/.test(parent?.type ?? '') &&
-        parent!.key === node &&
-        !parent!.computed &&
-        !parent!.shorthand) ||
-      /^(Labeled|Break|Continue)Statement$/.test(parent?.type ?? '')
-    if (!isProperty) names.add(node.name as string)
+    if (!isProperty(node, parent)) names.add(node.name as string)
   })
   names.delete('undefined')
   names.delete('arguments')

@@ -1,7 +1,8 @@
 // From the text of a function, whose operators work on numbers, to one whose operators ask what they work on. Lines stay where
 // they are, so that errors name the sketch's own.
+import { shorten } from '../checks/describe.js'
 import { functionNames } from './runtime.js'
-import { assignedIn, walk } from './scopes.js'
+import { assignedIn, declaredIn, isProperty, propertySetIn, varsIn, walk } from './scopes.js'
 import type { Tree } from './tree.js'
 
 const binary: Record<string, string> = {
@@ -15,9 +16,9 @@ const binary: Record<string, string> = {
   '<=': 'le',
   '>': 'gt',
   '>=': 'ge',
-  '==': 'eq',
+  '==': 'looseEq',
   '===': 'eq',
-  '!=': 'ne',
+  '!=': 'looseNe',
   '!==': 'ne',
 }
 const unary: Record<string, string> = { '-': 'neg', '+': 'plus', '!': 'not' }
@@ -30,6 +31,9 @@ export const operatorsName = 'warpjetOperators'
 export function translate(source: string, tree: Tree, isOwn: (name: string) => boolean): string {
   const op = (name: string, ...operands: string[]) =>
     `${operatorsName}.${name}(${operands.join(', ')})`
+  /** What the function that is being translated declares. */
+  let declaredHere = new Set<string>()
+  let rests = 0
 
   function text(node: Tree): string {
     const rewritten = rewrite(node)
@@ -60,28 +64,28 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
         return binary[node.operator]
           ? op(
               binary[node.operator]!,
-              text(node.left),
-              between(node.left, node.right) + text(node.right),
+              operand(node.left),
+              between(node.left, node.right) + operand(node.right),
             )
           : undefined
       case 'UnaryExpression':
         return unary[node.operator] && node.argument.type !== 'Literal'
-          ? op(unary[node.operator]!, text(node.argument))
+          ? op(unary[node.operator]!, operand(node.argument))
           : undefined
       case 'LogicalExpression':
         return logical[node.operator]
           ? op(
               logical[node.operator]!,
-              text(node.left),
-              `${between(node.left, node.right)}() => ${body(node.right)}`,
+              unlessSetting(node.left, [node.right]),
+              `${between(node.left, node.right)}() => ${operand(node.right)}`,
             )
           : undefined
       case 'ConditionalExpression':
         return op(
           'choose',
-          text(node.test),
-          `${between(node.test, node.consequent)}() => ${body(node.consequent)}`,
-          `${between(node.consequent, node.alternate)}() => ${body(node.alternate)}`,
+          unlessSetting(node.test, [node.consequent, node.alternate]),
+          `${between(node.test, node.consequent)}() => ${operand(node.consequent)}`,
+          `${between(node.consequent, node.alternate)}() => ${operand(node.alternate)}`,
         )
       case 'AssignmentExpression': {
         const assigned = assignment(node)
@@ -92,23 +96,52 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
       case 'CallExpression':
         return called(node)
       case 'BlockStatement':
-        return `{${statements(node.body, node.start + 1, node.end - 1)}}`
+        return `{${statements(node.body, node.start + 1, node.end - 1, endsFunction(node) ? { then: '', following: [] } : undefined)}}`
       case 'IfStatement':
         return onItsLines(node, branch(node))
       case 'WhileStatement':
       case 'DoWhileStatement':
       case 'ForStatement':
         return loop(node)
+      case 'SwitchStatement':
+        return `${source.slice(node.start, node.discriminant.start)}${op('decided', operand(node.discriminant), "'A switch'")}${pieces(node.discriminant.end, node.end, node.cases)}`
+      case 'FunctionDeclaration':
+      case 'FunctionExpression':
+      case 'ArrowFunctionExpression':
+        return ofFunction(node)
       default:
         return undefined
     }
   }
 
+  /** What a function's body returns early is chosen by vertex. */
+  function ofFunction(node: Tree): string | undefined {
+    if (node.body.type !== 'BlockStatement') return undefined
+    const around = declaredHere
+    declaredHere = declaredIn(node)
+    const { start, end, body } = node.body
+    const result = `${pieces(node.start, start, childrenOf(node).slice(0, -1))}{${statements(body, start + 1, end - 1, { then: '', following: [] })}}`
+    declaredHere = around
+    return result
+  }
+
   function assignment({ operator, left, right }: Tree): string | undefined {
-    const name = binary[operator.slice(0, -1)]
+    const symbol = operator.slice(0, -1)
+    const name = binary[symbol] ?? logical[symbol]
     if (operator === '=' || !name) return undefined
-    const target = text(left)
-    return `${target} = ${op(name, target, between(left, right) + text(right))}`
+    const changed = (target: string) =>
+      logical[symbol]
+        ? op(name, unlessSetting(target, [right]), `${between(left, right)}() => ${operand(right)}`)
+        : op(name, target, between(left, right) + operand(right))
+    if (isSteady(left)) return `${text(left)} = ${changed(text(left))}`
+    const { object, property, computed } = left
+    if (property.type === 'PrivateIdentifier') return undefined
+    return op(
+      'change',
+      operand(object),
+      computed ? operand(property) : `'${property.name}'`,
+      `(warpjetValue) => ${changed('warpjetValue')}`,
+    )
   }
 
   /** Its value is not read. Without parentheses, which would call what stands on the line before. */
@@ -117,10 +150,26 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
     if (type === 'UpdateExpression' && argument.type === 'Identifier')
       return `${argument.name} = ${op(operator === '++' ? 'add' : 'sub', argument.name, '1')};`
     const assigned = type === 'AssignmentExpression' && assignment(expression)
+    if (type === 'SequenceExpression') return `0, ${text(expression)};`
     return assigned ? `${assigned};` : undefined
   }
 
-  const body = (node: Tree) => (node.type === 'ObjectExpression' ? `(${text(node)})` : text(node))
+  /** As an argument, or after `=>`: the parentheses around a node are no part of it. */
+  const operand = (node: Tree) =>
+    node.type === 'SequenceExpression' || source[node.start] === '{'
+      ? `(${text(node)})`
+      : text(node)
+
+  /** A condition for operands of which one alone may be computed, where they set something. */
+  function unlessSetting(condition: Tree | string, operands: Tree[]) {
+    const translated = typeof condition === 'string' ? condition : operand(condition)
+    const property = propertySetIn(operands)
+    const [name] = property ? [nameOf(property)] : assignedIn(operands)
+    return name ? op('decided', translated, setting(name)) : translated
+  }
+
+  const nameOf = (node: Tree) => shorten(source.slice(node.start, node.end))
+  const setting = (name: string) => JSON.stringify(`Setting ${name} here`)
 
   function called({ callee, arguments: given }: Tree): string | undefined {
     const isMath =
@@ -136,7 +185,9 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
       'call',
       `'${name}'`,
       plain,
-      ...given.map((each: Tree, i: number) => (i ? between(given[i - 1], each) : '') + text(each)),
+      ...given.map(
+        (each: Tree, i: number) => (i ? between(given[i - 1], each) : '') + operand(each),
+      ),
     )
   }
 
@@ -148,9 +199,9 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
         ? pieces(node.start, node.test.start, [node.init])
         : before
     if (node.type === 'DoWhileStatement')
-      return `${pieces(node.start, node.test.start, [node.body])}${op('decided', text(node.test), "'A loop'")}${source.slice(node.test.end, node.end)}`
+      return `${pieces(node.start, node.test.start, [node.body])}${op('decided', operand(node.test), "'A loop'")}${source.slice(node.test.end, node.end)}`
     const rest = node.update ? [node.update, node.body] : [node.body]
-    return `${start}${op('decided', text(node.test), "'A loop'")}${pieces(node.test.end, node.end, rest)}`
+    return `${start}${op('decided', operand(node.test), "'A loop'")}${pieces(node.test.end, node.end, rest)}`
   }
 
   function pieces(start: number, end: number, nodes: Tree[]) {
@@ -163,57 +214,119 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
     return result + source.slice(at, end)
   }
 
-  /** Statements in order; where an `if` returns, the rest of them is what happens otherwise. */
-  function statements(list: Tree[], start: number, end: number): string {
+  /**
+   * Statements in order. Where they are the last that a function does, but for `tail`, and an `if` returns, the rest of them is
+   * what happens otherwise.
+   */
+  function statements(list: Tree[], start: number, end: number, tail?: Tail): string {
     let result = ''
     let at = start
     for (const [i, node] of list.entries()) {
       result += source.slice(at, node.start)
-      if (node.type === 'IfStatement' && leaves(node, 'ReturnStatement')) {
-        const rest = statements(list.slice(i + 1), node.end, end)
-        return result + returning(node, rest)
+      if (tail && node.type === 'IfStatement' && leaves(node, 'ReturnStatement')) {
+        const later = list.slice(i + 1)
+        const following = [later, ...tail.following]
+        if (!onlyDecided(node, following))
+          return result + returning(node, statements(later, node.end, end, tail), following)
       }
       result += text(node)
       at = node.end
     }
-    return result + source.slice(at, end)
+    return `${result}${source.slice(at, end)}${tail?.then ?? ''}`
   }
 
-  /** `if (c) return a; rest`: by vertex, where both a and the rest are values. */
-  function returning({ test, consequent, alternate }: Tree, rest: string): string {
-    const block = (node: Tree | null) =>
-      !node
-        ? ''
-        : node.type === 'BlockStatement'
-          ? statements(node.body, node.start + 1, node.end - 1)
-          : statements([node], node.start, node.end)
-    const ends = (node: Tree | null) => !!node && endsInReturn(node)
-    const after = ends(consequent) && ends(alternate) ? '' : 'return warpjetRest();'
+  /** Whether what an `if` does cannot be undone, where it returns by vertex: then JavaScript has to decide it. */
+  function onlyDecided(node: Tree, following: Tree[][]): boolean {
+    const { consequent, alternate } = node
+    const first = endsInReturn(consequent) ? [] : following.flat()
+    const all = [[consequent], alternate ? [alternate] : [], ...following]
     return (
-      (after && `const warpjetRest = () => {${rest}\n};`).replaceAll(/\n(?=\};$)/g, ' ') +
-      `return ${op('choose', text(test), `() => {${block(consequent)}; ${ends(consequent) ? '' : after}}`, `() => {${block(alternate)}; ${ends(alternate) ? '' : after}}`)}`
+      !!propertySetIn([consequent, ...first]) ||
+      namesSetIn(all).some((name) => !declaredHere.has(name)) ||
+      !!escaping(node)
     )
   }
+
+  const namesSetIn = (groups: Tree[][]) => [
+    ...new Set(groups.flatMap((group) => [...assignedIn(group)])),
+  ]
+
+  /** A `var` in an `if` that is read outside of it. */
+  const escaping = (node: Tree): string | undefined =>
+    varsIn(node, false).find((name) => {
+      let isFound = false
+      walk(tree, (each, parent) => {
+        isFound ||= each.type === 'Identifier' && each.name === name && !isProperty(each, parent)
+        return each !== node
+      })
+      return isFound
+    })
+
+  /** `if (c) return a; rest`: by vertex, where both a and the rest are values. */
+  function returning(
+    { test, consequent, alternate }: Tree,
+    rest: string,
+    following: Tree[][],
+  ): string {
+    const name = `warpjetRest${++rests}`
+    const block = (node: Tree | null) => {
+      const then = node && endsInReturn(node) ? '' : `; return ${name}();`
+      if (!node) return then
+      const tail = { then, following: then ? following : [] }
+      return node.type === 'BlockStatement'
+        ? statements(node.body, node.start + 1, node.end - 1, tail)
+        : statements([node], node.start, node.end, tail)
+    }
+    const ways = [consequent, alternate].filter(Boolean)
+    const isRest = ways.length < 2 || !ways.every(endsInReturn)
+    const names = namesSetIn([...ways.map((way) => [way]), ...following])
+    return (
+      (isRest ? `const ${name} = () => {${rest}\n};` : '').replaceAll(/\n(?=\};$)/g, ' ') +
+      `return ${op('choose', operand(test), `() => {${block(consequent)}}`, `() => {${block(alternate)}}`, ...(names.length ? variables(names) : []))}`
+    )
+  }
+
+  const variables = (names: string[]) => [
+    `() => [${names.join(', ')}]`,
+    `(warpjetValues) => { [${names.join(', ')}] = warpjetValues }`,
+  ]
 
   function branch(node: Tree): string {
     const { test, consequent, alternate } = node
-    const isLeft = ['BreakStatement', 'ContinueStatement', 'ReturnStatement'].some((type) =>
-      leaves(node, type),
-    )
-    if (isLeft)
-      return `if (${op('decided', text(test), "'Leaving a loop or a function'")}) ${text(consequent)}${alternate ? ` else ${text(alternate)}` : ''}`
     const block = (statement: Tree | null) =>
       !statement
         ? '{}'
         : statement.type === 'BlockStatement'
           ? text(statement)
           : `{${text(statement)}}`
-    const names = [...assignedIn([consequent, alternate].filter(Boolean))]
-    return `${op('branch', text(test), `() => ${block(consequent)}`, `() => ${block(alternate)}`, `() => [${names.join(', ')}]`, `(warpjetValues) => { [${names.join(', ')}] = warpjetValues }`)};`
+    const ways = [consequent, alternate].filter(Boolean)
+    const property = propertySetIn(ways)
+    const name = property ? nameOf(property) : escaping(node)
+    const isLeft = ['BreakStatement', 'ContinueStatement', 'ReturnStatement'].some((type) =>
+      leaves(node, type),
+    )
+    if (isLeft || name) {
+      const what = name ? setting(name) : "'Leaving a loop or a function here'"
+      return `if (${op('decided', operand(test), what)}) ${block(consequent)}${alternate ? ` else ${block(alternate)}` : ''}`
+    }
+    const names = namesSetIn(ways.map((way) => [way]))
+    return `${op('branch', operand(test), `() => ${block(consequent)}`, `() => ${block(alternate)}`, ...variables(names))};`
   }
 
   return text(tree)
 }
+
+/** What comes after statements: text, and the statements that it stands for, by the block that they are in. */
+interface Tail {
+  then: string
+  following: Tree[][]
+}
+
+/** Whether reading it twice is reading it once. */
+const isSteady = (node: Tree): boolean =>
+  node.type === 'MemberExpression'
+    ? isSteady(node.object) && (!node.computed || isSteady(node.property))
+    : /^(Identifier|Literal|ThisExpression|Super)$/.test(node.type)
 
 /** Whether a statement such as `return` is in it, but not in a function of its own. */
 function leaves(node: Tree, type: string): boolean {
@@ -226,6 +339,10 @@ function leaves(node: Tree, type: string): boolean {
   })
   return found
 }
+
+/** Whether nothing comes after a block, within a loop neither. */
+const endsFunction = (block: Tree): boolean =>
+  endsInReturn(block) && !leaves(block, 'BreakStatement') && !leaves(block, 'ContinueStatement')
 
 function endsInReturn(node: Tree): boolean {
   if (node.type === 'ReturnStatement' || node.type === 'ThrowStatement') return true

@@ -78,6 +78,100 @@ const pairs = {
         .gt(0)
         .ifElse(position.mult(2), glsl.vec3(position.x(), position.y().mult(3), 0)),
   ],
+  'an early return within an if': [
+    ({ position }) => {
+      let s = 1
+      if (position.x > 0) {
+        s = 2
+        if (position.y > 0) return position * s
+      } else if (position.z > 0) s += 3
+      s += 1
+      return position / s
+    },
+    ({ glsl, position }) => {
+      const [x, y] = [position.x(), position.y()]
+      const [isRight, isUp] = [x.gt(0), y.gt(0)]
+      const right = isUp.ifElse(position.mult(2), position.div(3))
+      const s = position.z().gt(0).ifElse(4, 1)
+      return isRight.ifElse(right, position.div(glsl.add(s, 1)))
+    },
+  ],
+  'what is set before an early return counts there alone': [
+    ({ position }) => {
+      let s = 1
+      if (position.x > 0) {
+        s = 2
+        return position * s
+      }
+      return position / s
+    },
+    ({ position }) => position.x().gt(0).ifElse(position.mult(2), position.div(1)),
+  ],
+  'early returns of a block that returns': [
+    ({ position, millis }) => {
+      const kept = { n: 1 }
+      if (kept.n > 0) {
+        kept.n = 2
+        if (position.x > 0) return position * kept.n
+        return position
+      }
+      return millis
+    },
+    ({ position }) => position.x().gt(0).ifElse(position.mult(2), position),
+  ],
+  'an early return from a loop': [
+    ({ position }) => {
+      let s = 0
+      for (let i = 0; i < 4; i++) {
+        if (i === 2) return position * s
+        else s += 1
+      }
+      return position
+    },
+    ({ position }) => position.mult(2),
+  ],
+  'a name that a block within has too': [
+    ({ position }) => {
+      let s = 1
+      if (position.x > 0) {
+        let s = 5
+        s += 1
+      } else s = 2
+      return position * s
+    },
+    ({ position }) => position.mult(position.x().gt(0).ifElse(1, 2)),
+  ],
+  'values that are not there': [
+    ({ position }) => {
+      let nothing
+      if (nothing == null && position != null && position !== undefined) return position * 2
+      return position
+    },
+    ({ position }) => position.mult(2),
+  ],
+  'commas, assignments of logic and places that move': [
+    ({ position }) => {
+      const all = [1, 2, 3]
+      let i = 0
+      all[i++] += 5
+      all[i++] *= 5
+      let both = position.x > 0
+      both &&= position.y > 0
+      both ||= position.z > 0
+      let a = 0,
+        b = 0
+      ;((a += 1), (b += (i, 2)))
+      return both ? position * (0, all[0]) : position * all[i - 1] + Math.sin((b, a))
+    },
+    ({ glsl, position }) =>
+      glsl
+        .or(position.x().gt(0).and(position.y().gt(0)), position.z().gt(0))
+        .ifElse(position.mult(6), position.mult(10).add(Math.sin(1))),
+  ],
+  'the remainder of a number by an expression': [
+    ({ position }) => position * (-5 % position.x) + (position.y % 2),
+    ({ glsl, position }) => position.mult(glsl.mod(-5, position.x())).add(position.y().mod(2)),
+  ],
   'a loop of known count': [
     ({ position }) => {
       let sum = 0
@@ -125,8 +219,11 @@ describe('with operators as with methods:', () => {
       assert.equal(compileWarp(operators(written)).code, expected)
       // As a build has it.
       const module = translateModule(`createWarp(${written})`)
-      const [, text] = /; createWarp\(warpjetWithOperators\((.*)\)\)$/s.exec(module)
-      assert.equal(module.split('\n').length, `${written}`.split('\n').length, 'lines')
+      const [, text, last] = /^createWarp\(warpjetWithOperators\((.*)\)\)(\nimport .*\n)$/s.exec(
+        module,
+      )
+      assert.equal(text.split('\n').length, `${written}`.split('\n').length, 'lines')
+      assert.equal(last.split('\n').length, 3)
       const make = new Function(`return ${text}`)()
       assert.equal(compileWarp(withOperators(make)).code, expected)
     })
@@ -170,6 +267,72 @@ test('what is around a function comes by scope, or a sentence says so', () => {
   assert.equal(compileWarp(operators(({ position }) => position.mult(amount))).code, expected)
 })
 
+test('numbers decide as in JavaScript', () => {
+  const results = []
+  globalThis.warpjetKept = results
+  compileWarp(
+    operators(({ position }) => {
+      const early = (a, b) => {
+        if (a) {
+          if (b) return 'x'
+        }
+        return 'y'
+      }
+      const inLoop = (last) => {
+        for (let i = 0; i < 5; i++) {
+          if (i === last) return i
+          else if (i > 3) break
+        }
+        return 'none'
+      }
+      const inTry = (a) => {
+        try {
+          if (a) return 1
+        } finally {
+          warpjetKept.push('finally')
+        }
+        return 2
+      }
+      const byVar = (a) => {
+        if (a) {
+          var n = 1
+        } else var n = 2
+        return n
+      }
+      const properties = (a) => {
+        const v = { y: 0 }
+        if (a) v.y = 1
+        else v.y += 2
+        a ? (v.z = 1) : (v.z = 2)
+        return [v.y, v.z]
+      }
+      warpjetKept.push(early(1, 1), early(1, 0), early(0, 1), inLoop(2), inLoop(9))
+      warpjetKept.push(inTry(true), inTry(false), byVar(true), byVar(false))
+      warpjetKept.push(properties(true), properties(false), -1 % 3, '1' == 1, '1' === 1, 1 != '1')
+      return position
+    }),
+  )
+  delete globalThis.warpjetKept
+  assert.deepEqual(results, [
+    ...['x', 'y', 'y', 2, 'none', 'finally', 'finally', 1, 2, 1, 2],
+    ...[[1, 1], [2, 2], -1, true, false, false],
+  ])
+})
+
+test('a scope is that of its call, and a name may become global later', () => {
+  const amount = 3
+  const offset = ({ position }) => position * amount
+  const by = (n) => compileWarp(({ position }) => position.mult(n)).code
+  assert.equal(compileWarp(operators(offset, { amount: 2 })).code, by(2))
+  assert.equal(compileWarp(operators(offset, { amount: 4 })).code, by(4))
+  assert.throws(() => compileWarp(operators(offset)), /cannot see "amount"/)
+  globalThis.amount = 5
+  const known = operators(offset)
+  assert.equal(compileWarp(known).code, by(5))
+  delete globalThis.amount
+  assert.equal(operators(known), known)
+})
+
 test('what only JavaScript can decide says so', () => {
   for (const offset of [
     ({ position }) => {
@@ -180,6 +343,48 @@ test('what only JavaScript can decide says so', () => {
     ({ position }) => {
       for (let i = 0; i < 3; i++) if (position.x > i) break
       return position
+    },
+    ({ position }) => {
+      for (let i = 0; i < 3; i++) if (position.x > i) return position * i
+      return position
+    },
+    ({ position }) => {
+      const v = { y: 0 }
+      if (position.x > 0) v.y = 1
+      else v.y = 2
+      return position * v.y
+    },
+    ({ position }) => {
+      const v = { y: 0 }
+      if (position.x > 0) {
+        v.y = 1
+        return position * v.y
+      }
+      return position - v.y
+    },
+    ({ position }) => {
+      var n = 0
+      if (position.x > 0) {
+        var n = 1
+      }
+      return position * n
+    },
+    ({ position }) => {
+      let n = 0
+      position.x > 0 ? (n = 1) : (n = 2)
+      return position * n
+    },
+    ({ position }) => {
+      let n = 0
+      position.x > 0 && (n = 1)
+      return position * n
+    },
+    ({ position }) => {
+      switch (position.x) {
+        case 0:
+          return position
+      }
+      return position * 2
     },
   ])
     assert.throws(
@@ -197,7 +402,16 @@ test('a module without warps is left alone, and closures stay in one with them',
   )
   assert.match(
     code,
-    /^import \{ withOperators as \w+ \} from 'warpjet\/operators\/runtime'; const amount = 2\n/,
+    /^const amount = 2\n.*\nimport \{ withOperators as \w+ \} from 'warpjet\/operators\/runtime'\n$/,
   )
   assert.match(code, /warpjetOperators\.mult\(position, amount\)/)
+})
+
+test('what a module imports is its own, and its directive stays first', () => {
+  const code = translateModule(
+    `'use client'\nimport { map } from './mine'\nimport sin, * as all from './other'\ncreateWarp(({ position }) => map(sin(position.x), all) * 2) // end`,
+  )
+  assert.match(code, /^'use client'\n/)
+  assert.match(code, /mult\(map\(sin\(position\.x\), all\), 2\)/)
+  assert.match(code, /\/\/ end\nimport \{ withOperators as \w+ \} from/)
 })
