@@ -6,7 +6,7 @@ import { getGlsl } from '../wasm/glsl.js'
 import type { Listing } from './listing.js'
 
 /** Of codes.hpp, those that are no operations of the builder. */
-const leaves = { constant: 0, argument: 2, uniform: 3, component: 4, texel: 7 }
+const leaves = { constant: 0, argument: 2, uniform: 3, component: 4, texel: 6 }
 
 /** By code, the builder's names of operations. */
 let operations: string[] | undefined

@@ -43,7 +43,8 @@ enum class Way : std::uint8_t {
 // A signature is the result and the parameters, a letter each; a parameter after `>` is out.
 //   G float or vec2 to vec4, all of one size; F float; I the same of int, i int; U and u of uint;
 //   B bool and bvec, b bool; V vec2 to vec4; W ivec; X uvec; Y bvec; 2 3 4 vec2 …; M any matrix;
-//   Q a square matrix; S sampler2D; k ivec2; T the transposed of M
+//   Q a square matrix; S sampler2D; k ivec2; T the transposed of M; O the matrix
+//   of an outer product, whose operands may differ in size
 struct BuiltIn {
   std::string_view name, signature;
   Way way;

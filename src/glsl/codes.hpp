@@ -1,5 +1,5 @@
 // The operations that a lowered text is made of. Those with a name are the builder's, by its names;
-// those from IntOf on are only computed where their operands are known, see wholes.hpp.
+// those from IntOf on are only computed where their operands are known, see wholes.cpp.
 #pragma once
 
 #include <array>
@@ -15,7 +15,6 @@ enum class Code : std::uint8_t {
   Uniform,
   Component,
   Image,
-  ImageSize,
   Texel,
   Neg,
   Add,
@@ -106,7 +105,6 @@ enum class Code : std::uint8_t {
 };
 
 inline constexpr std::array codeNames{
-    "",
     "",
     "",
     "",

@@ -92,9 +92,10 @@ std::optional<double> computed(const Tree& tree, const Expression& node, int dep
       return std::nullopt;
     case Construct:
       if (node.operands.size() != 1) return std::nullopt;
-      if (const auto x = operand(0); x && std::abs(*x) < 4294967296.0)
-        return node.type.base == Base::Float ? *x : std::trunc(*x);
-      return std::nullopt;
+      if (const auto x = operand(0); x && node.type.isWhole())
+        return std::abs(*x) < 4294967296.0 ? std::optional(std::trunc(*x)) : std::nullopt;
+      else
+        return x;
     case Binary:
       return binary(tree, node, depth + 1);
     default:

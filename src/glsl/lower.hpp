@@ -58,7 +58,7 @@ class Lowering {
     Slot returned, result;
     Number function;
   };
-  // A loop or switch that is running.
+  // A loop or switch that is running; nothing goes on with a switch, whose slots are one.
   struct Round {
     Slot broken, continued;
     bool isSwitch;
@@ -86,11 +86,13 @@ class Lowering {
   void execute(Number statement);
   void executeAll(const std::vector<Number>& statements, std::size_t from);
   void declare(const Statement& statement);
+  void initialize(const Statement& statement);
+  std::vector<const Statement*> declarationsOf(Number child) const;
   void choose(const Statement& statement);
   void loop(const Statement& statement);
   void select(const Statement& statement);
   void goBack(const Statement& statement);
-  Id stopped() const;
+  Id stopped();
   void goOn();
 
   // lower_expressions.cpp

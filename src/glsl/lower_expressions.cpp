@@ -9,6 +9,8 @@ Lowering::Value Lowering::evaluate(Number number) {
   ++depth_;
   Value value = evaluateInner(node);
   --depth_;
+  // So that calls which give thousands of numbers end too.
+  steps_ += value.size() / 64;
   if (!recorder_.refusal().empty()) problems_.add(node.place, std::string(recorder_.refusal()));
   return problems_.any() ? undefined(node.type) : value;
 }

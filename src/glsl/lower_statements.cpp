@@ -1,4 +1,6 @@
 // Statements: what runs, and under which condition.
+#include <algorithm>
+
 #include "glsl/constants.hpp"
 #include "glsl/lower.hpp"
 
@@ -55,12 +57,11 @@ void Lowering::execute(Number child) {
 }
 
 // Whether the rest of what runs now is left out.
-Id Lowering::stopped() const {
-  Recorder& recorder = const_cast<Recorder&>(recorder_);
-  Id any = frames_.empty() ? recorder.constant(Base::Bool, 0) : store_.get(frames_.back().returned);
+Id Lowering::stopped() {
+  Id any = frames_.empty() ? number(Base::Bool, 0) : store_.get(frames_.back().returned);
   for (const Round& round : rounds_)
-    any = recorder.either(recorder.either(any, store_.get(round.broken)),
-                          store_.get(round.continued));
+    any = recorder_.either(recorder_.either(any, store_.get(round.broken)),
+                           store_.get(round.continued));
   return any;
 }
 
@@ -96,11 +97,16 @@ void Lowering::declare(const Statement& statement) {
   const Variable& variable = tree_.variables[statement.index];
   if (variable.kind == Variable::Kind::Uniform || variable.kind == Variable::Kind::Attribute)
     return;
-  Value value =
-      statement.expression == nothing ? undefined(variable.type) : evaluate(statement.expression);
   if (variable.kind != Variable::Kind::Global)
-    store_.declare(slotOf(statement.index), value.size());
-  set(slotOf(statement.index), value);
+    store_.declare(slotOf(statement.index), static_cast<std::size_t>(sizeOf(variable.type)));
+  initialize(statement);
+}
+
+// What it starts with, where it is known already.
+void Lowering::initialize(const Statement& statement) {
+  set(slotOf(statement.index), statement.expression == nothing
+                                   ? undefined(tree_.variables[statement.index].type)
+                                   : evaluate(statement.expression));
 }
 
 void Lowering::choose(const Statement& statement) {
@@ -164,11 +170,26 @@ void Lowering::loop(const Statement& statement) {
   rounds_.pop_back();
 }
 
-// Cases run from the one that fits on, until a break.
+// `float x = 1.0, y;` is a block of two.
+std::vector<const Statement*> Lowering::declarationsOf(Number child) const {
+  const Statement& statement = tree_.statements[child];
+  const auto isDeclaration = [&](Number each) {
+    return tree_.statements[each].kind == Statement::Kind::Declare;
+  };
+  if (isDeclaration(child)) return {&statement};
+  std::vector<const Statement*> all;
+  if (statement.kind == Statement::Kind::Block &&
+      std::all_of(statement.children.begin(), statement.children.end(), isDeclaration))
+    for (const Number each : statement.children) all.push_back(&tree_.statements[each]);
+  return all;
+}
+
+// Cases run from the one that fits on, until a break. What they declare is known to all after it,
+// and so is declared outside of their branches.
 void Lowering::select(const Statement& statement) {
   const Id value = evaluate(statement.expression)[0];
   const Id no = number(Base::Bool, 0);
-  const Slot broken = store_.allocate(1, no), continued = store_.allocate(1, no);
+  const Slot broken = store_.allocate(1, no);
   const auto fits = [&](const Statement& label) {
     const auto known = constantInt(tree_, label.expression);
     return scalar(Operator::Equal, recorder_.base(value), value,
@@ -179,12 +200,13 @@ void Lowering::select(const Statement& statement) {
     const Statement& label = tree_.statements[child];
     if (label.kind == Statement::Kind::Case && label.expression != nothing)
       fitsAny = recorder_.either(fitsAny, fits(label));
-    // Known to all cases after it.
-    if (label.kind == Statement::Kind::Declare)
-      store_.declare(slotOf(label.index),
-                     static_cast<std::size_t>(sizeOf(tree_.variables[label.index].type)));
+    for (const Statement* each : declarationsOf(child)) {
+      const Type type = tree_.variables[each->index].type;
+      store_.declare(slotOf(each->index), static_cast<std::size_t>(sizeOf(type)));
+      set(slotOf(each->index), undefined(type));
+    }
   }
-  rounds_.push_back({broken, continued, true});
+  rounds_.push_back({broken, broken, true});
   Id reached = no;
   for (const Number child : statement.children) {
     const Statement& label = tree_.statements[child];
@@ -197,7 +219,9 @@ void Lowering::select(const Statement& statement) {
         recorder_.both(reached, recorder_.negated(stopped())),
         [&] {
           goOn();
-          execute(child);
+          const auto declarations = declarationsOf(child);
+          for (const Statement* each : declarations) initialize(*each);
+          if (declarations.empty()) execute(child);
         },
         [] {});
   }

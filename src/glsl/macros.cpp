@@ -75,28 +75,45 @@ void Macros::expand(std::span<const Token> tokens, std::vector<Token>& result, W
       result.push_back(number(token.place.shown, token));
       continue;
     }
-    const auto found = token.kind == Kind::Name ? macros_.find(token.text) : macros_.end();
-    const bool isHidden = std::find(within.begin(), within.end(), token.text) != within.end();
-    const bool isCalled = at + 1 < tokens.size() && tokens[at + 1].is("(");
-    if (found == macros_.end() || isHidden || (found->second.hasParameters && !isCalled)) {
-      result.push_back(token);
-      continue;
+    const std::size_t before = result.size();
+    result.push_back(token);
+    // What an expansion ends with may be called by what follows.
+    while (result.size() > before && expandLast(tokens, at, result, within)) {
     }
-    if (within.size() >= deepest)
-      return problems_.add(token.place, "macros call each other more than 100 deep here");
-    const Macro& macro = found->second;
-    std::vector<std::vector<Token>> arguments;
-    if (macro.hasParameters) {
-      ++at;
-      if (!readArguments(tokens, at, macro.parameters.size(), arguments))
-        return problems_.add(token.place, "the macro " + quoted(token.text) + " takes " +
-                                              std::to_string(macro.parameters.size()) +
-                                              " arguments in ( )");
-    }
-    within.push_back(token.text);
-    substitute(macro, token.place, arguments, result, within);
-    within.pop_back();
   }
+}
+
+bool Macros::expandLast(std::span<const Token> tokens, std::size_t& at, std::vector<Token>& result,
+                        Within& within) {
+  const Token token = result.back();
+  if (token.kind != Kind::Name || token.isPlain || problems_.any()) return false;
+  const auto found = macros_.find(token.text);
+  if (found == macros_.end()) return false;
+  if (std::find(within.begin(), within.end(), token.text) != within.end()) {
+    result.back().isPlain = true;
+    return false;
+  }
+  const Macro& macro = found->second;
+  const bool isCalled = at + 1 < tokens.size() && tokens[at + 1].is("(");
+  if (macro.hasParameters && !isCalled) return false;
+  if (within.size() >= deepest) {
+    problems_.add(token.place, "macros call each other more than 100 deep here");
+    return false;
+  }
+  std::vector<std::vector<Token>> arguments;
+  if (macro.hasParameters) {
+    ++at;
+    if (!readArguments(tokens, at, macro.parameters.size(), arguments)) {
+      problems_.add(token.place, "the macro " + quoted(token.text) + " takes " +
+                                     std::to_string(macro.parameters.size()) + " arguments in ( )");
+      return false;
+    }
+  }
+  result.pop_back();
+  within.push_back(token.text);
+  substitute(macro, token.place, arguments, result, within);
+  within.pop_back();
+  return true;
 }
 
 // From the parenthesis at `at` to the one that closes it. What is named there is not yet within

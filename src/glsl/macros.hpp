@@ -22,7 +22,8 @@ class Macros {
   void define(const Token& word, std::span<const Token> rest);
   void undefine(const Token& word, std::span<const Token> rest);
 
-  // Every token of an expansion has the place where the macro is called.
+  // Every token of an expansion has the place where the macro is called, but those of an argument,
+  // which have their own.
   void expand(std::span<const Token> tokens, std::vector<Token>& result);
 
  private:
@@ -38,6 +39,10 @@ class Macros {
   void expand(std::span<const Token> tokens, std::vector<Token>& result, Within& within);
   bool readArguments(std::span<const Token> tokens, std::size_t& at, std::size_t count,
                      std::vector<std::vector<Token>>& arguments);
+  // Puts in the place of the last token what it stands for as a macro, and says whether it did.
+  // Arguments come after the token number `at`.
+  bool expandLast(std::span<const Token> tokens, std::size_t& at, std::vector<Token>& result,
+                  Within& within);
   void substitute(const Macro& macro, Place place, std::vector<std::vector<Token>>& arguments,
                   std::vector<Token>& result, Within& within);
   Token number(std::uint32_t value, const Token& like);

@@ -13,7 +13,7 @@ class Nearest {
   explicit Nearest(std::string_view name);
   void offer(std::string_view name);
 
-  // ", did you mean sin?", or nothing if none is near.
+  // "; did you mean sin?", or nothing if none is near.
   std::string question() const;
 
  private:

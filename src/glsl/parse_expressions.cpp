@@ -64,6 +64,8 @@ Number Parser::assignment() {
     const Number right = assignment();
     if (problems_.any()) return left;
     const Type wanted = typeOf(place), came = typeOf(right);
+    if (tree_.types.hasSampler(wanted))
+      return failed(token.place, "an image cannot be assigned; read it here by texture()");
     if (isPlain ? wanted != came : typeOfBinary(row->op, wanted, came, tree_.types) != wanted)
       return failed(token.place, "" + tree_.types.a(came) + " cannot be assigned by " +
                                      std::string(text) + " to " + tree_.types.a(wanted) +
@@ -93,6 +95,8 @@ Number Parser::choice() {
   if (typeOf(yes) != typeOf(no) || typeOf(yes) == voidType)
     return failed(place, "both values of ? : must be of one type, but are " +
                              tree_.types.a(typeOf(yes)) + " and " + tree_.types.a(typeOf(no)));
+  if (tree_.types.hasSampler(typeOf(yes)))
+    return failed(place, "an image cannot be chosen by ? :; choose between what texture() gives");
   return add(Expression{
       .kind = Code::Choose, .type = typeOf(yes), .place = place, .operands = {test, yes, no}});
 }

@@ -10,6 +10,10 @@ void Parser::function(Type result, const Token& name) {
   const Meaning known = scope_.find(name.text);
   if (known.kind != Meaning::Kind::Function && !checkFree(name)) return;
   if (result.length == 0) return fail(name.place, "the array that a function gives needs a length");
+  if (tree_.types.hasSampler(result))
+    return fail(name.place, "a function cannot give an image; give what texture() reads of it");
+  if (tree_.types.size(result) > largestValue)
+    return fail(name.place, "what " + quoted(name.text) + " gives is too large");
   take();
   scope_.open();
   Function made{name.text, result, parameters(), name.place};
@@ -50,6 +54,10 @@ std::vector<Parameter> Parser::parameters() {
       break;
     }
     if (!name.text.empty() && !checkFree(name)) break;
+    if (tree_.types.hasSampler(each) && given.direction != Parameter::Direction::In) {
+      fail(place, "an image can only be read; leave out and inout away");
+      break;
+    }
     if (given.isConst && given.direction != Parameter::Direction::In) {
       fail(place, "a parameter cannot be both const and " +
                       std::string(given.direction == Parameter::Direction::Out ? "out" : "inout"));

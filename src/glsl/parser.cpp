@@ -12,7 +12,6 @@ namespace warpjet::glsl {
 namespace {
 
 constexpr std::int32_t longestArray = 4096;
-constexpr int largestStructure = 1 << 16;
 
 // What nobody can name: GLSL ES 3.00, section 3.8, as far as a text might try.
 constexpr std::string_view keywords[]{"const",
@@ -90,7 +89,6 @@ bool isKeyword(std::string_view name) {
 
 Parser::Parser(Preprocessed text, Problems& problems)
     : text_(std::move(text)), problems_(problems), end_(text_.tokens.back()) {
-  tree_.version = text_.version;
   tree_.made = std::move(text_.made);
 }
 
@@ -273,7 +271,7 @@ Type Parser::structure() {
       if (problems_.any()) return voidType;
       made.fields.push_back({field, each, made.size});
       made.size += tree_.types.size(each);
-      if (made.size > largestStructure) fail(place, "this structure is too large");
+      if (made.size > largestValue) fail(place, "this structure is too large");
     } while (accept(","));
     expect(";", "a field");
   }
@@ -302,6 +300,16 @@ bool Parser::checkFree(const Token& name) {
 }
 
 Number Parser::addVariable(const Token& name, Type type, Variable::Kind kind) {
+  const int size = tree_.types.size(type);
+  if (size > largestValue) {
+    fail(name.place, quoted(name.text) + " is too large");
+  } else if ((held_ += size) > mostHeld) {
+    fail(name.place, "the variables of this text are too large together");
+  } else if (kind == Variable::Kind::Uniform || kind == Variable::Kind::Attribute) {
+    // Even if each is a float.
+    if ((heldOutside_ += type.isNumeric() ? 1 : size) > largestValue)
+      fail(name.place, "this text has too much from outside: more than 65,536 uniforms");
+  }
   const auto index = static_cast<Number>(tree_.variables.size());
   tree_.variables.push_back({name.text, type, name.place, kind});
   scope_.add(name.text, {Meaning::Kind::Variable, index});

@@ -23,6 +23,8 @@ class Parser {
   using Code = Expression::Kind;
 
   static constexpr int deepest = 128;
+  // Numbers of one variable or structure, and of all variables together.
+  static constexpr int largestValue = 1 << 16, mostHeld = 1 << 20;
 
   // What stands before a type.
   struct Qualifiers {
@@ -109,6 +111,8 @@ class Parser {
   Token end_;
   std::size_t at_ = 0;
   int depth_ = 0, loops_ = 0, switches_ = 0;
+  // Numbers of all variables, and of those from outside.
+  int held_ = 0, heldOutside_ = 0;
   // The function that is being read, and who calls whom.
   Number current_ = nothing;
   struct Call {

@@ -22,7 +22,6 @@ class Problems {
   }
 
   bool any() const { return found_.has_value(); }
-  Place place() const { return found_->place; }
 
   // The sentence with its line and column, then the line itself and a caret under the place.
   std::string text(std::string_view source) const;

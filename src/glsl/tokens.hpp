@@ -16,6 +16,8 @@ struct Token {
   bool startsLine = false, followsSpace = false;
   std::string_view text;
   Place place;
+  // Whether it names a macro that was met within itself, and so names none any more.
+  bool isPlain = false;
 
   bool is(std::string_view wanted) const {
     return (kind == Kind::Symbol || kind == Kind::Name) && text == wanted;

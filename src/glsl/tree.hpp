@@ -107,7 +107,6 @@ struct Tree {
   std::vector<Function> functions;
   // Numbers of those above functions, in order.
   std::vector<Number> globals;
-  int version = 0;
   // Texts of tokens that macros made.
   std::deque<std::string> made;
 };

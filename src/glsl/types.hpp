@@ -96,7 +96,7 @@ class Types {
   std::vector<Structure> structures_;
 };
 
-// A type of the language by its word; Void and no word where there is none. `void` is one.
+// A type of the language by its word, or null where there is none. `void` is one.
 struct NamedType {
   std::string_view word;
   Type type;

@@ -18,8 +18,7 @@ std::optional<Type> arithmetic(Operator op, Type left, Type right) {
   if (op == Operator::Multiply && (left.isMatrix() || right.isMatrix())) {
     // A vector before a matrix is a row, one after it a column.
     const int inner = left.isMatrix() ? left.columns : left.rows;
-    const int outer = right.isMatrix() ? right.rows : right.rows;
-    if (inner != outer) return std::nullopt;
+    if (inner != right.rows) return std::nullopt;
     if (!left.isMatrix()) return vectorType(Base::Float, right.columns);
     if (!right.isMatrix()) return vectorType(Base::Float, left.rows);
     return matrixType(right.columns, left.rows);
@@ -72,13 +71,14 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
   const auto wantsEach = [&](std::size_t wanted, const auto& typeAt, const char* what) {
     if (operands.size() != wanted)
       return name + " takes " + count(wanted, what) + ", but " + std::to_string(operands.size()) +
-             (operands.size() == 1 ? " came" : " came");
+             " came";
     for (std::size_t i = 0; i < wanted; ++i)
       if (operands[i] != typeAt(i))
         return what + (' ' + std::to_string(i + 1)) + " of " + name + " is " + types.a(typeAt(i)) +
                ", but " + types.a(operands[i]) + " came";
     return std::string();
   };
+  if (types.hasSampler(type)) return "there is no constructor of " + name;
   if (type.isArray())
     return wantsEach(
         type.length ? type.length : operands.size(), [&](std::size_t) { return type.element(); },

@@ -58,6 +58,15 @@ TEST(GlslPreprocessor, ExpandsMacrosOnceEach) {
   EXPECT_EQ(preprocessed("__LINE__\n#line 9\n__LINE__"), "1 9");
 }
 
+TEST(GlslPreprocessor, AnExpansionIsCalledByWhatFollows) {
+  EXPECT_EQ(preprocessed("#define F G\n#define G(x) x\nF(1)"), "1");
+  EXPECT_EQ(preprocessed("#define G(x) x\n#define E G\n#define F E\nF (F(2)) F"), "2 G");
+  EXPECT_EQ(preprocessed("#define A(x) x + B\n#define B(x) x\nA(1)(2)(3)"), "1 + 2 ( 3 )");
+  EXPECT_EQ(preprocessed("#define PICK(x) x\n#define G(x) -x\nPICK(G)(1)"), "- 1");
+  // Not within itself, and what was so once is never again.
+  EXPECT_EQ(preprocessed("#define F(x) x F\nF(1)(2)"), "1 F ( 2 )");
+}
+
 TEST(GlslPreprocessor, ChoosesLines) {
   EXPECT_EQ(preprocessed("#if 1 + 2 * 3 == 7 && !defined(X)\na\n#else\nb\n#endif"), "a");
   EXPECT_EQ(preprocessed("#define X 2\n#if X == 1\na\n#elif X == 2\nb\n#elif 1\nc\n#endif"), "b");
@@ -107,6 +116,8 @@ TEST(GlslLowering, WhatIsKnownIsFolded) {
   EXPECT_EQ(known("return float(-8 >> 1) + float(0xF0u >> 4);"), 11);
   EXPECT_EQ(known("return float(int(-2.9)) + float(int(2.9));"), 0);
   EXPECT_EQ(known("int a[3] = int[](4, 5, 6); a[1] += a[2]; return float(a[a.length() - 2]);"), 11);
+  EXPECT_EQ(known("float a[bool(0.5) ? 2 : 3]; return float(a.length());"), 2);
+  EXPECT_EQ(known("float a[bool(-0.0) ? 2 : 3]; return float(a.length());"), 3);
   // As often as float32 has it: the tenth sum is just above 1.
   EXPECT_EQ(known("float n = 0.; for (float t = 0.; t < 1.; t += .1) n += 1.; return n;"), 10);
 }
