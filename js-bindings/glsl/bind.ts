@@ -1,10 +1,13 @@
 // What a text reads from outside, as expressions.
-import { WarpError, describeShape } from '../checks/errors.js'
+import { isExpression } from '../checks/describe.js'
+import { WarpError, describe, describeShape } from '../checks/errors.js'
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
+import type { Session } from '../expression/session.js'
 import { drawInputs, inputSizes, variationInputs } from '../inputs/inputs.js'
 import type { WarpInputs } from '../types/types.js'
 import type { Named, Outside } from './listing.js'
+import { article } from './options.js'
 import type { Given } from './replay.js'
 
 const hidden = new Set(['tangent', ...Object.keys(variationInputs)])
@@ -35,14 +38,12 @@ export function bindOutsides(
   outsides: readonly Outside[],
   inputs: Inputs,
 ): Pick<Given, 'outside' | 'texture'> {
-  const declared = (inputs.uniforms ?? Object.create(null)) as unknown as Record<
-    string,
-    Expression | string
-  >
+  const declared = (inputs.uniforms ?? {}) as unknown as Record<string, unknown>
+  const isDeclared = (name: string) => Object.hasOwn(declared, name)
   const made = new Map<number, Expression>()
   const find = (outside: Outside): Expression => {
     const { name, type, isAttribute } = outside
-    if (!isAttribute && name in declared) return checked(method, outside, declared[name]!)
+    if (!isAttribute && isDeclared(name)) return checked(method, glsl, outside, declared[name])
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
@@ -59,20 +60,30 @@ export function bindOutsides(
     },
     texture(place, uv) {
       const { name } = outsides[place]!
-      return glsl.texture!(name in declared ? declared[name] : name, uv)
+      return glsl.texture!(isDeclared(name) ? declared[name] : name, uv)
     },
   }
 }
 
-function checked(method: string, { name, type, shape }: Outside, value: Expression | string) {
-  if (typeof value === 'string')
+function checked(
+  method: string,
+  glsl: Builder,
+  { name, type, shape }: Outside,
+  declared: unknown,
+): Expression {
+  if (typeof declared === 'string')
     throw new WarpError(
-      `${method}: the uniform ${name} is a ${type} in the text, but an image was given.`,
+      `${method}: the uniform ${name} is ${article(type)} in the text, but an image was given.`,
     )
+  if (typeof declared !== 'number' && !isExpression(declared))
+    throw new WarpError(
+      `${method}: the uniform ${name} must be a number or an expression, but is ${describe(declared)}.`,
+    )
+  const value = typeof declared === 'number' ? glsl.val!(declared) : (declared as Expression)
   const given = value.session.shapeOf(value)
   if (`${given}` === `${shape}`) return value
   throw new WarpError(
-    `${method}: the uniform ${name} is a ${type} in the text, but ${describeShape(given)} was given.`,
+    `${method}: the uniform ${name} is ${article(type)} in the text, but ${describeShape(given)} was given.`,
   )
 }
 
@@ -81,12 +92,14 @@ export function parameterOf(method: string, glsl: Builder, { name, type }: Named
   const [, word, base, digit] = /^([iub]?)(float|int|uint|bool|vec|mat)(\dx?\d?)?$/.exec(type) ?? []
   if (base === undefined || digit?.includes('x'))
     throw new WarpError(
-      `${method}: ${name} is a ${type}; only numbers, vectors and matrices of as many rows as columns can be given.`,
+      `${method}: ${name} is ${article(type)}; only numbers, vectors and matrices of as many rows as columns can be given.`,
     )
   const size = digit ?? ''
   const kind = base === 'vec' || base === 'mat' ? base + size : ''
   // What the shader has as another type of numbers is read as floats.
   const isOther = word !== '' || !['float', 'vec', 'mat'].includes(base)
-  const label = isOther ? `${kind || 'float'}(${name})` : name
+  const { target } = glsl.val!(0).session as Session
+  const floats = target === 'wgsl' ? (kind ? `${kind}f` : 'f32') : kind || 'float'
+  const label = isOther ? `${floats}(${name})` : name
   return glsl[kind ? `${kind}Param` : 'param']!(label)
 }

@@ -7,7 +7,7 @@ import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import { bindOutsides } from './bind.js'
 import { type FunctionHead, type Named, withSource } from './listing.js'
-import { type GlslOptions, checkSource, readIterations, readName } from './options.js'
+import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface GlslSourceOptions extends GlslOptions {
@@ -21,15 +21,18 @@ export type SourceFunction = (...operands: unknown[]) => Expression
 function readSource(glsl: Builder, source: unknown, options: GlslSourceOptions = {}) {
   checkSource('source', source)
   checkOptions('source', options, ['function', 'maxIterations', 'uniforms'])
+  const { uniforms = {} } = options
+  if (typeof uniforms !== 'object' || uniforms === null)
+    throw new WarpError(
+      `source: the option "uniforms" must be an object of numbers and expressions, but is ${describe(uniforms)}.`,
+    )
   const listing = withSource('source', source, (text) => {
     const head = text.find(readName('source', options.function))
     checkCallable(head)
     return text.list(head, readIterations('source', options.maxIterations))
   })
   const { head, outsides } = listing
-  const outside = bindOutsides('source', glsl, outsides, {
-    uniforms: options.uniforms as never,
-  })
+  const outside = bindOutsides('source', glsl, outsides, { uniforms: uniforms as never })
   const call: SourceFunction = (...operands) => {
     const { name, parameters } = head
     if (operands.length !== parameters.length)
@@ -44,13 +47,13 @@ function readSource(glsl: Builder, source: unknown, options: GlslSourceOptions =
 
 function checkCallable({ name, type, parameters }: FunctionHead) {
   if (!/^(?:float|int|uint|bool|vec[234]|mat[234])$/.test(type))
-    throw new WarpError(`source: ${name} gives a ${type}, which no expression can be.`)
+    throw new WarpError(`source: ${name} gives ${article(type)}, which no expression can be.`)
   for (const each of parameters) {
     if (each.isOut)
       throw new WarpError(`source: the parameter ${each.name} of ${name} is out; return a value.`)
     if (!/^(?:float|int|uint|bool|vec[234]|mat[234])$/.test(each.type))
       throw new WarpError(
-        `source: the parameter ${each.name} of ${name} is a ${each.type}, which no expression can be.`,
+        `source: the parameter ${each.name} of ${name} is ${article(each.type)}, which no expression can be.`,
       )
   }
 }
@@ -63,7 +66,7 @@ function argument(
   place: number,
 ): Expression {
   const refuse = (came: string): never => {
-    throw new WarpError(`${name}: argument ${place} must be a ${type}, but is ${came}.`)
+    throw new WarpError(`${name}: argument ${place} must be ${article(type)}, but is ${came}.`)
   }
   const value = typeof operand === 'number' ? glsl.val!(operand) : operand
   if (!isExpression(value)) return refuse(describe(operand))

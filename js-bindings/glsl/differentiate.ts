@@ -9,7 +9,7 @@ import type { Vector } from '../types/types.js'
 import { bindOutsides, parameterOf } from './bind.js'
 import { functionText } from './function-text.js'
 import { type FunctionHead, type Listing, withSource } from './listing.js'
-import { type GlslOptions, checkSource, readIterations, readName } from './options.js'
+import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface DifferentiateOptions extends GlslOptions {
@@ -33,17 +33,16 @@ export function differentiate(source: string, options: DifferentiateOptions = {}
   checkSource('differentiate', source)
   checkOptions('differentiate', options, ['function', 'maxIterations', 'by', 'target', 'name'])
   const target = checkTarget(options.target)
-  const listing = withSource('differentiate', source, (text) => {
+  const { by, shape, listing } = withSource('differentiate', source, (text) => {
     const head = text.find(readName('differentiate', options.function))
-    return text.list(head, readIterations('differentiate', options.maxIterations))
+    const by = readBy(head, options.by)
+    const shape = checkHead(head, by, target)
+    const iterations = readIterations('differentiate', options.maxIterations)
+    return { by, shape, listing: text.list(head, iterations) }
   })
   const { head } = listing
-  const by = readBy(head, options.by)
-  const shape = checkHead(head, by, target)
   const name = readNewName(options.name, head.name + (shape.isValue ? 'Gradient' : 'Jacobian'))
-  const result = ['result', 'outcome', 'derivatives'].find(
-    (each) => ![...head.parameters, ...listing.outsides].some((other) => other.name === each),
-  )!
+  const result = freeName(listing)
   const text = compile(
     (glsl) => ({
       [result]: derivativesOf(glsl as unknown as Builder, listing, by, shape) as never,
@@ -57,6 +56,16 @@ export function differentiate(source: string, options: DifferentiateOptions = {}
     type: shape.type,
     parameters: head.parameters,
   })
+}
+
+/** For the output: of no parameter and no uniform. */
+function freeName({ head, outsides }: Listing): string {
+  const taken = new Set([...head.parameters, ...outsides].map((each) => each.name))
+  const name = ['result', 'outcome', 'derivatives'].find((each) => !taken.has(each))
+  if (name) return name
+  let number = 2
+  while (taken.has(`result${number}`)) number++
+  return `result${number}`
 }
 
 interface ResultShape {
@@ -125,13 +134,13 @@ function checkHead(
       refuse(
         each.isOut
           ? `the parameter ${each.name} of ${name} is out; return a value`
-          : `the parameter ${each.name} of ${name} is a ${each.type}, which nothing can be given for`,
+          : `the parameter ${each.name} of ${name} is ${article(each.type)}, which nothing can be given for`,
       )
   const input = parameters.find((each) => each.name === by)!.type
   if (!isFloats(input))
-    refuse(`${by} is a ${input}; only a float or a vector can be differentiated by`)
+    refuse(`${by} is ${article(input)}; only a float or a vector can be differentiated by`)
   if (!isFloats(type))
-    refuse(`${name} gives a ${type}; only a float or a vector has derivatives here`)
+    refuse(`${name} gives ${article(type)}; only a float or a vector has derivatives here`)
   const sizeOf = (word: string) => (word === 'float' ? 1 : Number(word.at(-1)))
   const [from, to] = [sizeOf(input), sizeOf(type)]
   if (to === 1) {

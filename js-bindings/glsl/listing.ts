@@ -100,19 +100,17 @@ function readHead(line: string): FunctionHead {
     number: Number(number),
     type: type!,
     name: name!,
-    parameters: /&/.test(line) || parameters.length ? readParameters(line) : [],
+    parameters: readParameters(parameters.join(' ')),
   }
 }
 
 /** `vec3 p` is read, `vec3&p` is written. */
-const readParameters = (line: string) =>
-  [
-    ...line
-      .split(' ')
-      .slice(3)
-      .join(' ')
-      .matchAll(/(\S+?)([ &])(\S+)/g),
-  ].map(([, type, mark, name]) => ({ type: type!, name: name!, isOut: mark === '&' }))
+const readParameters = (text: string) =>
+  [...text.matchAll(/(\S+?)([ &])(\S+)/g)].map(([, type, mark, name]) => ({
+    type: type!,
+    name: name!,
+    isOut: mark === '&',
+  }))
 
 function readOutside(line: string): Outside {
   const [kind, columns, rows, type, ...name] = line.split(' ')

@@ -6,7 +6,7 @@ import type { Builder } from '../expression/builder.js'
 import type { OffsetFunction, UniformValues, WarpInputs } from '../types/types.js'
 import { bindOutsides, inputNamed, inputTypes } from './bind.js'
 import { type FunctionHead, withSource } from './listing.js'
-import { type GlslOptions, checkSource, readIterations, readName } from './options.js'
+import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface GlslOffsetOptions extends GlslOptions {
@@ -54,9 +54,6 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
 
 const isInput = (name: string) => name in inputTypes
 
-const article = (type: string) =>
-  type === 'void' ? 'nothing' : `${/^[iu]/.test(type) ? 'an' : 'a'} ${type}`
-
 function unknownParameter(name: string, parameter: string, type: string) {
   const known = Object.keys(inputTypes)
   const meant: Record<string, string> = {
@@ -76,7 +73,7 @@ function unknownParameter(name: string, parameter: string, type: string) {
 function checkHead({ name, type, parameters }: FunctionHead) {
   if (type !== 'vec3')
     throw new WarpError(
-      `glslOffset: ${name} must give a vec3, how far a vertex moves, but gives ${article(type)}; ${
+      `glslOffset: ${name} must give a vec3, how far a vertex moves, but gives ${type === 'void' ? 'nothing' : article(type)}; ${
         type === 'void' ? 'return it' : 'differentiate takes other functions'
       }, or name another one by the option "function".`,
     )
@@ -90,7 +87,7 @@ function checkHead({ name, type, parameters }: FunctionHead) {
     if (!expected) throw new WarpError(unknownParameter(name, parameter.name, parameter.type))
     if (expected !== parameter.type)
       throw new WarpError(
-        `glslOffset: the parameter ${parameter.name} of ${name} is a ${parameter.type}, but ${parameter.name} is a ${expected}.`,
+        `glslOffset: the parameter ${parameter.name} of ${name} is ${article(parameter.type)}, but ${parameter.name} is ${article(expected)}.`,
       )
   }
 }

@@ -8,6 +8,9 @@ export interface GlslOptions {
   maxIterations?: number
 }
 
+/** As GLSL writes it, in a sentence. */
+export const article = (type: string) => `${/^[aeio]/.test(type) ? 'an' : 'a'} ${type}`
+
 export function checkSource(method: string, source: unknown): asserts source is string {
   if (typeof source === 'string') {
     if (/^[\w./\\-]+\.\w+$/.test(source.trim()))

@@ -77,6 +77,37 @@ const wrong = [
   [body('float a[3] = float[2](1., 2.); return p;'), 2, 'is a float[3], but a float[2] came'],
   [body('void v; return p;'), 2, 'cannot be void'],
   ['vec3 offset(void p) { return vec3(0.); }', 1, 'a parameter cannot be void'],
+  [
+    'uniform sampler2D a, b;\nvec3 offset(vec3 p) { return texture(p.x > 0. ? a : b, p.xy).xyz; }',
+    2,
+    'an image cannot be chosen by ? :',
+  ],
+  ['void f(sampler2D a, sampler2D b) { a = b; }', 1, 'an image cannot be assigned'],
+  ['void f(inout sampler2D a) { }', 1, 'an image can only be read'],
+  ['uniform sampler2D s;\nsampler2D f() { return s; }', 2, 'a function cannot give an image'],
+  [
+    'uniform sampler2D a, b;\n' + body('return texture(sampler2D[](a, b)[int(p.x)], p.xy).xyz;'),
+    3,
+    'there is no constructor of sampler2D[2]',
+  ],
+  // how large
+  [
+    'struct A { float a[4096]; };\nstruct B { A a[16]; };\n' + body('B b[4096]; return p;'),
+    4,
+    'is too large',
+  ],
+  ['struct A { float a[4096]; };\nvoid f(A a[17]) { }', 2, 'is too large'],
+  ['struct A { float a[4096]; };\nA[17] f() { }', 2, 'is too large'],
+  [
+    'struct A { float a[4096]; };\n' + Array.from({ length: 300 }, (_, i) => `A a${i};`).join('\n'),
+    257,
+    'too large together',
+  ],
+  [
+    'uniform vec4 a[4096], b[4096], c[4096], d[4096],\n e[4096], f[4096], g[4096], h[4096], i[4096], j[4096], k[4096], l[4096], m[4096], n[4096], o[4096], o2[4096], p[4096];',
+    2,
+    'from outside',
+  ],
   // overloads
   [body('return sin(p, p);'), 2, '"sin" cannot be called with (vec3, vec3)'],
   [body('return vec3(dot(p, p.xy));'), 2, '"dot" cannot be called with (vec3, vec2)'],
@@ -234,6 +265,21 @@ test('what is no text, and wrong options', () => {
   )
   assert.throws(() => differentiate('float f(vec4 p) { return p.x; }'), /five numbers/)
   assert.throws(() => differentiate('float f(int i) { return 1.; }'), /only a float or a vector/)
+  assert.throws(() => differentiate('int f(out float x) { return 1; }'), /x of f is out/)
+  assert.throws(
+    () => differentiate('float f(float x, out int i) { while (x < 1.) x++; return x; }'),
+    /i of f is out/,
+  )
+  assert.throws(
+    () => glslOffset('vec3 offset(int uv) { return vec3(1.); }'),
+    /uv of offset is an int, but uv is a vec2/,
+  )
+  assert.throws(() => differentiate('int f(float p) { return 1; }'), /f gives an int; only a float/)
+  assert.ok(
+    differentiate(
+      'uniform float result, outcome, derivatives; float f(float x) { return x * result * outcome * derivatives; }',
+    ).includes('return result2;'),
+  )
   const other = compileWarp(
     glslOffset('uniform vec2 amount; vec3 offset(vec3 p) { return vec3(amount, 0.); }'),
     { uniforms: { amount: [1, 2] } },

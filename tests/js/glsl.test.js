@@ -59,6 +59,19 @@ test('statements, by hand', () => {
     ),
     [5, 5, 5],
   )
+  for (const declared of ['float a = 1.0; float b = 2.0;', 'float a = 1.0, b = 2.0;'])
+    near(
+      offsetOf(
+        `float x = 0.0; switch (int(p.y)) { case 2: ${declared} x = a + b; break; case 3: a = 9.0; x = a; } return vec3(x, p.zz);`,
+      ),
+      [3, 3, 3],
+    )
+  near(
+    offsetOf(
+      'float x = 0.; for (int i = 0; i < 3; i++) switch (int(p.x) + i) { case 1: float a = p.y; case 2: a = p.z; x += a; break; default: { float b = 4.; x += b; } } return vec3(x);',
+    ),
+    [10, 10, 10],
+  )
   near(
     offsetOf('float t[3] = float[](5., 6., 7.); t[int(p.x)] = 1.; return vec3(t[0], t[1], t[2]);'),
     [5, 1, 7],
@@ -132,6 +145,32 @@ test('what a text is called with is checked', () => {
   assert.throws(() => call(1, 2), /f: argument 1 must be a vec2, but is a single number/)
 })
 
+test('the uniforms that a text is called with are checked', () => {
+  const warp = (uniforms, name = 'amount') =>
+    compileWarp(
+      ({ glsl, position }) =>
+        glsl.vec3(
+          glsl.source(`uniform float ${name}; float f(float x) { return ${name} * x; }`, {
+            uniforms,
+          })(position.y()),
+          0,
+          0,
+        ),
+      { surfaceVariation: false },
+    )
+  const { position } = warp({ amount: 0.5 }).evaluateAt([1, 2, 3], { normal: [0, 1, 0] })
+  near(position, [2, 2, 3])
+  assert.throws(
+    () => warp({ amount: [1, 2] }),
+    /source: the uniform amount must be a number or an expression, but is an array of 2\.$/,
+  )
+  assert.throws(() => warp({ amount: undefined }), /amount must be a number .* but is undefined/)
+  assert.throws(() => warp({ amount: 'sky' }), /amount is a float in the text, but an image/)
+  assert.throws(() => warp(5), /"uniforms" must be an object .* but is the number 5/)
+  assert.throws(() => warp(null), /"uniforms" must be an object .* but is null/)
+  for (const name of ['constructor', 'toString']) assert.ok(warp({ amount: 1 }, name).code)
+})
+
 test('loops that only the shader ends run as often as they are let', () => {
   const source = 'vec3 offset(vec3 p) { float x = p.x; while (x < 10.) x *= 2.; return vec3(x); }'
   const { position } = at(source, [1, 0, 0], { maxIterations: 16 })
@@ -168,4 +207,18 @@ test('the text of a function with its derivatives, in each language', () => {
     () => differentiate('vec2 f(vec3 p) { return p.xy; }', { target: 'glsl100' }),
     /glsl100 has no matrix/,
   )
+  const mixed =
+    'float f(vec3 p, int n, bool b, ivec2 k) { return b ? p.x * float(n) : float(k.x); }'
+  assert.throws(() => differentiate(mixed), /the parameter k of f is an ivec2/)
+  const whole =
+    'uniform int many; uniform ivec3 way; vec3 f(vec3 p, int n, bool b) { return b ? p * float(n + many) * vec3(way) : p; }'
+  const wgsl = differentiate(whole, { target: 'wgsl' })
+  assert.match(wgsl, /f32\(n\)/)
+  assert.match(wgsl, /f32\(b\)/)
+  assert.match(wgsl, /f32\(many\)/)
+  assert.match(wgsl, /vec3f\(way\)/)
+  assert.doesNotMatch(wgsl, /\bfloat\(|\bvec3\(/)
+  const glsl = differentiate(whole)
+  assert.match(glsl, /float\(n\)/)
+  assert.match(glsl, /vec3\(way\)/)
 })
