@@ -107,6 +107,7 @@ export const gallery = {
 
   'glsl-terrain': {
     size: 0.5,
+    step: 1e-5,
     offset([x, y], { millis }) {
       let [u, v] = [4 * x, 4 * y + millis / 4000]
       let [sum, size, slope] = [0, 1, 0]
