@@ -12,6 +12,7 @@ import { type ThreeWarp, keep, millisUniform } from './kept.js'
 import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
 import type { ThreeUniforms, UniformHandles, ValuesOf } from './uniforms.js'
 import { isWoven, weave } from './weave.js'
+import { fillOf } from './surface.js'
 
 /** What a warped material and a warped object have. */
 export interface Warped<Uniforms = {}> {
@@ -148,22 +149,13 @@ export function weaveInto(
   }
 }
 
-interface Coloured {
-  color?: { r: number; g: number; b: number }
-  opacity: number
-}
-
 function inShader(warp: ThreeWarp, fill: () => Material) {
-  const fillOf = (): number[] => {
-    const { color, opacity } = fill() as Coloured
-    return [color?.r ?? 1, color?.g ?? 1, color?.b ?? 1, opacity]
-  }
   return {
     [millisUniform]: warp.millis,
     ...(warp.reads.has('color') && {
       warpjetFill: {
         get value() {
-          return fillOf()
+          return fillOf(fill())
         },
       },
     }),

@@ -12,7 +12,7 @@ import {
   type Sphere,
   type Vector3,
 } from 'three'
-import { extentOf, instancesOf, remembered, sphereAround, stateOf, warpedBox } from './extent.js'
+import { instancesOf, remembered, sphereAround, stateOf, warpedBox } from './extent.js'
 import type { ThreeWarp } from './kept.js'
 import { type Warpable, posedBox } from './pose.js'
 import { warpedGeometry } from './surface.js'
@@ -21,17 +21,20 @@ export type Raycast = (raycaster: Raycaster, intersects: Intersection[]) => void
 
 const noted = new WeakSet<ThreeWarp>()
 
-/** What replaces `raycast` of a warped object; `own` is what it was. */
-export function raycastOf(warp: ThreeWarp, object: Warpable, own: Raycast): Raycast {
+/** What replaces `raycast` of a warped object; `own` is what it was, and `around` is around all that is drawn of it now. */
+export function raycastOf(
+  warp: ThreeWarp,
+  object: Warpable,
+  own: Raycast,
+  around: () => Sphere,
+): Raycast {
   if (!warp.runs) return () => noteMiss(warp)
-  const state = () => stateOf(warp, object)
-  const extent = remembered(state, () => extentOf(warp, object).sphere)
   const cast =
     warp.settings.space === 'world' ? castInWorld(warp, object, own) : castHere(warp, object, own)
   return (raycaster, intersects) => {
-    if (object.material === undefined || !isNear(raycaster, object, extent(), object.matrixWorld))
+    if (object.material === undefined || !isNear(raycaster, object, around(), object.matrixWorld))
       return
-    cast(raycaster, intersects, extent())
+    cast(raycaster, intersects, around())
   }
 }
 

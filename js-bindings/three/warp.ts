@@ -178,9 +178,9 @@ function putOn(
   const before = object.material
   const surface = () => [object.material].flat()[0]!
   const shadows = adapter.shadows?.(warp, surface, object as ShadowMaterials) ?? {}
-  const raycast = raycastOf(warp, object, object.raycast)
   const state = () => stateOf(warp, object)
   const extent = remembered(state, () => extentOf(warp, object))
+  const raycast = raycastOf(warp, object, object.raycast, () => extent().sphere)
   const { onBeforeRender } = object
   object.material = Array.isArray(before) ? before.map(wovenOf) : wovenOf(before)
   const after = object.material
