@@ -1,7 +1,7 @@
 // npm run fuzz: gives the fuzz targets of tests/fuzz new bytes for a time, under the sanitizers. What reached new places in
 // the code is kept in .build/fuzz/corpus, so that the next run goes on from there.
 import { spawn } from 'node:child_process'
-import { createWriteStream, mkdirSync, readdirSync, rmSync } from 'node:fs'
+import { createWriteStream, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
 import { availableParallelism } from 'node:os'
 import { createInterface } from 'node:readline'
 import { parseArgs } from 'node:util'
@@ -10,6 +10,7 @@ import { path, walk } from './lib/files.mjs'
 import { run } from './lib/run.mjs'
 import { Stop, good, heading, isMain, main, say } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
+import { own } from '../tests/glsl/own.js'
 
 const programs = '.build/sanitize'
 const folder = '.build/fuzz'
@@ -107,19 +108,24 @@ async function follow(name, child, log) {
 
 const count = (text) => Number(text).toLocaleString('en')
 
-/** Writes tests/fuzz/corpus anew. */
+/** Writes the seeds of tests/fuzz/corpus anew; what fuzzing once found stays beside them. */
 async function writeSeeds() {
   await cmakeBuild('sanitize', 'fuzz_seeds')
-  rmSync(path(seeds), { recursive: true, force: true })
   await run(path(programs, 'fuzz_seeds'), [seeds])
+  mkdirSync(path(seeds, 'glsl'), { recursive: true })
+  const texts = { ...own, 'a misspelled function': 'float own(float x) { return exAp2(x); }' }
+  for (const [name, text] of Object.entries(texts))
+    writeFileSync(path(seeds, 'glsl', slug(name)), text.replaceAll('\n  ', '\n') + '\n')
   good(`${walk(seeds).length} files in ${seeds}`)
 }
+
+const slug = (name) => name.toLowerCase().replaceAll(/\W+/g, '-')
 
 const help = `npm run fuzz -- [--seconds 60] [--target ${Object.keys(targets).join('|')}] [--seeds]
 
   --seconds  how long each target runs; 60 by default
   --target   only this one; otherwise all, at once where there are cores for it
-  --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp, and ends`
+  --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp and tests/glsl/own.js, and ends`
 
 function options() {
   try {

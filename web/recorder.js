@@ -3,7 +3,7 @@
 // And it leaves the mouse wheel and vertical swipes to that page, so that nobody gets stuck in a sketch.
 {
   const recorded = (window.recordedCode = [])
-  const { compile, compileWarp, gen } = warpjet
+  const { compile, compileWarp, gen, differentiate } = warpjet
   const keep = (maker, { code: statements, declarations }) => {
     const code = declarations ? `${statements}\n// Above main:\n${declarations}` : statements
     if (!recorded.some((record) => record.code === code)) recorded.push({ maker, code })
@@ -35,7 +35,24 @@
       keep('gen', { code })
       return code
     },
+    ...(differentiate && {
+      differentiate(source, options) {
+        const code = differentiate(source, options)
+        keep('differentiate', { code })
+        return code
+      },
+    }),
   }
+
+  // Only with the script for GLSL: the hooks that it put in the place of the sketch's.
+  const { exactNormals } = p5.prototype
+  if (exactNormals)
+    p5.prototype.exactNormals = function (shader) {
+      const turned = exactNormals.call(this, shader)
+      for (const [head, body] of Object.entries(turned.hooks.vertex))
+        if (body !== shader.hooks.vertex[head]) keep('exactNormals', { code: head + body })
+      return turned
+    }
 
   const { orbitControl } = p5.prototype
   p5.prototype.orbitControl = function () {

@@ -78,8 +78,17 @@ function stopWhenTimed() {
   const timer = setInterval(() => {
     if (!rate()) return
     clearInterval(timer)
-    noLoop()
+    if (window.noLoop) noLoop()
+    else window.requestAnimationFrame = () => 0
   }, 100)
+}
+
+/** Three.js leaves its canvas empty once a frame is shown; so it stays until somebody has looked. */
+function keepFrames() {
+  const { getContext } = HTMLCanvasElement.prototype
+  HTMLCanvasElement.prototype.getContext = function (kind, options) {
+    return getContext.call(this, kind, { ...options, preserveDrawingBuffer: true })
+  }
 }
 
 describe('the gallery of npm start', () => {
@@ -99,6 +108,7 @@ describe('the gallery of npm start', () => {
       await lower(context, { before: still })
       // The first frame is that of one moment: on a busy machine it comes late, and may show a thin side.
       await context.addInitScript('let now = 0; performance.now = () => (now += 100)')
+      await context.addInitScript(keepFrames)
       // One page for all, which compiles p5 once.
       ;({ page, messages } = await openPage(context, `${url}recorder.js`))
     })
@@ -120,6 +130,7 @@ describe('the gallery of npm start', () => {
       const context = await browser.newContext(desktop)
       await lower(context, { exceptions: names.slice(0, 1), before: plain })
       await context.addInitScript(stopWhenTimed)
+      await context.addInitScript(keepFrames)
       ;({ page, messages } = await openPage(context, url))
     })
     after(() => page.context().close())
@@ -132,8 +143,10 @@ describe('the gallery of npm start', () => {
         assertPicture(await statistics(frame))
         assert.match(await card.locator('code').textContent(), /^(\/\/|import) /)
         await card.getByRole('button', { name: 'GLSL' }).click()
-        const text = /\b(vec3 offset|vec3 warpjetOffset|float height|float value|vec4 color)\b/
-        await card.locator('code').filter({ hasText: text }).waitFor(patience)
+        const code = card
+          .locator('code')
+          .filter({ hasText: /^\/\/ \w+\n[^]*\b(float|vec[234]) \w+ ?[=(]/ })
+        await code.waitFor(patience)
 
         await page.screenshot({ path: `${screenshots}/${name}.png` })
         const running = await page.locator('iframe').count()
@@ -198,9 +211,7 @@ async function playing(page, name) {
 
 /** How many colours the canvas has, in steps of 8, and which share of it is not background. */
 const statistics = (frame) =>
-  frame.evaluate(async () => {
-    // Three.js leaves its canvas empty once a frame is shown: this comes after the drawing of the next one.
-    if (window.noLoop === undefined) await new Promise(requestAnimationFrame)
+  frame.evaluate(() => {
     const source = document.querySelector('.p5Canvas, canvas[data-engine]')
     const copy = new OffscreenCanvas(source.width, source.height).getContext('2d')
     copy.drawImage(source, 0, 0)

@@ -12,7 +12,8 @@ namespace {
 void requireSentence(const std::string& problem) {
   require(problem.starts_with("line "), "a sentence names its line", problem);
   require(problem.find(", column ") != problem.npos, "a sentence names its column", problem);
-  require(problem.find(".\n") != problem.npos, "a sentence ends", problem);
+  const bool ends = problem.find(".\n") != problem.npos || problem.find("?\n") != problem.npos;
+  require(ends, "a sentence ends", problem);
   require(problem.ends_with('^'), "a caret stands under the place", problem);
   require(problem.size() < 2000, "a sentence is not long", std::to_string(problem.size()));
 }
