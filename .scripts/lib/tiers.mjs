@@ -18,6 +18,9 @@ export const leftOut = {
     'tests/browser/bench-results.test.js': 'likewise the page of its results',
     'tests/browser/drop.test.js':
       'the page for one’s own model changes seldom; what it calls has its tests every day',
+    'tests/browser/script.test.js':
+      'the loader of the script changes seldom; p5.test.js and all like it load it every day',
+    'tests/browser/bundler.test.js': 'likewise what a bundler makes of the modules',
     'tests/browser/p5-webgpu.test.js': 'what it compares with WebGL has its tests there every day',
     'tests/browser/three-webgpu.test.js':
       'without a GPU it is slow, and the nodes hold the text that three.test.js draws',
@@ -36,11 +39,16 @@ export const leftOut = {
       'WebGL 1 and WebGPU run the same nodes as WebGL 2, in words that tests/golden keeps for each dialect',
     'every example through the page':
       'the page frames every example alike; every day each is drawn by itself, and three through it',
-    'every model': 'models differ in their vertices alone; every day each warp meets one of them',
+    'the gallery built, and on a phone':
+      'it takes Vite ten seconds, and shows the pages that the server shows',
+    'every model':
+      'normals.test.js bakes every warp every day, on a mesh that has everything; a quarter of them meets a model, too',
+    'every vertex': 'a third of them still lies on every side, edge and axis',
     'every random expression':
       'the others are of the same kinds; 500 are run on the CPU every day, 400 on the GPU',
     'ten thousand warps': 'a thousand show a leak of one byte a warp just as well',
-    'deep domain warping': 'its texts take a compiler without a GPU half a minute',
+    'deep domain warping':
+      'its texts take a compiler without a GPU half a minute; the others are drawn by gallery.test.js',
   },
 }
 

@@ -12,6 +12,7 @@
 // float32 itself is no finer than 6e-5.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { orphans, warpsInThisRun as warps } from '../warps/index.js'
 import { launchBrowser } from './support/browser.js'
 import { assertBaked, compareBaked } from './support/baked.js'
@@ -20,6 +21,8 @@ import { arraysOf, denseMesh, interleaved, stride, vertices } from './support/de
 import { warpVertex } from './support/oracle.js'
 import { asAccurateAsCanBe, withAccurateSine } from './support/accurate.js'
 import { openPipeline, vertexShader } from './support/transform-feedback.js'
+
+const thinning = isRun('every vertex') ? 1 : 3
 
 const positionBound = { exact: 2e-5, builtIn: 1e-3 }
 
@@ -65,7 +68,7 @@ describe('positions and normals are right:', () => {
     test(warp.name, async () => {
       const { compile, offset, size, step, every, reach, params } = warp
       assert.ok(offset, `tests/warps/gallery.js has no oracle for ${warp.name}`)
-      const mesh = denseMesh(size, every)
+      const mesh = denseMesh(size, every * thinning)
       const points = vertices(mesh)
       const draws = moments.map((moment) => ({ ...moment, ...params }))
       await gpu.load(mesh)
