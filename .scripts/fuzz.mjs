@@ -2,7 +2,6 @@
 // the code is kept in .build/fuzz/corpus, so that the next run goes on from there.
 import { spawn } from 'node:child_process'
 import { createWriteStream, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
-import { availableParallelism } from 'node:os'
 import { createInterface } from 'node:readline'
 import { parseArgs } from 'node:util'
 import { cmakeBuild } from './lib/cmake.mjs'
@@ -31,13 +30,10 @@ const limits = [
   '-print_final_stats=1',
 ]
 
-/** Runs the targets at once where there are cores for it; `isKept` says whether to go on from earlier runs. */
+/** Runs the targets at once; `isKept` says whether to go on from earlier runs. */
 export async function fuzz({ seconds, names = Object.keys(targets), isKept = true }) {
   await cmakeBuild('sanitize', ...names.map((name) => `${name}_fuzz`))
-  const results = []
-  if (availableParallelism() >= names.length)
-    results.push(...(await Promise.all(names.map((name) => runTarget(name, seconds, isKept)))))
-  else for (const name of names) results.push(await runTarget(name, seconds, isKept))
+  const results = await Promise.all(names.map((name) => runTarget(name, seconds, isKept)))
   const problems = results.filter(Boolean)
   if (problems.length) throw new Stop(problems.join('\n'))
 }
@@ -124,7 +120,7 @@ const slug = (name) => name.toLowerCase().replaceAll(/\W+/g, '-')
 const help = `npm run fuzz -- [--seconds 60] [--target ${Object.keys(targets).join('|')}] [--seeds]
 
   --seconds  how long each target runs; 60 by default
-  --target   only this one; otherwise all, at once where there are cores for it
+  --target   only this one; otherwise all at once
   --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp and tests/glsl/own.js, and ends`
 
 function options() {

@@ -46,6 +46,8 @@ export const leftOut = {
     'every vertex': 'a third of them still lies on every side, edge and axis',
     'every random expression':
       'the others are of the same kinds; 500 are run on the CPU every day, 400 on the GPU',
+    'every TypeScript':
+      'one run with the oldest TypeScript and one with the newest find nearly all there is to find',
     'ten thousand warps': 'a thousand show a leak of one byte a warp just as well',
     'deep domain warping':
       'its texts take a compiler without a GPU half a minute; the others are drawn by gallery.test.js',

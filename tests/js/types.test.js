@@ -14,6 +14,7 @@ import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { runInThisContext } from 'node:vm'
 import ts from 'typescript-5.4'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 const project = `${root}.build/consumer`
@@ -38,12 +39,16 @@ const optionsFor = (files, moduleResolution) => ({
 })
 
 for (const [compiler, files, moduleResolution] of [
-  ['typescript', modules, 'bundler'],
-  ['typescript', modules, 'node16'],
-  ['typescript', modules, 'nodenext'],
-  ['typescript', sketches, 'bundler'],
   ['typescript-5.4', modules, 'nodenext'],
-  ['typescript-5.4', sketches, 'bundler'],
+  ['typescript', sketches, 'bundler'],
+  ...(isRun('every TypeScript')
+    ? [
+        ['typescript', modules, 'bundler'],
+        ['typescript', modules, 'node16'],
+        ['typescript', modules, 'nodenext'],
+        ['typescript-5.4', sketches, 'bundler'],
+      ]
+    : []),
 ])
   test(`${files.join(' and ')}, ${compiler}, ${moduleResolution}`, () => {
     const config = `${project}/tsconfig.json`
