@@ -14,6 +14,7 @@ import {
   stateOf,
 } from './host.js'
 import { type CreateWarpOptions, type WarpSettings, readOptions } from './settings.js'
+import { checkShader, passOn } from './own-shader.js'
 import { shadersFor, styleFor } from './shaders.js'
 import { putOnStrokes } from './strokes.js'
 import { results, targetOf } from './styles.js'
@@ -57,10 +58,13 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
     if (renderer !== written.renderer) written = shadersFor(canvas, warp, settings)
 
     const isNormal = drawsNormals(renderer)
-    const shader = written.shaderFor(settings.type ?? (isNormal ? 'normal' : 'specular'))
+    const shader = written.shaderFor(
+      settings.shader ? 'own' : (settings.type ?? (isNormal ? 'normal' : 'specular')),
+    )
     if (written.varies) prepareBuffers(renderer)
     canvas.shader(shader)
     if (isNormal) rememberNormals(renderer, shader)
+    passOn(settings, shader)
     for (const each of [shader, ...putOnStrokes(canvas, settings, written.moving)]) {
       setInputs(each, written.inputs, canvas)
       setUniforms(each, uniforms, settings)
@@ -106,12 +110,10 @@ function offsetFor(
 }
 
 /** Calls the offset function, for all shaders that will ever be written. */
-function keepFor(
-  canvas: Canvas,
-  offset: OffsetFunction,
-  { surfaceVariation, stroke }: WarpSettings,
-): KeptWarp {
+function keepFor(canvas: Canvas, offset: OffsetFunction, warpSettings: WarpSettings): KeptWarp {
+  const { surfaceVariation, stroke } = warpSettings
   const { style } = styleFor(canvas)
+  checkShader(warpSettings, style, rendererOf(canvas)!)
   const settings = readWarpOptions('createWarp', offset, {
     target: targetOf(rendererOf(canvas)!),
     names: namesFor(style),

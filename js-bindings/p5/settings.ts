@@ -2,6 +2,7 @@
 import { WarpError, describe } from '../checks/errors.js'
 import { checkOptions } from '../checks/options.js'
 import type { UniformOptions, UniformValues } from '../types/types.js'
+import type { Shader } from './host.js'
 import { type DeclaredUniforms, readDeclared } from '../inputs/declared-uniforms.js'
 
 /** Which of p5's materials the warp continues. */
@@ -39,6 +40,16 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    * `({ glsl, position }) => glsl.rotateY(1).mult(position)`.
    */
   returns?: 'offset' | 'position'
+  /**
+   * A shader that the sketch made by `modify` or `buildMaterialShader`, for the warp to be put on: its hooks are kept. Uniforms that
+   * are set of it reach the warp.
+   */
+  shader?: object
+  /**
+   * When hooks of the option `shader` run that change vertices in the space of the warp: `'first'`, left out, before the warp, which
+   * then moves what they made; or `'last'`, of what the warp made.
+   */
+  hooks?: 'first' | 'last'
   /** With 'warpjet/operators': variables of the sketch that the offset function reads, by name, as in `{ scope: { amount } }`. */
   scope?: Readonly<Record<string, unknown>>
 }
@@ -51,6 +62,8 @@ export interface WarpSettings {
   readonly surfaceVariation: boolean | undefined
   readonly stroke: boolean | undefined
   readonly returns: 'offset' | 'position'
+  readonly shader: Shader | undefined
+  readonly hooks: 'first' | 'last'
   readonly scope: Readonly<Record<string, unknown>> | undefined
 }
 
@@ -66,6 +79,8 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
     'surfaceVariation',
     'stroke',
     'returns',
+    'shader',
+    'hooks',
     'scope',
   ])
   const {
@@ -75,6 +90,8 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
     surfaceVariation,
     stroke,
     returns = 'offset',
+    shader,
+    hooks = 'first',
     scope,
   } = options
   if (stroke !== undefined && typeof stroke !== 'boolean')
@@ -88,6 +105,11 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       `createWarp: the option "scope" must be an object of variables by name, as in { scope: { amount } }, but is ${describe(scope)}.`,
     )
   mustBeOneOf('returns', ['offset', 'position'], returns)
+  mustBeOneOf('hooks', ['first', 'last'], hooks)
+  if (shader !== undefined && type !== undefined)
+    throw new WarpError(
+      'createWarp: the options "type" and "shader" both say what to draw with; leave one of them out.',
+    )
   if (typeof defs !== 'string')
     throw new WarpError(
       `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
@@ -99,7 +121,18 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       throw new WarpError(
         `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
       )
-  return { uniforms, type, space, defs, surfaceVariation, stroke, returns, scope }
+  return {
+    uniforms,
+    type,
+    space,
+    defs,
+    surfaceVariation,
+    stroke,
+    returns,
+    shader: shader as Shader | undefined,
+    hooks,
+    scope,
+  }
 }
 
 /** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */

@@ -6,9 +6,9 @@ import { lazily } from '../module/lazily.js'
 import { readsVariation } from './add-surface-variation.js'
 import { hookStyleOf, isOfLines, namesFor, weave } from './hooks.js'
 import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
-import type { WarpSettings, WarpType } from './settings.js'
+import type { WarpSettings } from './settings.js'
 import { declaredInputs, declaredUniforms, refuseUndeclared } from './sketch-uniforms.js'
-import { readsInstance, results, targetOf } from './styles.js'
+import { type WovenType, readsInstance, results, targetOf } from './styles.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()
@@ -30,26 +30,27 @@ export interface MovingShaders {
 
 export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSettings) {
   const { material, style } = styleFor(canvas)
+  const own = settings.shader
   const renderer = rendererOf(canvas)!
   const target = targetOf(renderer)
   const weavable = ({ text, parameters }: ReturnType<typeof writeWarp>, base: Shader) => {
     if (target === 'glsl100' && readsInstance(text))
       throw new WarpError('createWarp: the input instance needs WebGL 2 or WebGPU.')
-    const own = declaredUniforms(settings.uniforms, parameters)
-    refuseUndeclared(parameters, base, own, settings, target)
-    const { space, defs } = settings
-    return { text, space, defs, uniforms: [...declaredInputs(text.uniforms), ...own] }
+    const declared = declaredUniforms(settings.uniforms, parameters)
+    refuseUndeclared(parameters, base, declared, settings, target)
+    const { space, defs, hooks } = settings
+    return { text, space, defs, hooks, uniforms: [...declaredInputs(text.uniforms), ...declared] }
   }
   const names = namesFor(style)
-  const woven = weavable(writeWarp(kept, target, { names }), material)
-  const shaders: Partial<Record<WarpType, Shader>> = {}
+  const woven = weavable(writeWarp(kept, target, { names }), own ?? material)
+  const shaders: Partial<Record<WovenType, Shader>> = {}
   return {
     renderer,
     inputs: woven.text.uniforms,
     varies: readsVariation(woven.text),
-    shaderFor: (type: WarpType): Shader =>
+    shaderFor: (type: WovenType): Shader =>
       (shaders[type] ??= weave(
-        type === 'normal' ? normalShaderOf(canvas, target) : material,
+        own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material),
         style,
         woven,
         type,
