@@ -29,7 +29,7 @@ export function beside(
   }
   for (const stage of ['vertex', 'fragment'] as const) {
     const above = `${stage}Declarations`
-    if (all[above]) all[above] = `${hooks[stage].declarations ?? ''}\n${all[above] as string}`
+    if (above in all) all[above] = `${hooks[stage].declarations ?? ''}\n${all[above] as string}`
   }
   return all
 }
@@ -46,14 +46,14 @@ function calls(turn: Turn, own: string, our: string, value: string, more = '') {
     : chain.map((name) => `${call(name)};`).join(' ')
 }
 
-/** p5 writes type and name in front of it, and helpers that the sketch's hook may call above. */
+/** p5 writes type and name in front of it, and helpers that the sketch's hook may call above. `exactNormals` names the hook too. */
 function bothInGlsl(name: string, own: string, our: string, turn: Turn) {
   const [type, word] = name.split(' ')
   const [parameter] = parts(our)
   const value = parameter.trim().split(' ').pop()!
   const put = `warpjetPut_${word}`
   return `(${parameter});
-${type} ${given(name)}${own}
+${type} ${given(name)}${own.replaceAll(`HOOK_${word}`, given(name))}
 ${type} ${put}${our}
 ${type} HOOK_${word}(${parameter}) { ${calls(turn, given(name), put, value)} }`
 }

@@ -21,7 +21,8 @@ after(async () => {
   await server.close()
 })
 
-const light = 'noStroke(); ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1)'
+const directional = 'noStroke(); directionalLight(255, 255, 255, 0.4, 0.6, -1)'
+const light = `${directional}; ambientLight(40)`
 const bend = `({ glsl, position }) => glsl.vec3(position.y.mult(3).sin().mult(0.25), 0, 0)`
 // The hook turns (x, y, z) into (-y, x, z), as rotateZ(PI / 2) does, and its normal with it.
 const hooks = {
@@ -142,8 +143,8 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
               return glsl.vec3(x, position.x.add(x).mult(3).sin().mult(0.2), 0)
             })`,
           scenes: {
-            image: `${isExact ? light : 'noStroke()'}; warps.image(); scale(60); sphere(1, 48, 32)`,
-            reference: `${isExact ? light : 'noStroke()'}; warps.reference(); fill(128, 0, 0); scale(60); sphere(1, 48, 32)`,
+            image: `${isExact ? directional : 'noStroke()'}; warps.image(); scale(60); sphere(1, 48, 32)`,
+            reference: `${isExact ? directional : 'noStroke()'}; warps.reference(); fill(128, 0, 0); scale(60); sphere(1, 48, 32)`,
           },
         })
         assert.ok(litPixels(reference).length > 5000)
