@@ -2,7 +2,7 @@
 import { type HookStyle, type Woven, glslDeclarations } from './styles.js'
 import type { Turn } from './beside.js'
 import { facingTheEye } from './facing.js'
-import { readsVariation, turnedVariation, variationDeclarations } from './add-surface-variation.js'
+import { readsVariation, turnedVariation, variationDeclarations } from './variation-text.js'
 import type { WarpSpace } from './settings.js'
 
 export const hookIn: Record<WarpSpace, string> = {

@@ -7,7 +7,7 @@
  */
 import { given } from './beside.js'
 import { facingTheEye } from './facing.js'
-import { readsVariation, turnedVariation, variationDeclarations } from './add-surface-variation.js'
+import { readsVariation, turnedVariation, variationDeclarations } from './variation-text.js'
 import type { WarpSpace } from './settings.js'
 import { type HookStyle, glslDeclarations } from './styles.js'
 

@@ -4,7 +4,7 @@
  */
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
 import { WarpError } from '../checks/errors.js'
-import { variationIn, variationVariables } from './add-surface-variation.js'
+import { variationIn, variationVariables } from './variation-text.js'
 import type { Declared } from '../module/result.js'
 import type { Modifications, Shader } from './host.js'
 import { hookIn, turnInStruct } from './struct-hooks.js'
