@@ -21,7 +21,7 @@ import { results, targetOf } from './styles.js'
 import { checkCallback } from '../checks/options.js'
 import type { OffsetFunction, UniformOverrides } from '../types/types.js'
 import { withUniforms } from '../inputs/declared-uniforms.js'
-import { type WarpUniforms, labelsOf, setInputs, setUniforms } from './sketch-uniforms.js'
+import { type WarpUniforms, setInputs, setUniforms, valuesOf } from './sketch-uniforms.js'
 import { prepareBuffers } from './variation-buffers.js'
 
 /**
@@ -65,9 +65,11 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
     canvas.shader(shader)
     if (isNormal) rememberNormals(renderer, shader)
     passOn(settings, shader)
+    const values = valuesOf(uniforms, settings)
+    const frame = written.frame()(canvas, values)
     for (const each of [shader, ...putOnStrokes(canvas, settings, written.moving)]) {
-      setInputs(each, written.inputs, canvas)
-      setUniforms(each, uniforms, settings)
+      setInputs(each, written.inputs, canvas, frame)
+      setUniforms(each, uniforms, settings, values)
     }
     reapply.set(shader, () => apply(uniforms))
   }
@@ -95,12 +97,11 @@ function withoutOperators(offset: OffsetFunction, scope?: object): OffsetFunctio
 /** It reads its uniforms by the names that they have in the shader. */
 function offsetFor(
   given: OffsetFunction,
-  { uniforms, returns, scope }: WarpSettings,
+  { uniforms, labels, returns, scope }: WarpSettings,
 ): OffsetFunction {
   checkCallback('createWarp', given)
   const read = (globalThis as { [operators]?: typeof withoutOperators })[operators]
   const readable = (read ?? withoutOperators)(given, scope)
-  const labels = labelsOf(uniforms)
   const offset = withUniforms('createWarp', readable, uniforms, (name) => labels.get(name)!)
   if (returns === 'offset') return offset
   return (inputs) => {

@@ -56,6 +56,8 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
 
 export interface WarpSettings {
   readonly uniforms: DeclaredUniforms
+  /** What the shader calls them: numbered, so that any name will do, also one that GLSL or p5 has. */
+  readonly labels: ReadonlyMap<string, string>
   readonly type: WarpType | undefined
   readonly space: WarpSpace
   readonly defs: string
@@ -115,6 +117,7 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
     )
   const uniforms = readDeclared('createWarp', options.uniforms)
+  const labels = new Map([...uniforms.keys()].map((name, i) => [name, `uWarpjet${i}`]))
   const defined = uniformsIn(defs)
   for (const name of uniforms.keys())
     if (defined.has(name))
@@ -123,6 +126,7 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       )
   return {
     uniforms,
+    labels,
     type,
     space,
     defs,

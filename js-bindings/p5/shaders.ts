@@ -7,7 +7,13 @@ import { readsVariation } from './variation-text.js'
 import { hookStyleOf, isOfLines, namesFor, weave } from './hooks.js'
 import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
 import type { WarpSettings } from './settings.js'
-import { declaredInputs, declaredUniforms, refuseUndeclared } from './sketch-uniforms.js'
+import {
+  declaredInputs,
+  declaredUniforms,
+  frameFor,
+  knownTo,
+  refuseUndeclared,
+} from './sketch-uniforms.js'
 import { type WovenType, readsInstance, results, targetOf } from './styles.js'
 
 export function styleFor(canvas: Canvas) {
@@ -36,17 +42,19 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
   const weavable = ({ text, parameters }: ReturnType<typeof writeWarp>, base: Shader) => {
     if (target === 'glsl100' && readsInstance(text))
       throw new WarpError('createWarp: the input instance needs WebGL 2 or WebGPU.')
-    const declared = declaredUniforms(settings.uniforms, parameters)
+    const declared = declaredUniforms(settings, parameters)
     refuseUndeclared(parameters, base, declared, settings, target)
     const { space, defs, hooks } = settings
     return { text, space, defs, hooks, uniforms: [...declaredInputs(text.uniforms), ...declared] }
   }
   const names = namesFor(style)
-  const woven = weavable(writeWarp(kept, target, { names }), own ?? material)
+  const known = knownTo(kept, settings)
+  const woven = weavable(writeWarp(kept, target, { names, known }), own ?? material)
   const shaders: Partial<Record<WovenType, Shader>> = {}
   return {
     renderer,
     inputs: woven.text.uniforms,
+    frame: lazily(() => frameFor(kept, known)),
     varies: readsVariation(woven.text),
     shaderFor: (type: WovenType): Shader =>
       (shaders[type] ??= weave(
@@ -57,7 +65,7 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
       )),
     /** Nothing where the warp reads what lines lack: then they cannot follow the fill. */
     moving: lazily((): MovingShaders | undefined => {
-      const written = writeMoves(kept, target, results, names)
+      const written = writeMoves(kept, target, results, { names, known })
       if (!isOfLines(written.text)) return undefined
       const base = canvas.baseStrokeShader()
       const along = weavable(written, base)

@@ -34,7 +34,7 @@ function asInSketch({ name, warp, options, text }) {
     return oracle.offset(p, moved)
   }
   return {
-    compile: (target) => compileWarp(warp, { target, surfaceVariation }),
+    compile: (target, more) => compileWarp(warp, { target, surfaceVariation, ...more }),
     ...oracle,
     ...(surfaceVariation && oracle && { offset: varying }),
   }
