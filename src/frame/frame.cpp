@@ -126,7 +126,7 @@ class Separation {
 
   // The operand, with what is the same for a frame less by whole periods.
   NodeId within(double period, NodeId id) {
-    const Sum sum = isFrame_[index(id)] ? Sum{} : sums_[index(id)];
+    const Sum sum = isFrame_[index(id)] ? Sum{noNode, id} : sums_[index(id)];
     if (sum.frame == noNode) return written(id);
     const Expression frame{&graph_, sum.frame};
     const Expression rest = frame - build(ops::find("round"), frame / period) * period;
@@ -171,8 +171,8 @@ class Separation {
 
   Graph& graph_;
   const Library& library_;
-  std::vector<bool> isKnown_;     // by input
-  std::vector<bool> isFrame_;     // by node, as the two below
+  std::vector<bool> isKnown_;  // by input
+  std::vector<bool> isFrame_;  // by node, as the two below
   std::vector<NodeId> written_;
   std::vector<Sum> sums_;
   std::vector<NodeId> values_;
