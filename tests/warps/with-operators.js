@@ -29,6 +29,11 @@ const relief = (level) => `({ glsl, position, millis }) => {
   return position * ((f(at, 0, 0, 0) - 0.5) * 0.9)
 }`
 
+const swaying = `({ position, millis }) => {
+  const angle = position.y * 5 + millis / 700
+  return [Math.sin(angle), 0, Math.cos(angle)] * 0.4
+}`
+
 export const texts = {
   'airplane-twist': `({ position, millis }) => {
     const { x, y, z } = position
@@ -86,6 +91,7 @@ export const texts = {
     const height = glsl.texture('heights', position.xy + 0.5, { filter: 'bspline' }).r
     return [0, 0, height * 14]
   }`,
+  'shadow-map-fartower': swaying,
   'sine-cube': waves(0.035, 800, 22),
   'sine-sphere': `({ position, millis }) => {
     const time = millis / 700
