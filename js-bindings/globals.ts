@@ -6,6 +6,7 @@ import type * as deformers from './deformers.js'
 import type * as glsl from './glsl.js'
 import type * as operators from './operators.js'
 import type { CreateWarpOptions, Distort, LoadModelOptions, ModelOf } from './p5.js'
+import type { AdaptiveOptions, LevelsOptions } from './mesh.js'
 import type * as compiler from './index.js'
 
 type Compiler = Pick<typeof compiler, 'WarpError' | 'compile' | 'compileWarp' | 'gen' | 'version'>
@@ -38,4 +39,16 @@ declare global {
    * which comes back. Needs p5 2. Throws a `WarpError`.
    */
   function addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
+
+  /** Draws p5's `box(width, height, depth)` with `detail` squares along each edge, 20 unless given, so that a warp can bend it. */
+  function warpBox(width?: number, height?: number, depth?: number, detail?: number): void
+
+  /**
+   * A p5.Geometry with more vertices: with a number, each triangle becomes four so many times; or where the warp needs them,
+   * `await subdivide(shape, { warp: warpjet.compileWarp(offset), tolerance: 0.5 })`, in units of the shape. Throws a `WarpError`.
+   */
+  function subdivide<Geometry extends object>(
+    geometry: Geometry,
+    options: number | AdaptiveOptions | LevelsOptions,
+  ): Promise<Geometry & { warnings: string[] }>
 }

@@ -260,6 +260,12 @@ export const sections = [
         text: 'A sketch in p5.strands with operators, an if and a loop. Left it is lit as if nothing had moved; right exactNormals has read the shader and turns its normals.',
       },
       {
+        name: 'shadow-map',
+        figure: 'createWarp',
+        title: 'A shadow map',
+        text: 'p5 has no shadows. Here the same warp goes onto two shaders of the sketch: one keeps how near to the light each place is, in a p5.Framebuffer, and the other is dark where something was nearer. The shadow sways with its tower.',
+      },
+      {
         name: 'ray-marched-field',
         figure: 'differentiate',
         title: 'A field with its gradient',

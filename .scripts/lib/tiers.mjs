@@ -48,6 +48,10 @@ export const leftOut = {
       'the others are of the same kinds; 500 are run on the CPU every day, 400 on the GPU',
     'every TypeScript':
       'one run with the oldest TypeScript and one with the newest find nearly all there is to find',
+    'a week of every warp': 'each is reduced in the same way; every day three go through it',
+    'every example on WebGPU':
+      'it draws the same warps through the same hooks, on a CPU at a fifth of the speed',
+    'rare pages of p5': 'what a sketch seldom does changes seldom, and each page takes a second',
     'ten thousand warps': 'a thousand show a leak of one byte a warp just as well',
     'deep domain warping':
       'its texts take a compiler without a GPU half a minute; the others are drawn by gallery.test.js',

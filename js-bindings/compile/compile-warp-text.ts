@@ -12,8 +12,8 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   offset: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): WarpText & Emits {
-  const { text, emit } = compileOffset(offset as OffsetFunction, options)
-  return { ...text, emit, ...elsewhere }
+  const { text, emits } = compileOffset(offset as OffsetFunction, options)
+  return { ...text, ...emits, ...elsewhere }
 }
 
 const elsewhere = Object.fromEntries(

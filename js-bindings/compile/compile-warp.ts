@@ -25,8 +25,8 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   given: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): CompiledWarp {
-  const { warp, declared, text, emit } = compileOffset(given as OffsetFunction, options)
-  return { ...text, emit, ...runOnCpu(warp, declared) }
+  const { warp, declared, text, emits } = compileOffset(given as OffsetFunction, options)
+  return { ...text, ...emits, ...runOnCpu(warp, declared) }
 }
 
 /** What is kept of an offset function, on the CPU. With `place: 'offset'` it gives how far a vertex moves, in place of where. */

@@ -1,9 +1,17 @@
 // What both kinds of `compileWarp` do: the offset function is called, and texts are written of what is kept of it.
-import { type Target, checkTarget } from '../module/kept-module.js'
+import { finiteDouble, readNumbers } from '../checks/numbers.js'
+import { WarpError } from '../checks/errors.js'
+import { drawInputs } from '../inputs/inputs.js'
+import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
+import { type Uniforms, checkUniforms } from '../inputs/vertices.js'
+import { type Known, type Target, checkTarget } from '../module/kept-module.js'
+import { lazily } from '../module/lazily.js'
+import { type FrameUniforms, frameOf } from './frame.js'
 import { noteApproximation } from '../checks/notes.js'
-import { checkOptions } from '../checks/options.js'
+import { checkOptions, own } from '../checks/options.js'
 import type { OffsetFunction } from '../types/types.js'
 import {
+  type KeptWarp,
   type TextOptions,
   type WarpOptions,
   type WarpText,
@@ -18,14 +26,60 @@ export function compileOffset(given: OffsetFunction, options: WarpOptions) {
   const settings = readOptions('compileWarp', given, options)
   const { offset, declared } = declareUniforms('compileWarp', given, options)
   const warp = keepWarp(offset, settings)
-  const { text } = writeWarp(warp, settings.target)
+  const known = options.perFrame ? knownOf(warp, declared) : undefined
+  const { text } = writeWarp(warp, settings.target, { known })
   if (warp.isApproximate) noteApproximation('compileWarp', 'its option surfaceVariation')
   const emit = (target: Target, more: TextOptions = {}): WarpText => {
     checkOptions('emit', more, ['names', 'outputs'])
     checkNames('emit', more)
-    return writeWarp(warp, checkTarget(target), more).text
+    return writeWarp(warp, checkTarget(target), { ...more, known }).text
   }
-  return { warp, declared, text, emit }
+  const frame = lazily(() => known && frameOf(warp, known))
+  const frameUniforms = (given: Uniforms = {}) => valuesOf(warp, declared, given, frame())
+  return { warp, declared, text, emits: { emit, frameUniforms } }
+}
+
+/** All of a draw call but which one of several instances is drawn. */
+const frameInputs = Object.keys(drawInputs).filter((name) => name !== 'instance')
+
+/** Inputs of a draw call, and what the option `uniforms` declares; other names may be anything of the shader. */
+function knownOf({ inputs }: KeptWarp, declared: DeclaredUniforms): Known {
+  const numbers = new Set(frameInputs.map((name) => inputs[name]))
+  return ({ name, number }) =>
+    numbers.has(number) || (declared.has(name) && !declared.get(name)!.image)
+}
+
+function valuesOf(
+  { inputs }: KeptWarp,
+  declared: DeclaredUniforms,
+  given: Uniforms,
+  frame: ReturnType<typeof frameOf>,
+): FrameUniforms {
+  const method = 'frameUniforms'
+  checkUniforms(method, given, declared.keys())
+  const names = new Map(frameInputs.map((name) => [inputs[name], name]))
+  const missing: string[] = []
+  const found = frame?.((variable) => {
+    const name = names.get(variable.number) ?? variable.name
+    const size = variable.shape[0] * variable.shape[1]
+    const value = own(given, name)
+    if (value !== undefined)
+      return readNumbers(`${method}: the uniform "${name}"`, value, size, finiteDouble)
+    if (declared.has(name)) return declared.get(name)!.numbers(method)
+    missing.push(name)
+    return Array<number>(size).fill(NaN)
+  })
+  // What the frame does not read may be missing.
+  if (
+    missing.length &&
+    Object.values(found ?? {})
+      .flat()
+      .some(Number.isNaN)
+  )
+    throw new WarpError(
+      `${method}: the warp reads "${missing[0]}"; give it a value, as in frameUniforms({ ${missing[0]}: 0 }).`,
+    )
+  return found ?? {}
 }
 
 /** What a compiled warp has beside its text. */
@@ -35,4 +89,10 @@ export interface Emits {
    * that it is the same warp, also if it was made by chance. What is not given is as in the options of `compileWarp`.
    */
   emit(target: Target, options?: TextOptions): WarpText
+  /**
+   * With the option `perFrame`: values for the vec4s `warpjetFrame0`, … among `uniforms`, to be set each frame. It takes the inputs
+   * that are the same for a frame, such as `{ millis: performance.now() }`, and values in the place of those that the option `uniforms` gave.
+   * Throws a `WarpError` for a value that is missing or wrong.
+   */
+  frameUniforms(inputs?: Uniforms): FrameUniforms
 }

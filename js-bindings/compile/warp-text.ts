@@ -20,6 +20,7 @@ import {
 } from '../inputs/inputs.js'
 import {
   type KeptModule,
+  type Known,
   type Target,
   checkTarget,
   resultsOf,
@@ -61,6 +62,11 @@ export interface WarpOptions<
    * them; the text reads those that the offset makes it need. Otherwise normal and uv count as constant; `false` says that this will do.
    */
   surfaceVariation?: boolean
+  /**
+   * `true`: what is the same for a whole frame is computed on the CPU, in double, by `frameUniforms`, and the text reads it as
+   * uniforms `warpjetFrame0`, …: then float32 keeps its digits however long a page runs.
+   */
+  perFrame?: boolean
 }
 
 /** An offset function as shader text. */
@@ -101,10 +107,11 @@ export function readOptions(method: string, offset: OffsetFunction, options: War
     'normals',
     'tangents',
     'surfaceVariation',
+    'perFrame',
   ])
   checkNames(method, options)
-  const { normals = true, tangents = false, surfaceVariation = false } = options
-  for (const [name, value] of Object.entries({ normals, tangents, surfaceVariation }))
+  const { normals = true, tangents = false, surfaceVariation = false, perFrame = false } = options
+  for (const [name, value] of Object.entries({ normals, tangents, surfaceVariation, perFrame }))
     if (typeof value !== 'boolean')
       throw new WarpError(
         `${method}: the option "${name}" must be true or false, but is ${describe(value)}.`,
@@ -209,6 +216,8 @@ function askJacobian(session: Session, offset: Expression, position: Expression)
 export interface TextOptions {
   names?: InputNames | undefined
   outputs?: OutputNames | undefined
+  /** @internal */
+  known?: Known | undefined
 }
 
 /** A text, and the sketch's own parameters that it reads. */
@@ -230,7 +239,7 @@ export function writeWarp(kept: KeptWarp, target: Target, options: TextOptions =
       surfaceVariation ? onSurface(warpResults[name]) : warpResults[name],
       resultName(outputs[name], `${method} outputs`),
     ])
-  return writeResults(kept, target, names, results)
+  return writeResults(kept, target, { names, results, known: options.known })
 }
 
 /** For what has no surface: the position, and the Jacobian of the offset, J, since a direction t becomes t + J t. */
@@ -238,18 +247,29 @@ export const writeMoves = (
   kept: KeptWarp,
   target: Target,
   outputs: Record<'position' | 'jacobian', string>,
-  names?: InputNames,
+  { names, known }: Pick<TextOptions, 'names' | 'known'> = {},
 ): Written =>
-  writeResults(kept, target, { ...kept.settings.names, ...withoutGaps(names) }, [
-    [warpResults.position, outputs.position],
-    [kept.jacobian!, outputs.jacobian],
-  ])
+  writeResults(kept, target, {
+    names: { ...kept.settings.names, ...withoutGaps(names) },
+    results: [
+      [warpResults.position, outputs.position],
+      [kept.jacobian!, outputs.jacobian],
+    ],
+    known,
+  })
 
 function writeResults(
   { module, settings, inputs }: KeptWarp,
   target: Target,
-  names: Record<string, string>,
-  results: readonly (readonly [number, string])[],
+  {
+    names,
+    results,
+    known,
+  }: {
+    names: Record<string, string>
+    results: readonly (readonly [number, string])[]
+    known: Known | undefined
+  },
 ): Written {
   const given = Object.entries(inputs).map(([name, number]): [number, string] => [
     number,
@@ -263,9 +283,12 @@ function writeResults(
   } = writeText(module, target, {
     inputs: given,
     results,
+    known,
   })
-  const known = new Set(Object.values(inputs))
-  const parameters = read.filter(({ number }) => !known.has(number))
+  const numbers = new Set(Object.values(inputs))
+  const others = read.filter(({ number }) => !numbers.has(number))
+  const ofFrame = others.filter(isOfFrame)
+  const parameters = others.filter((variable) => !isOfFrame(variable))
   const among = (sizes: Record<string, number>) =>
     Object.keys(sizes).flatMap((name) => {
       const input = read.find(({ number }) => number === inputs[name])
@@ -279,12 +302,15 @@ function writeResults(
       code,
       declarations,
       stats,
-      uniforms: [...uniforms, ...parameters.map(declared)],
+      uniforms: [...uniforms, ...[...ofFrame, ...parameters].map(declared)],
       attributes,
     },
     parameters,
   }
 }
+
+/** The vec4s of compile/frame.ts. */
+export const isOfFrame = ({ name }: { name: string }) => /^warpjetFrame\d+$/.test(name)
 
 /** A parameter under the name of an input that the shader calls otherwise: both would be one uniform. */
 function refuseNamesakes(

@@ -32,7 +32,29 @@ export interface Names {
   inputs?: readonly (readonly [number: number, name: string])[]
   /** All results under their own names, unless given. */
   results?: readonly (readonly [number: number, name: string])[]
+  /** What the host computes with once a frame; see compile/frame.ts. */
+  known?: Known | undefined
 }
+
+/** Whether the host knows an input's numbers. */
+export type Known = (variable: Variable) => boolean
+
+/** Tells it of those, and gives how many vec4s it computes of them once a frame. */
+function separate(core: Core, open: Reading, isKnown: Known | undefined): number {
+  if (!isKnown) return 0
+  for (const variable of readLines(core.allInputLines(open)))
+    if (isKnown(variable)) core._knowInput(open, variable.number)
+  return core._separate(open)
+}
+
+/** What gives those vec4s; nothing if there are none. */
+export const makeFrame = (module: KeptModule, isKnown: Known) =>
+  reading(module, (core, open) => {
+    const count = separate(core, open, isKnown)
+    if (count === 0) return undefined
+    const program = programOf(core, open, [readLines(core.outputLines(open)).length - 1])
+    return program && { program, count }
+  })
 
 export interface Text {
   code: string
@@ -46,10 +68,11 @@ export interface Text {
 export const writeText = (
   module: KeptModule,
   target: Target,
-  { inputs = [], results = [] }: Names = {},
+  { inputs = [], results = [], known }: Names = {},
   maxDepth = 0,
 ): Text =>
   reading(module, (core, open) => {
+    separate(core, open, known)
     for (const [number, name] of inputs) core.nameInput(open, number, name)
     for (const [number, name] of results) core.nameResult(open, number, name)
     if (!core.writeText(open, target, Math.min(maxDepth, 2 ** 30)))
@@ -72,20 +95,22 @@ export const resultsOf = (module: KeptModule): Variable[] =>
 
 /** For the CPU, of results by number; nothing if it would call a function of the host. */
 export const makeProgram = (module: KeptModule, results: readonly number[]): Program | undefined =>
-  reading(module, (core, open) => {
-    for (const number of results) core._wantResult(open, number)
-    if (!core._makeProgram(open)) {
-      const problem = core.readingProblem(open)
-      if (problem) throw new WarpError(problem)
-      return undefined
-    }
-    const at = core._programWords(open) / 4
-    return {
-      words: core.HEAPU32.slice(at, at + core._programSize(open)),
-      instructions: core._instructionCount(open),
-      inputs: readLines(core.allInputLines(open)),
-    }
-  })
+  reading(module, (core, open) => programOf(core, open, results))
+
+function programOf(core: Core, open: Reading, results: readonly number[]): Program | undefined {
+  for (const number of results) core._wantResult(open, number)
+  if (!core._makeProgram(open)) {
+    const problem = core.readingProblem(open)
+    if (problem) throw new WarpError(problem)
+    return undefined
+  }
+  const at = core._programWords(open) / 4
+  return {
+    words: core.HEAPU32.slice(at, at + core._programSize(open)),
+    instructions: core._instructionCount(open),
+    inputs: readLines(core.allInputLines(open)),
+  }
+}
 
 function reading<Result>(module: KeptModule, work: (core: Core, open: Reading) => Result): Result {
   const core = getCore()

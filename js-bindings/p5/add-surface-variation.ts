@@ -1,75 +1,10 @@
-/**
- * How normals and uvs vary over a shape: p5 2.x keeps that with a p5.Geometry as properties of its vertices, and hands them
- * to the shader as attributes. 1.11 has no such properties.
- */
-import { WarpError } from '../checks/errors.js'
-import { variationAttribute, variationNames } from '../inputs/inputs.js'
-import type { WarpText } from '../compile/warp-text.js'
-import type { Shader } from './host.js'
+/** `addSurfaceVariation`: how a p5.Geometry varies, as properties of its vertices, which p5 2.x has. */
 import { importMesh } from './mesh-module.js'
+import { withOwnErrors } from './own-errors.js'
 
 /** Finds out how a geometry varies, and keeps it there, in place of what was there before. */
 export async function addSurfaceVariation<Geometry>(geometry: Geometry): Promise<Geometry> {
   const { varyGeometry } = await importMesh('addSurfaceVariation')
   await withOwnErrors(() => varyGeometry(geometry))
   return geometry
-}
-
-/** Whether the text reads how the surface varies. */
-export const readsVariation = (text: WarpText) => variationIn(text).length > 0
-
-/** What the text reads for each input: `variationIn` makes it of the attribute. */
-export const variationVariables = Object.fromEntries(
-  variationNames.map((name) => [name, `warpjet_${name}`]),
-)
-
-/** Those that the text reads. */
-export const variationIn = ({ attributes }: WarpText) =>
-  attributes.flatMap(({ name }) => variationNames.filter((each) => each === name))
-
-/** GLSL for above a shader that reads any. */
-export const variationDeclarations = variationNames
-  .map((name) => `IN vec3 ${variationAttribute(name)};`)
-  .join('\n')
-
-/**
- * GLSL that makes them of the attributes, in a space that `matrix` turns normals to from the shape's own. By such a matrix N, the
- * inverse transpose of that for positions, gradients turn as normals do, and the derivative W of the normal becomes N W Nᵀ. GLSL
- * 1.00 has no `transpose`, but `v * N`.
- */
-export function turnedVariation(matrix: string): string {
-  const attributes = variationNames.map(variationAttribute)
-  const turned = (attribute: string, i: number) => {
-    if (!matrix) return attribute
-    const axis = ['1, 0, 0', '0, 1, 0', '0, 0, 1'][i]
-    return `warpjetN * ${axis ? `(mat3(${attributes.slice(0, 3)}) * (vec3(${axis}) * warpjetN))` : attribute}`
-  }
-  return (
-    (matrix && `  mat3 warpjetN = ${matrix};\n`) +
-    attributes
-      .map((attribute, i) => `  vec3 warpjet_${variationNames[i]} = ${turned(attribute, i)};\n`)
-      .join('')
-  )
-}
-
-/** p5 leaves the attributes of the last shape on for one that lacks them, which is then to read zeros. */
-export function forgetLastShape(shader: Shader) {
-  const bind = shader.bindShader!
-  shader.bindShader = (...args) => {
-    bind.apply(shader, args)
-    const { registerEnabled, GL } = shader._renderer!
-    for (const location of registerEnabled) GL.disableVertexAttribArray(location)
-    registerEnabled.clear()
-  }
-}
-
-/** The other module has a `WarpError` of its own. */
-export async function withOwnErrors<Result>(work: () => Result): Promise<Awaited<Result>> {
-  try {
-    return await work()
-  } catch (error) {
-    const { name, message } = error as Error
-    if (name !== 'WarpError') throw error
-    throw new WarpError(message.replaceAll('loadMesh', 'loadWarpModel'))
-  }
 }

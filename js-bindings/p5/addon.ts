@@ -19,6 +19,8 @@ import {
 } from './load-model.js'
 import type { CreateWarpOptions } from './settings.js'
 import { giveArrays } from './variation-buffers.js'
+import { drawBox, subdivideShape } from './dense-shapes.js'
+import type { AdaptiveOptions, LevelsOptions } from '../mesh/subdivide.js'
 import { addSurfaceVariation } from './add-surface-variation.js'
 
 /**
@@ -30,6 +32,11 @@ export interface Warping {
     offset: OffsetFunction<NoInfer<Uniforms>>,
     options?: CreateWarpOptions<Uniforms>,
   ): Distort<Uniforms>
+  /**
+   * Draws p5's `box(width, height, depth)` with `detail` squares along each edge, 20 unless given, so that a warp can bend it.
+   * Throws a `WarpError`.
+   */
+  warpBox(width?: number, height?: number, depth?: number, detail?: number): this
 }
 
 /** `sketch.createWarp(offset, options)` without registering anything; `canvas` is a sketch or a p5.Graphics. */
@@ -56,6 +63,15 @@ export interface Loading {
    * vertices have changed. Needs p5 2. Throws a `WarpError`.
    */
   addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
+  /**
+   * A p5.Geometry with more vertices, for a warp to bend: with a number, each triangle becomes four so many times; or where the
+   * warp needs them, `await subdivide(shape, { warp: compileWarp(offset), tolerance: 0.5 })`, in units of the shape. The one that
+   * comes in stays as it is. Throws a `WarpError`.
+   */
+  subdivide<Geometry extends object>(
+    geometry: Geometry,
+    options: number | AdaptiveOptions | LevelsOptions,
+  ): Promise<Geometry & { warnings: string[] }>
 }
 
 interface P5 extends Makers {
@@ -74,6 +90,7 @@ interface Methods
 }
 
 interface SketchMethods extends Methods, Partial<Pick<Loading, 'addSurfaceVariation'>> {
+  subdivide?(this: Canvas, shape: unknown, options: unknown): Promise<WarpModel>
   loadWarpModel?(
     this: Canvas & Preloading,
     url: string | URL,
@@ -85,7 +102,7 @@ interface SketchMethods extends Methods, Partial<Pick<Loading, 'addSurfaceVariat
 const registered = Symbol.for('warpjet')
 
 /**
- * Adds `createWarp` to p5 and p5.Graphics, and `loadWarpModel` to p5. Doing it again changes nothing. Throws a `WarpError`
+ * Adds `createWarp` and `warpBox` to p5 and p5.Graphics, and `loadWarpModel`, `addSurfaceVariation` and `subdivide` to p5. Doing it again changes nothing. Throws a `WarpError`
  * if what came is not p5.
  */
 export function warpjet(p5: object, _fn?: object, lifecycles?: { remove?: unknown }): void {
@@ -98,14 +115,18 @@ export function warpjet(p5: object, _fn?: object, lifecycles?: { remove?: unknow
   if (registered in p5) return
   Object.defineProperty(p5, registered, { value: true })
 
-  for (const methods of [host.prototype, host.Graphics.prototype]) addMethods(methods)
+  for (const methods of [host.prototype, host.Graphics.prototype]) addMethods(host, methods)
   addLoading(host, !lifecycles)
   giveArrays(host.Geometry as never)
   if (lifecycles) lifecycles.remove = sketchRemoved
   else host.prototype.registerMethod?.('remove', sketchRemoved)
 }
 
-function addMethods(methods: Methods) {
+function addMethods(p5: P5, methods: Methods) {
+  methods.warpBox = function (this: object, ...sizes) {
+    drawBox(p5, this, ...sizes)
+    return this as never
+  }
   methods.createWarp = function (offset, options) {
     return createWarp(this, offset, options)
   }
@@ -137,5 +158,8 @@ function addLoading(p5: P5, preloads: boolean) {
     return preloads ? awaitable(model, filling, this) : filling.then(() => model)
   }
   p5.prototype.addSurfaceVariation = addSurfaceVariation
+  p5.prototype.subdivide = function (shape, options) {
+    return subdivideShape(p5, this._renderer, shape, options as number)
+  }
   p5.prototype.registerPreloadMethod?.('loadWarpModel', p5.prototype)
 }

@@ -14,13 +14,14 @@ import {
   stateOf,
 } from './host.js'
 import { type CreateWarpOptions, type WarpSettings, readOptions } from './settings.js'
+import { checkShader, passOn } from './own-shader.js'
 import { shadersFor, styleFor } from './shaders.js'
 import { putOnStrokes } from './strokes.js'
 import { results, targetOf } from './styles.js'
 import { checkCallback } from '../checks/options.js'
 import type { OffsetFunction, UniformOverrides } from '../types/types.js'
 import { withUniforms } from '../inputs/declared-uniforms.js'
-import { type WarpUniforms, labelsOf, setInputs, setUniforms } from './sketch-uniforms.js'
+import { type WarpUniforms, setInputs, setUniforms, valuesOf } from './sketch-uniforms.js'
 import { prepareBuffers } from './variation-buffers.js'
 
 /**
@@ -57,13 +58,18 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
     if (renderer !== written.renderer) written = shadersFor(canvas, warp, settings)
 
     const isNormal = drawsNormals(renderer)
-    const shader = written.shaderFor(settings.type ?? (isNormal ? 'normal' : 'specular'))
+    const shader = written.shaderFor(
+      settings.shader ? 'own' : (settings.type ?? (isNormal ? 'normal' : 'specular')),
+    )
     if (written.varies) prepareBuffers(renderer)
     canvas.shader(shader)
     if (isNormal) rememberNormals(renderer, shader)
+    passOn(settings, shader)
+    const values = valuesOf(uniforms, settings)
+    const frame = written.frame()(canvas, values)
     for (const each of [shader, ...putOnStrokes(canvas, settings, written.moving)]) {
-      setInputs(each, written.inputs, canvas)
-      setUniforms(each, uniforms, settings)
+      setInputs(each, written.inputs, canvas, frame)
+      setUniforms(each, uniforms, settings, values)
     }
     reapply.set(shader, () => apply(uniforms))
   }
@@ -91,12 +97,11 @@ function withoutOperators(offset: OffsetFunction, scope?: object): OffsetFunctio
 /** It reads its uniforms by the names that they have in the shader. */
 function offsetFor(
   given: OffsetFunction,
-  { uniforms, returns, scope }: WarpSettings,
+  { uniforms, labels, returns, scope }: WarpSettings,
 ): OffsetFunction {
   checkCallback('createWarp', given)
   const read = (globalThis as { [operators]?: typeof withoutOperators })[operators]
   const readable = (read ?? withoutOperators)(given, scope)
-  const labels = labelsOf(uniforms)
   const offset = withUniforms('createWarp', readable, uniforms, (name) => labels.get(name)!)
   if (returns === 'offset') return offset
   return (inputs) => {
@@ -106,12 +111,10 @@ function offsetFor(
 }
 
 /** Calls the offset function, for all shaders that will ever be written. */
-function keepFor(
-  canvas: Canvas,
-  offset: OffsetFunction,
-  { surfaceVariation, stroke }: WarpSettings,
-): KeptWarp {
+function keepFor(canvas: Canvas, offset: OffsetFunction, warpSettings: WarpSettings): KeptWarp {
+  const { surfaceVariation, stroke } = warpSettings
   const { style } = styleFor(canvas)
+  checkShader(warpSettings, style, rendererOf(canvas)!)
   const settings = readWarpOptions('createWarp', offset, {
     target: targetOf(rendererOf(canvas)!),
     names: namesFor(style),

@@ -45,7 +45,12 @@ export function exactNormals<Shader extends object>(shader: Shader): Shader {
     return given.modify({
       ...Object.assign({}, ...moving.map(({ hook }) => hook)),
       ...(modified['void afterVertex'] ? {} : unitNormals(given)),
-      vertexDeclarations: ['bool warpjetFlat;', ...moving.map(({ above }) => above)].join('\n'),
+      // p5 puts declarations in the place of those before.
+      vertexDeclarations: [
+        given.hooks.vertex.declarations ?? '',
+        'bool warpjetFlat;',
+        ...moving.map(({ above }) => above),
+      ].join('\n'),
     }) as unknown as Shader
   } catch (error) {
     if (!(error instanceof WarpError)) throw error
@@ -105,9 +110,12 @@ vec3 warpjetPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
   if (!moves) return undefined
   const { code, declarations } = compileWarp(offset, options)
   return {
-    above: declarations + hook,
+    above: declarations,
     hook: {
-      [name]: `(Vertex warpjetInputs) {
+      // Below the helpers that the sketch's hook may call.
+      [name]: `(Vertex warpjetInputs);
+${hook}
+Vertex HOOK_${word}(Vertex warpjetInputs) {
 ${code}
   Vertex warpjetResult = ${own}(warpjetInputs);
   warpjetResult.normal = ${outputs.normal};

@@ -1,12 +1,13 @@
 /** Which style of hooks a canvas's shaders have, and p5's shaders with a warp in them. */
+import { beside } from './beside.js'
 import type { WarpText } from '../compile/warp-text.js'
 import type { Target } from '../module/kept-module.js'
-import { forgetLastShape, readsVariation, variationVariables } from './add-surface-variation.js'
+import { forgetLastShape } from './variation-buffers.js'
+import { readsVariation, variationVariables } from './variation-text.js'
 import type { Shader } from './host.js'
-import type { WarpType } from './settings.js'
 import { inputUniforms } from './sketch-uniforms.js'
 import { structHooks } from './struct-hooks.js'
-import type { HookStyle, Woven } from './styles.js'
+import type { HookStyle, Woven, WovenType } from './styles.js'
 import { valueHooks } from './value-hooks.js'
 import { wgslHooks } from './wgsl-hooks.js'
 
@@ -26,8 +27,9 @@ export const namesFor = ({ names }: HookStyle) => ({
 })
 
 /** p5's shader `base` with the warp in it. */
-export function weave(base: Shader, style: HookStyle, woven: Woven, type: WarpType): Shader {
-  const shader = base.modify(style.fill(woven, type, base))
+export function weave(base: Shader, style: HookStyle, woven: Woven, type: WovenType): Shader {
+  const ours = style.fill(woven, type, base)
+  const shader = base.modify(beside(base, ours, (name) => style.turnOf(name, woven)))
   style.finish?.(shader, woven)
   if (readsVariation(woven.text) && shader._renderer?.GL) forgetLastShape(shader)
   // p5 1.11 draws with a shader of its own in place of one that looks unlit under lights or untextured under texture().

@@ -15,11 +15,18 @@ export interface Uniform {
 export type Modifications = Record<string, unknown>
 
 export interface Shader {
-  readonly hooks: { readonly vertex: Record<string, string> }
+  readonly hooks: {
+    readonly declarations?: string
+    readonly vertex: Readonly<Record<string, string>>
+    readonly fragment: Readonly<Record<string, string>>
+    /** Those that `modify` has put there. */
+    readonly modified: Record<'vertex' | 'fragment', Readonly<Record<string, boolean>>>
+  }
   readonly uniforms: Record<string, Uniform | undefined>
   /** On 2.x; `GL` in WebGL, `getNextBindingIndex` on WebGPU. */
   readonly _renderer?: {
     readonly GL: { disableVertexAttribArray(location: number): void }
+    readonly device?: unknown
     readonly registerEnabled: Set<number>
     getNextBindingIndex?(sources: { vert: string; frag: string }): number
   }

@@ -6,7 +6,7 @@ import { WarpError, describe } from '../checks/errors.js'
 import type { Mesh, Picture } from '../mesh.js'
 import { checkOptions } from '../checks/options.js'
 import { importMesh } from './mesh-module.js'
-import { withOwnErrors } from './add-surface-variation.js'
+import { withOwnErrors } from './own-errors.js'
 
 export interface LoadModelOptions {
   /** Centered, and 200 units at its longest, as p5's `loadModel` does it; true unless given. */
@@ -32,6 +32,8 @@ export interface WarpModel {
   faces: number[][]
   /** Four numbers a vertex, or none. They go before `fill`; `clearColors()` removes them. */
   vertexColors: number[]
+  /** Lines between vertices, two each. */
+  edges: number[][]
   normalize(): unknown
   /** The picture of the file's material, a p5.Image for p5's `texture`. */
   texture?: object

@@ -2,6 +2,7 @@
 import { WarpError, describe } from '../checks/errors.js'
 import { checkOptions } from '../checks/options.js'
 import type { UniformOptions, UniformValues } from '../types/types.js'
+import type { Shader } from './host.js'
 import { type DeclaredUniforms, readDeclared } from '../inputs/declared-uniforms.js'
 
 /** Which of p5's materials the warp continues. */
@@ -39,18 +40,32 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    * `({ glsl, position }) => glsl.rotateY(1).mult(position)`.
    */
   returns?: 'offset' | 'position'
+  /**
+   * A shader that the sketch made by `modify` or `buildMaterialShader`, for the warp to be put on: its hooks are kept. Uniforms that
+   * are set of it reach the warp.
+   */
+  shader?: object
+  /**
+   * When hooks of the option `shader` run that change vertices in the space of the warp: `'first'`, left out, before the warp, which
+   * then moves what they made; or `'last'`, of what the warp made.
+   */
+  hooks?: 'first' | 'last'
   /** With 'warpjet/operators': variables of the sketch that the offset function reads, by name, as in `{ scope: { amount } }`. */
   scope?: Readonly<Record<string, unknown>>
 }
 
 export interface WarpSettings {
   readonly uniforms: DeclaredUniforms
+  /** What the shader calls them: numbered, so that any name will do, also one that GLSL or p5 has. */
+  readonly labels: ReadonlyMap<string, string>
   readonly type: WarpType | undefined
   readonly space: WarpSpace
   readonly defs: string
   readonly surfaceVariation: boolean | undefined
   readonly stroke: boolean | undefined
   readonly returns: 'offset' | 'position'
+  readonly shader: Shader | undefined
+  readonly hooks: 'first' | 'last'
   readonly scope: Readonly<Record<string, unknown>> | undefined
 }
 
@@ -66,6 +81,8 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
     'surfaceVariation',
     'stroke',
     'returns',
+    'shader',
+    'hooks',
     'scope',
   ])
   const {
@@ -75,6 +92,8 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
     surfaceVariation,
     stroke,
     returns = 'offset',
+    shader,
+    hooks = 'first',
     scope,
   } = options
   if (stroke !== undefined && typeof stroke !== 'boolean')
@@ -88,18 +107,36 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
       `createWarp: the option "scope" must be an object of variables by name, as in { scope: { amount } }, but is ${describe(scope)}.`,
     )
   mustBeOneOf('returns', ['offset', 'position'], returns)
+  mustBeOneOf('hooks', ['first', 'last'], hooks)
+  if (shader !== undefined && type !== undefined)
+    throw new WarpError(
+      'createWarp: the options "type" and "shader" both say what to draw with; leave one of them out.',
+    )
   if (typeof defs !== 'string')
     throw new WarpError(
       `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
     )
   const uniforms = readDeclared('createWarp', options.uniforms)
+  const labels = new Map([...uniforms.keys()].map((name, i) => [name, `uWarpjet${i}`]))
   const defined = uniformsIn(defs)
   for (const name of uniforms.keys())
     if (defined.has(name))
       throw new WarpError(
         `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
       )
-  return { uniforms, type, space, defs, surfaceVariation, stroke, returns, scope }
+  return {
+    uniforms,
+    labels,
+    type,
+    space,
+    defs,
+    surfaceVariation,
+    stroke,
+    returns,
+    shader: shader as Shader | undefined,
+    hooks,
+    scope,
+  }
 }
 
 /** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */

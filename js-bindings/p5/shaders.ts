@@ -3,12 +3,18 @@ import { type KeptWarp, writeMoves, writeWarp } from '../compile/warp-text.js'
 import { WarpError } from '../checks/errors.js'
 import type { Target } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
-import { readsVariation } from './add-surface-variation.js'
+import { readsVariation } from './variation-text.js'
 import { hookStyleOf, isOfLines, namesFor, weave } from './hooks.js'
 import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
-import type { WarpSettings, WarpType } from './settings.js'
-import { declaredInputs, declaredUniforms, refuseUndeclared } from './sketch-uniforms.js'
-import { readsInstance, results, targetOf } from './styles.js'
+import type { WarpSettings } from './settings.js'
+import {
+  declaredInputs,
+  declaredUniforms,
+  frameFor,
+  knownTo,
+  refuseUndeclared,
+} from './sketch-uniforms.js'
+import { type WovenType, readsInstance, results, targetOf } from './styles.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()
@@ -30,33 +36,36 @@ export interface MovingShaders {
 
 export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSettings) {
   const { material, style } = styleFor(canvas)
+  const own = settings.shader
   const renderer = rendererOf(canvas)!
   const target = targetOf(renderer)
   const weavable = ({ text, parameters }: ReturnType<typeof writeWarp>, base: Shader) => {
     if (target === 'glsl100' && readsInstance(text))
       throw new WarpError('createWarp: the input instance needs WebGL 2 or WebGPU.')
-    const own = declaredUniforms(settings.uniforms, parameters)
-    refuseUndeclared(parameters, base, own, settings, target)
-    const { space, defs } = settings
-    return { text, space, defs, uniforms: [...declaredInputs(text.uniforms), ...own] }
+    const declared = declaredUniforms(settings, parameters)
+    refuseUndeclared(parameters, base, declared, settings, target)
+    const { space, defs, hooks } = settings
+    return { text, space, defs, hooks, uniforms: [...declaredInputs(text.uniforms), ...declared] }
   }
   const names = namesFor(style)
-  const woven = weavable(writeWarp(kept, target, { names }), material)
-  const shaders: Partial<Record<WarpType, Shader>> = {}
+  const known = knownTo(kept, settings)
+  const woven = weavable(writeWarp(kept, target, { names, known }), own ?? material)
+  const shaders: Partial<Record<WovenType, Shader>> = {}
   return {
     renderer,
     inputs: woven.text.uniforms,
+    frame: lazily(() => frameFor(kept, known)),
     varies: readsVariation(woven.text),
-    shaderFor: (type: WarpType): Shader =>
+    shaderFor: (type: WovenType): Shader =>
       (shaders[type] ??= weave(
-        type === 'normal' ? normalShaderOf(canvas, target) : material,
+        own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material),
         style,
         woven,
         type,
       )),
     /** Nothing where the warp reads what lines lack: then they cannot follow the fill. */
     moving: lazily((): MovingShaders | undefined => {
-      const written = writeMoves(kept, target, results, names)
+      const written = writeMoves(kept, target, results, { names, known })
       if (!isOfLines(written.text)) return undefined
       const base = canvas.baseStrokeShader()
       const along = weavable(written, base)

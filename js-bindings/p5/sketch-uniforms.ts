@@ -1,10 +1,12 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
 import { WarpError, describe } from '../checks/errors.js'
 import { type Declared, declared as declaredOf } from '../module/result.js'
-import type { Target } from '../module/kept-module.js'
+import type { Known, Target } from '../module/kept-module.js'
+import { lazily } from '../module/lazily.js'
+import { type FrameUniforms, frameOf } from '../compile/frame.js'
+import { type KeptWarp, isOfFrame } from '../compile/warp-text.js'
 import { type Variable, typeOf } from '../expression/shapes.js'
 import {
-  type DeclaredUniforms,
   componentsOf,
   imageFor,
   listed,
@@ -53,19 +55,57 @@ const inputsAmong = (read: readonly Declared[]) =>
   read.flatMap(({ name, type }) => (Object.hasOwn(inputs, name) ? { type, ...inputs[name]! } : []))
 
 /** What the shader is to declare of them. */
-export const declaredInputs = (read: readonly Declared[]): Declared[] =>
-  inputsAmong(read).map(({ type, uniform }) => ({ type, name: uniform }))
-
-/** What the shader calls the sketch's uniforms: numbered, so that any name will do, also one that GLSL or p5 has. */
-export const labelsOf = (declared: DeclaredUniforms) =>
-  new Map([...declared.keys()].map((name, i) => [name, `uWarpjet${i}`]))
+export const declaredInputs = (read: readonly Declared[]): Declared[] => [
+  ...inputsAmong(read).map(({ type, uniform }) => ({ type, name: uniform })),
+  ...read.filter(isOfFrame),
+]
 
 /** Of those that the warp reads, which `parameters` tells, what the shader is to declare. */
-export function declaredUniforms(declared: DeclaredUniforms, parameters: readonly Variable[]) {
-  const labels = new Set(
-    [...labelsOf(declared).values()].flatMap((label) => [label, `${label}Size`]),
+export function declaredUniforms(
+  { labels }: WarpSettings,
+  parameters: readonly Variable[],
+): Declared[] {
+  const all = new Set([...labels.values()].flatMap((label) => [label, `${label}Size`]))
+  return parameters.filter(({ name }) => all.has(name)).map(declaredOf)
+}
+
+/** The numbers of each of the option `uniforms` for one call, by what the shader calls it; functions are asked once, if at all. */
+export type Values = ReadonlyMap<string, () => number[]>
+
+export function valuesOf(given: WarpUniforms, { uniforms, labels }: WarpSettings): Values {
+  const all = new Map<string, () => number[]>()
+  for (const [name, { shape, numbers, image }] of uniforms) {
+    if (image) continue
+    const replaced =
+      Object.hasOwn(given, name) && numbersFor(`The warp's uniform "${name}"`, shape, given[name])
+    all.set(
+      labels.get(name)!,
+      lazily(() => replaced || numbers('The function that createWarp returned')),
+    )
+  }
+  return all
+}
+
+/** What p5 knows of a warp's inputs before it draws; see compile/frame.ts. */
+export function knownTo(kept: KeptWarp, { uniforms, labels }: WarpSettings): Known {
+  const numbers = new Set(Object.keys(inputs).map((name) => kept.inputs[name]))
+  const names = new Set(
+    [...labels].flatMap(([name, label]) => (uniforms.get(name)!.image ? [] : label)),
   )
-  return parameters.filter(({ name }) => labels.has(name)).map(declaredOf)
+  return ({ name, number }) => numbers.has(number) || names.has(name)
+}
+
+/** What is computed once a frame, for `setFrame`. */
+export function frameFor(kept: KeptWarp, known: Known) {
+  const frame = frameOf(kept, known)
+  const byNumber = new Map(
+    Object.entries(inputs).map(([name, { read }]) => [kept.inputs[name], read]),
+  )
+  return (canvas: Canvas, values: Values) =>
+    frame?.(({ name, number }) => {
+      const read = byNumber.get(number)
+      return read ? [read(canvas)].flat() : values.get(name)!()
+    }) ?? {}
 }
 
 const valueFor = (name: string) =>
@@ -97,25 +137,30 @@ export function refuseUndeclared(
   }
 }
 
-export function setInputs(shader: Shader, inputs: readonly Declared[], canvas: Canvas) {
+export function setInputs(
+  shader: Shader,
+  inputs: readonly Declared[],
+  canvas: Canvas,
+  frame: FrameUniforms,
+) {
   for (const { uniform, read } of inputsAmong(inputs)) shader.setUniform(uniform, read(canvas))
+  for (const [name, values] of Object.entries(frame))
+    if (shader.uniforms[name]) shader.setUniform(name, values)
 }
 
 /** Sets the uniforms of the option `uniforms` to their present values, or to what this call gives instead. */
-function setDeclared(shader: Shader, given: WarpUniforms, declared: DeclaredUniforms) {
-  const labels = labelsOf(declared)
-  for (const [name, { shape, numbers, image }] of declared) {
-    const isReplaced = Object.hasOwn(given, name)
+function setDeclared(
+  shader: Shader,
+  given: WarpUniforms,
+  { uniforms, labels }: WarpSettings,
+  values: Values,
+) {
+  for (const [name, { image }] of uniforms) {
     const label = labels.get(name)!
-    if (image) {
-      if (shader.uniforms[label]) setImage(shader, label, name, isReplaced ? given[name] : image())
-      continue
-    }
-    const replaced = isReplaced && numbersFor(`The warp's uniform "${name}"`, shape, given[name])
     // One that the warp never reads does not reach the shader.
     if (!shader.uniforms[label]) continue
-    const values = replaced || numbers('The function that createWarp returned')
-    shader.setUniform(label, unlisted(values))
+    if (image) setImage(shader, label, name, Object.hasOwn(given, name) ? given[name] : image())
+    else shader.setUniform(label, unlisted(values.get(label)!()))
   }
 }
 
@@ -139,9 +184,11 @@ function setImage(shader: Shader, label: string, name: string, image: unknown) {
 export function setUniforms(
   shader: Shader,
   given: WarpUniforms,
-  { defs, uniforms: declared }: WarpSettings,
+  settings: WarpSettings,
+  values: Values,
 ) {
-  setDeclared(shader, given, declared)
+  const { defs, uniforms: declared } = settings
+  setDeclared(shader, given, settings, values)
   const words = new Set(defs.match(/\w+/g))
   for (const [name, value] of Object.entries(given)) {
     if (declared.has(name)) continue

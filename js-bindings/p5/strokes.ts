@@ -32,11 +32,12 @@ const ours = new WeakSet<Shader>()
 /** Puts a warp's lines and points on, or turns them off; gives the shaders that are now in use. */
 export function putOnStrokes(
   canvas: Canvas,
-  { stroke }: WarpSettings,
+  { stroke, shader }: WarpSettings,
   moving: () => MovingShaders | undefined,
 ): Shader[] {
   const renderer = rendererOf(canvas)!
-  const isWanted = stroke ?? isAsked(renderer)
+  const isMovedBeside = Object.keys(shader?.hooks.modified.vertex ?? {}).length > 0
+  const isWanted = stroke ?? (isAsked(renderer) && !isMovedBeside)
   if (!isWanted) {
     canvas.noStroke()
     return []

@@ -1,14 +1,22 @@
 /** p5 2.x in WebGL: a vertex comes as one struct through a hook in each space. */
 import { type HookStyle, type Woven, glslDeclarations } from './styles.js'
+import type { Turn } from './beside.js'
 import { facingTheEye } from './facing.js'
-import { readsVariation, turnedVariation, variationDeclarations } from './add-surface-variation.js'
+import { readsVariation, turnedVariation, variationDeclarations } from './variation-text.js'
 import type { WarpSpace } from './settings.js'
 
-const hookIn: Record<WarpSpace, string> = {
+export const hookIn: Record<WarpSpace, string> = {
   local: 'getObjectInputs',
   world: 'getWorldInputs',
   camera: 'getCameraInputs',
 }
+
+/** The sketch's hooks of vertices are the first, or as it wishes in the space of the warp; others go on from what ours made. */
+export const turnInStruct = (name: string, { space, hooks }: Woven): Turn =>
+  name.endsWith(hookIn[space]) ? hooks : name.startsWith('Vertex') ? 'first' : 'last'
+
+/** `exactNormals` declares it too. */
+const flat = 'bool warpjetFlat;'
 
 /** What turns normals from the shape's own space to another. */
 const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNormalMatrix' }
@@ -18,6 +26,8 @@ const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNorma
  * before it interpolates, and where a scale differs by axis, as for `plane(400, 400)`, the longest normals would rule.
  */
 export const structHooks: HookStyle = {
+  isOrdered: true,
+  turnOf: turnInStruct,
   names: {
     position: 'warpjetInputs.position',
     normal: 'warpjetInputs.normal',
@@ -25,13 +35,13 @@ export const structHooks: HookStyle = {
     color: 'warpjetInputs.color',
     instance: 'warpjetInstance',
   },
-  fill(woven, type) {
+  fill(woven, _type, base) {
     const { text, space } = woven
     const varies = readsVariation(text)
     return {
       vertexDeclarations: glslDeclarations(
         woven,
-        'bool warpjetFlat;',
+        !base.hooks.vertex.declarations?.includes(flat) && flat,
         varies && variationDeclarations,
       ),
       [`Vertex ${hookIn[space]}`]: `(Vertex warpjetInputs) {
@@ -42,10 +52,10 @@ ${varies ? turnedVariation(normalMatrices[space]) : ''}${text.code}
   return warpjetInputs;
 }`,
       'void afterVertex':
-        type === 'normal'
-          ? '() { if (warpjetFlat) vVertexNormal = vec3(0.0); }'
-          : '() { vNormal = warpjetFlat ? vec3(0.0) : normalize(vNormal); }',
-      ...(type === 'specular' && facingTheEye),
+        'Inputs getPixelInputs' in base.hooks.fragment
+          ? '() { vNormal = warpjetFlat ? vec3(0.0) : normalize(vNormal); }'
+          : '() { if (warpjetFlat) vVertexNormal = vec3(0.0); }',
+      ...facingTheEye(base),
     }
   },
   stroke: (woven) => ({

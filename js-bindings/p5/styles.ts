@@ -5,6 +5,7 @@
 import type { WarpText } from '../compile/warp-text.js'
 import type { Declared } from '../module/result.js'
 import type { Target } from '../module/kept-module.js'
+import type { Turn } from './beside.js'
 import type { Modifications, Shader } from './host.js'
 import type { WarpSpace, WarpType } from './settings.js'
 
@@ -22,14 +23,23 @@ export interface Woven {
   space: WarpSpace
   /** Text of the sketch for above it. */
   defs: string
+  /** When hooks of the sketch's own run. */
+  hooks: 'first' | 'last'
   /** What the shader is to declare. */
   uniforms: readonly Declared[]
 }
 
+/** What a shader draws; `own` is what the sketch's own shader makes of a surface. */
+export type WovenType = WarpType | 'own'
+
 export interface HookStyle {
+  /** When a hook of the sketch's runs that the style has too. */
+  turnOf(name: string, woven: Woven): Turn
+  /** Whether the sketch's hooks can run after the warp. */
+  isOrdered: boolean
   names: Record<'position' | 'normal' | 'uv' | 'color' | 'instance', string>
   /** The hooks that run a text and hand its `warpjetMoved` and `warpjetTurned` to p5. */
-  fill(woven: Woven, type: WarpType, base: Shader): Modifications
+  fill(woven: Woven, type: WovenType, base: Shader): Modifications
   /** What is beyond hooks. */
   finish?(shader: Shader, woven: Woven): void
   /**

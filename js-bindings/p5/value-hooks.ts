@@ -5,41 +5,50 @@
  * Vᵀ times it; for the way back, V is rigid, so that its inverse transpose is its own rotation. GLSL 1.00 has neither
  * `transpose` (so `v * V`) nor `mat3(V)` (so `vec4(n, 0.0)`).
  */
+import { given } from './beside.js'
 import { facingTheEye } from './facing.js'
-import { readsVariation, turnedVariation, variationDeclarations } from './add-surface-variation.js'
+import { readsVariation, turnedVariation, variationDeclarations } from './variation-text.js'
 import type { WarpSpace } from './settings.js'
 import { type HookStyle, glslDeclarations } from './styles.js'
 
 export const valueHooks: HookStyle = {
+  isOrdered: false,
+  turnOf: (name, { space }) =>
+    space !== 'camera' ? 'last' : name.endsWith('Position') ? 'first' : 'inside',
   names: {
     position: 'warpjetPosition',
     normal: 'warpjetNormal',
-    uv: 'aTexCoord',
-    color: '(uUseVertexColor ? aVertexColor : uMaterialColor)',
+    uv: 'HOOK_getUV(aTexCoord)',
+    color: 'HOOK_getVertexColor(uUseVertexColor ? aVertexColor : uMaterialColor)',
     instance: 'warpjetInstance',
   },
-  fill(woven, type) {
+  fill(woven, _type, base) {
     const { position, viewPosition } = positions[woven.space]
     const { normal, viewNormal, matrix } = normals[woven.space]
+    const source = base.vertSrc()
+    // In view space the sketch's hook comes first.
+    const isTurned = woven.space === 'camera' && base.hooks.modified.vertex[worldNormal]
     const varies = readsVariation(woven.text)
     return {
       // p5 gives its normal shader medium precision, too little for a warp where a phone takes that at its word.
       vertexDeclarations: glslDeclarations(
         woven,
         'precision highp float;\nvec3 warpjetNormal;',
-        matrices(woven.space),
+        hooksOfTheSketch,
+        isTurned && `vec3 ${given(worldNormal)}(vec3);`,
+        !source.includes('uniform mat4 uModelMatrix') && matrices(woven.space),
         varies && variationDeclarations,
       ),
       'vec3 getWorldPosition': `(vec3 warpjetView) {
-  vec3 warpjetPosition = ${position};
-  warpjetNormal = ${normal};
+  vec3 warpjetPosition = ${position.replace('aPosition.xyz', 'HOOK_getLocalPosition(aPosition)')};
+  warpjetNormal = ${isTurned ? `${given(worldNormal)}(${normal})` : normal};
 ${varies ? turnedVariation(matrix) : ''}${woven.text.code}
   warpjetNormal = ${viewNormal};
   return ${viewPosition};
 }`,
       'vec3 getWorldNormal':
         '(vec3 normal) { return warpjetNormal == vec3(0.0) ? warpjetNormal : normalize(warpjetNormal); }',
-      ...(type === 'specular' && facingTheEye),
+      ...facingTheEye(base),
     }
   },
   /**
@@ -81,6 +90,13 @@ ${woven.text.code}
   }),
 }
 
+const worldNormal = 'vec3 getWorldNormal'
+
+/** p5 calls them later. */
+const hooksOfTheSketch = `vec3 HOOK_getLocalNormal(vec3);
+vec2 HOOK_getUV(vec2);
+vec4 HOOK_getVertexColor(vec4);`
+
 const matrices = (space: WarpSpace) =>
   space === 'world' && 'uniform mat4 uModelMatrix;\nuniform mat4 uViewMatrix;'
 
@@ -116,15 +132,19 @@ const positions = {
 }
 
 const normals = {
-  local: { matrix: '', normal: 'aNormal', viewNormal: 'uNormalMatrix * warpjetTurned' },
+  local: {
+    matrix: '',
+    normal: 'HOOK_getLocalNormal(aNormal)',
+    viewNormal: 'uNormalMatrix * warpjetTurned',
+  },
   world: {
     matrix: `mat3(${[0, 1, 2].map((i) => `(vec4(uNormalMatrix[${i}], 0.0) * uViewMatrix).xyz`).join(', ')})`,
-    normal: '(vec4(uNormalMatrix * aNormal, 0.0) * uViewMatrix).xyz',
+    normal: '(vec4(uNormalMatrix * HOOK_getLocalNormal(aNormal), 0.0) * uViewMatrix).xyz',
     viewNormal: '(uViewMatrix * vec4(warpjetTurned, 0.0)).xyz',
   },
   camera: {
     matrix: 'uNormalMatrix',
-    normal: 'uNormalMatrix * aNormal',
+    normal: 'uNormalMatrix * HOOK_getLocalNormal(aNormal)',
     viewNormal: 'warpjetTurned',
   },
 }

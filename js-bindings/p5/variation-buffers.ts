@@ -3,7 +3,7 @@
  * first asks, and every renderer that draws with a warp that reads them has buffers of them.
  */
 import { type VariationInput, variationAttribute, variationNames } from '../inputs/inputs.js'
-import type { Renderer } from './host.js'
+import type { Renderer, Shader } from './host.js'
 import { type Shape, type Variation, variationOf } from './shape-variation.js'
 
 type Drawn = Shape & { dirtyFlags: Record<string, boolean | undefined> }
@@ -70,4 +70,15 @@ export function prepareBuffers(renderer: Renderer) {
         renderer,
       ),
     )
+}
+
+/** p5 leaves the attributes of the last shape on for one that lacks them, which is then to read zeros. */
+export function forgetLastShape(shader: Shader) {
+  const bind = shader.bindShader!
+  shader.bindShader = (...args) => {
+    bind.apply(shader, args)
+    const { registerEnabled, GL } = shader._renderer!
+    for (const location of registerEnabled) GL.disableVertexAttribArray(location)
+    registerEnabled.clear()
+  }
 }

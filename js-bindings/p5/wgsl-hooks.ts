@@ -4,10 +4,10 @@
  */
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
 import { WarpError } from '../checks/errors.js'
-import { variationIn, variationVariables } from './add-surface-variation.js'
+import { variationIn, variationVariables } from './variation-text.js'
 import type { Declared } from '../module/result.js'
 import type { Modifications, Shader } from './host.js'
-import type { WarpSpace } from './settings.js'
+import { hookIn, turnInStruct } from './struct-hooks.js'
 import { type HookStyle, type Woven, readsInstance } from './styles.js'
 
 const types: Record<Declared['type'], string> = {
@@ -21,13 +21,9 @@ const types: Record<Declared['type'], string> = {
   sampler2D: 'texture_2d<f32>',
 }
 
-const hookIn: Record<WarpSpace, string> = {
-  local: 'getObjectInputs',
-  world: 'getWorldInputs',
-  camera: 'getCameraInputs',
-}
-
 export const wgslHooks: HookStyle = {
+  isOrdered: true,
+  turnOf: turnInStruct,
   names: {
     position: 'warpjetInputs.position',
     normal: 'warpjetInputs.normal',
@@ -44,7 +40,7 @@ export const wgslHooks: HookStyle = {
     ),
     varyingVariables: ['warpjetShown: vec3<f32>', 'warpjetSeen: vec3<f32>'],
     ...hooks('Vertex', fillHooks(woven)),
-    ...(type === 'normal' ? colors : lit),
+    ...(type === 'normal' ? colors : 'Inputs getPixelInputs' in base.hooks.fragment && lit),
   }),
   /** Attributes come in a struct, and hooks do not get them. */
   finish(shader, woven) {
@@ -163,7 +159,10 @@ const runs = ({ text, uniforms }: Woven) =>
 function declarationsOf({ text, defs, uniforms }: Woven, base: Shader, ...own: string[]) {
   const images = uniforms.filter(({ type }) => type === 'sampler2D')
   const first = images.length
-    ? base._renderer!.getNextBindingIndex!({ vert: base._vertSrc!, frag: base._fragSrc! })
+    ? base._renderer!.getNextBindingIndex!({
+        vert: `${base._vertSrc!}${base.hooks.declarations ?? ''}`,
+        frag: base._fragSrc!,
+      })
     : 0
   return {
     uniforms: Object.fromEntries(

@@ -12,6 +12,7 @@
 #include "builder/builder.hpp"
 #include "emit/text.hpp"
 #include "eval/program.hpp"
+#include "frame/frame.hpp"
 #include "noise/noise.hpp"
 #include "texture/texture.hpp"
 #include "warp/warp.hpp"
@@ -32,7 +33,7 @@ struct Session {
 struct Reading {
   Module module;
   TextOptions options;
-  std::vector<std::uint32_t> results;
+  std::vector<std::uint32_t> results, known;
   Text text;
   Program program;
   std::string problem;
@@ -201,6 +202,16 @@ EMSCRIPTEN_KEEPALIVE void nameInput(Reading* reading, int number, const std::str
 
 EMSCRIPTEN_KEEPALIVE void nameResult(Reading* reading, int number, const std::string* text) {
   reading->options.results.push_back({static_cast<std::uint32_t>(number), *text});
+}
+
+// One more input that is the same for a frame and known to the host, by number.
+EMSCRIPTEN_KEEPALIVE void knowInput(Reading* reading, int number) {
+  reading->known.push_back(static_cast<std::uint32_t>(number));
+}
+
+// How many vec4s the host is to compute once a frame, which the last result gives.
+EMSCRIPTEN_KEEPALIVE int separate(Reading* reading) {
+  return static_cast<int>(separateFrame(reading->module, reading->known));
 }
 
 // Whether there is a text. A depth of 0 leaves it to us.

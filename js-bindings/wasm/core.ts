@@ -41,6 +41,8 @@ export interface Core {
   _nodeCount(reading: Reading): number
   _operationCount(reading: Reading): number
   _temporaryCount(reading: Reading): number
+  _knowInput(reading: Reading, number: number): void
+  _separate(reading: Reading): number
   _wantResult(reading: Reading, number: number): void
   _makeProgram(reading: Reading): number
   _programWords(reading: Reading): number

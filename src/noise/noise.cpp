@@ -1,5 +1,6 @@
 #include "noise/noise.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "noise/table.hpp"
@@ -61,6 +62,19 @@ Definition definitionOf(const Noise& noise, int dimensions) {
 Definition noiseFrom(std::uint32_t settings) {
   const auto [noise, dimensions] = unpack(settings);
   return definitionOf(noise, static_cast<int>(dimensions));
+}
+
+double noisePeriod(const Definition& definition, std::optional<double> lacunarity) {
+  if (definition.maker != noiseFrom) return 0;
+  const auto [noise, dimensions] = unpack(definition.settings);
+  const NoiseUse use = row(noise.kind).use;
+  // Then octaves are whole numbers of periods too.
+  const bool isWhole = lacunarity && *lacunarity == std::floor(*lacunarity);
+  if (use == NoiseUse::Fractal && noise.octaves > 1 && !isWhole) return 0;
+  const bool hasBase = use == NoiseUse::Fractal || use == NoiseUse::Made;
+  if ((hasBase ? noise.base : noise.kind) != noiseNamed("simplex")) return ops::hashPrime;
+  // In space its grid is skewed by a third of each coordinate, elsewhere by irrational shares.
+  return dimensions == 3 ? 3 * ops::hashPrime : 0;
 }
 
 Expression callBase(Library& library, NoiseKind base, const Numbers& p, Expression seed) {

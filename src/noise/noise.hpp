@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "functions/library.hpp"
@@ -33,6 +34,9 @@ struct Noise {
 // A function of a point of so many dimensions and of a hash; of fractals, also of lacunarity and
 // gain.
 Definition definitionOf(const Noise& noise, int dimensions);
+// By how much each coordinate may be moved without any change; 0 if nothing is known, as of what is
+// no noise. Cells have one of `ops::hashPrime` hashes, one after the other.
+double noisePeriod(const Definition& definition, std::optional<double> lacunarity);
 // The same from its settings.
 Definition noiseFrom(std::uint32_t settings);
 

@@ -31,8 +31,10 @@ test('a hook in GLSL, a strands sketch with a loop and an if, and a text, each a
       warps.byHand = ${wave}
       warps.plain = baseMaterialShader().modify({
         uniforms: { 'float amount': () => 0.25 },
+        vertexDeclarations: 'const float less = 0.125;',
+        'float wave': '(float x) { return sin(x * 4.0) * amount; }',
         'Vertex getObjectInputs': \`(Vertex inputs) {
-          inputs.position += vec3(sin(inputs.position.y * 4.0) * amount, cos(inputs.position.z * 3.0) * 0.125, 0.0);
+          inputs.position += vec3(wave(inputs.position.y), cos(inputs.position.z * 3.0) * less, 0.0);
           return inputs;
         }\`,
       })

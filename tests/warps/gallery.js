@@ -52,6 +52,15 @@ const relief = (level) => ({
   },
 })
 
+/** Of a box of size 1, as p5 has it. */
+const swaying = {
+  size: 0.5,
+  offset([, y], { millis }) {
+    const angle = 5 * y + millis / 700
+    return [0.4 * sin(angle), 0, 0.4 * cos(angle)]
+  },
+}
+
 export const gallery = {
   ...deformerSketches,
   'along-the-normal-rough': bumpsAlongTheNormal,
@@ -182,6 +191,8 @@ export const gallery = {
       return minus([x, -up, out], p)
     },
   },
+
+  'shadow-map-fartower': swaying,
 
   'sine-cube': { size: 100, offset: sinesByAxis(0.035, 800, 22) },
   'sine-sphere': { size: 1, offset: sinesByAxis(7, 700, 0.13, [0, 2, 4]) },

@@ -34,7 +34,7 @@ function asInSketch({ name, warp, options, text }) {
     return oracle.offset(p, moved)
   }
   return {
-    compile: (target) => compileWarp(warp, { target, surfaceVariation }),
+    compile: (target, more) => compileWarp(warp, { target, surfaceVariation, ...more }),
     ...oracle,
     ...(surfaceVariation && oracle && { offset: varying }),
   }
@@ -59,7 +59,7 @@ const sketches = (await sketchWarps())
  * - `deep`: its text is long to compile.
  */
 export const warps = [...stress, ...sketches, ...operations, ...pieces, ...inputs].map((warp) => ({
-  compile: (target) => compileWarp(warp.warp, { target }),
+  compile: (target, more) => compileWarp(warp.warp, { target, ...more }),
   step: warp.size / 1000,
   degrees,
   every: 1,

@@ -47,7 +47,10 @@ async function warpsOf(folder) {
     createWarp(warp, options = {}) {
       // A text that it loads has no oracle here; tests/glsl runs those of packages.
       if (loads) return pretended
-      found.push({ name: name(), warp, options })
+      // On another shader it is the same warp.
+      const { shader, ...others } = options
+      const isKnown = shader && found.some((each) => each.warp === warp)
+      if (!isKnown) found.push({ name: name(), warp, options: others })
       return pretended
     },
     warpjet: {

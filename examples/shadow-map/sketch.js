@@ -1,0 +1,59 @@
+// A shadow map, which p5 does not have: the same warp as the light sees it, in a p5.Framebuffer
+// that keeps how near to the light each place is; then lit, and dark where something was nearer.
+let nearest, eye, far, lit, farTower, litTower
+
+function setup() {
+  createCanvas(640, 480, WEBGL)
+  camera(-430, -330, 330, 0, -60, 0)
+  nearest = createFramebuffer({ width: 1024, height: 1024, density: 1, format: FLOAT })
+  eye = nearest.createCamera()
+  eye.ortho(-350, 350, -350, 350, 0, 2000)
+  eye.camera(360, -800, 480, 0, 0, 0, 0, 1, 0)
+  const nearness = 'float nearness() { return 1000.0 + dot(world, vec3(0.36, -0.8, 0.48)); }'
+  const seen = {
+    vertexDeclarations: 'out vec3 world;',
+    'Vertex getWorldInputs': '(Vertex inputs) { world = inputs.position; return inputs; }',
+    fragmentDeclarations: `in vec3 world; ${nearness}`,
+  }
+  far = baseColorShader().modify({
+    ...seen,
+    'vec4 getFinalColor': '(vec4 color, vec2 uv) { return vec4(nearness(), 0.0, 0.0, 1.0); }',
+  })
+  lit = baseMaterialShader().modify({
+    ...seen,
+    uniforms: { 'sampler2D nearest': () => nearest },
+    'vec4 getFinalColor': `(vec4 color, vec2 uv) {
+      vec2 at = vec2(dot(world, vec3(0.8, 0.0, -0.6)), dot(world, vec3(0.48, 0.6, 0.64)));
+      bool isDark = nearness() < texture(nearest, at / 700.0 + 0.5).r - 12.0;
+      return vec4(isDark ? 0.5 * color.rgb : color.rgb, color.a);
+    }`,
+  })
+  const sway = ({ glsl, position, millis }) => {
+    const angle = position.y().mult(5).add(millis.div(700))
+    return glsl.vec3(angle.sin(), 0, angle.cos()).mult(0.4)
+  }
+  farTower = createWarp(sway, { shader: far })
+  litTower = createWarp(sway, { shader: lit })
+}
+function drawScene(ground, tower) {
+  noStroke()
+  shader(ground)
+  fill('#f4f1de')
+  warpBox(420, 12, 420, 1)
+  tower()
+  fill('#e76f51')
+  translate(0, -100, 0)
+  warpBox(80, 200, 80, 40)
+}
+function draw() {
+  nearest.begin()
+  clear()
+  setCamera(eye)
+  drawScene(far, farTower)
+  nearest.end()
+  background('#151823')
+  orbitControl()
+  ambientLight(110)
+  directionalLight(255, 245, 225, -0.36, 0.8, -0.48)
+  drawScene(lit, litTower)
+}

@@ -1,0 +1,219 @@
+#include "frame/frame.hpp"
+
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "graph/expression.hpp"
+#include "graph/reachable.hpp"
+#include "noise/noise.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr Op add = ops::find("add"), sub = ops::find("sub"), neg = ops::find("neg"),
+             mult = ops::find("mult"), divide = ops::find("div");
+
+class Separation {
+ public:
+  Separation(Graph& graph, const Library& library, std::span<const std::uint32_t> known)
+      : graph_(graph),
+        library_(library),
+        isKnown_(graph.inputCount()),
+        isFrame_(graph.size()),
+        written_(graph.size(), noNode),
+        sums_(graph.size()) {
+    for (const std::uint32_t input : known) isKnown_[input] = true;
+  }
+
+  // Operands are visited before their users.
+  void visit(NodeId id) {
+    if (graph_.isInput(id)) isFrame_[index(id)] = isKnown_[graph_.node(id).operands[0]];
+    if (graph_.isLeaf(id)) {
+      written_[index(id)] = id;
+    } else if (graph_.isOperation(id)) {
+      visitOperation(id);
+    } else if (graph_.isCall(id)) {
+      written_[index(id)] = graph_.call(graph_.node(id).operands[1], argumentsOf(id));
+    } else if (graph_.isResult(id)) {
+      written_[index(id)] = graph_.result(written(graph_.operand(id, 0)), graph_.resultNumber(id));
+    }
+  }
+
+  // In the text.
+  NodeId written(NodeId id) {
+    NodeId& node = written_[index(id)];
+    if (node == noNode) node = handedOver(id);
+    return node;
+  }
+
+  // What the inputs of the frame are to be.
+  const std::vector<NodeId>& values() const { return values_; }
+
+  std::uint32_t inputs() const { return static_cast<std::uint32_t>((values_.size() + 3) / 4); }
+
+ private:
+  // What varies, in the text, and what does not, before it is handed over.
+  struct Sum {
+    NodeId varying = noNode, frame = noNode;
+  };
+
+  void visitOperation(NodeId id) {
+    bool isFrame = false, isVarying = false;
+    for (int i = 0; i < graph_.arity(id); ++i) {
+      const NodeId operand = graph_.operand(id, i);
+      isFrame |= isFrame_[index(operand)];
+      isVarying |= !isFrame_[index(operand)] && !graph_.isConstant(operand);
+    }
+    isFrame_[index(id)] = isFrame && !isVarying;
+    if (isFrame_[index(id)]) return;
+    sums_[index(id)] = sumOf(id);
+    Operands<NodeId> operands{};
+    for (int i = 0; i < graph_.arity(id); ++i) operands[i] = written(graph_.operand(id, i));
+    if (const double period = periodOf(id); period > 0)
+      operands[0] = within(period, graph_.operand(id, 0));
+    written_[index(id)] = graph_.apply(graph_.node(id).op, operands);
+  }
+
+  // What is linear in its parts is a sum of them again.
+  Sum sumOf(NodeId id) {
+    const Op op = graph_.node(id).op;
+    if (op == neg) return each(op, partsOf(graph_.operand(id, 0)));
+    if (op != add && op != sub && op != mult && op != divide) return {};
+    const NodeId x = graph_.operand(id, 0), y = graph_.operand(id, 1);
+    if (op == mult && isSame(x)) return scaled(op, partsOf(y), x);
+    if (op == mult || op == divide) return isSame(y) ? scaled(op, partsOf(x), y) : Sum{};
+    const Sum left = partsOf(x), right = partsOf(y);
+    return {joined(op, left.varying, right.varying), joined(op, left.frame, right.frame)};
+  }
+
+  bool isSame(NodeId id) const { return isFrame_[index(id)] || graph_.isConstant(id); }
+
+  Sum partsOf(NodeId id) {
+    if (isFrame_[index(id)]) return {noNode, id};
+    const Sum sum = sums_[index(id)];
+    return sum.frame == noNode ? Sum{written(id), noNode} : sum;
+  }
+
+  Sum each(Op op, Sum sum) {
+    if (sum.varying != noNode) sum.varying = graph_.apply(op, {sum.varying});
+    if (sum.frame != noNode) sum.frame = graph_.apply(op, {sum.frame});
+    return sum;
+  }
+
+  Sum scaled(Op op, Sum sum, NodeId factor) {
+    if (sum.frame == noNode) return {};
+    if (sum.varying != noNode) sum.varying = graph_.apply(op, {sum.varying, written(factor)});
+    return {sum.varying, graph_.apply(op, {sum.frame, factor})};
+  }
+
+  NodeId joined(Op op, NodeId x, NodeId y) {
+    if (y == noNode) return x;
+    if (x == noNode) return op == sub ? graph_.apply(neg, {y}) : y;
+    return graph_.apply(op, {x, y});
+  }
+
+  // Of an operation's first operand; 0 if there is none.
+  double periodOf(NodeId id) const {
+    const Op op = graph_.node(id).op;
+    if (op == ops::find("sin") || op == ops::find("cos")) return 2 * std::numbers::pi;
+    if (op == ops::find("tan")) return std::numbers::pi;
+    if (op == ops::find("fract")) return 1;
+    const bool isModulo = op == ops::find("mod") && graph_.isConstant(graph_.operand(id, 1));
+    return isModulo ? graph_.value(graph_.operand(id, 1)) : 0;
+  }
+
+  // The operand, with what is the same for a frame less by whole periods.
+  NodeId within(double period, NodeId id) {
+    const Sum sum = isFrame_[index(id)] ? Sum{noNode, id} : sums_[index(id)];
+    if (sum.frame == noNode) return written(id);
+    const Expression frame{&graph_, sum.frame};
+    const Expression rest = frame - build(ops::find("round"), frame / period) * period;
+    const NodeId given = handedOver(rest.id);
+    return sum.varying == noNode ? given : graph_.apply(add, {sum.varying, given});
+  }
+
+  std::vector<NodeId> argumentsOf(NodeId call) {
+    std::vector<NodeId> arguments = graph_.arguments(call);
+    const Function function = graph_.function(call);
+    double period = 0;
+    if (function.isOurs()) {
+      std::optional<double> lacunarity;
+      const auto after = static_cast<std::size_t>(function.variables) + 1;
+      if (after < arguments.size() && graph_.isConstant(arguments[after]))
+        lacunarity = graph_.value(arguments[after]);
+      period = noisePeriod(library_.definition(function.name), lacunarity);
+    }
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const bool repeats = period > 0 && i < static_cast<std::size_t>(function.variables);
+      arguments[i] = repeats ? within(period, arguments[i]) : written(arguments[i]);
+    }
+    return arguments;
+  }
+
+  // As a component of an input; a condition as 1 or 0.
+  NodeId handedOver(NodeId id) {
+    if (graph_.isLeaf(id)) return id;
+    std::size_t place = 0;
+    while (place < values_.size() && values_[place] != asNumber(id)) ++place;
+    if (place == mostFrameValues) return id;
+    if (place == values_.size()) values_.push_back(asNumber(id));
+    const std::string label = frameLabel + std::to_string(place / 4);
+    const NodeId given =
+        graph_.component(graph_.input(label, vectorOf(4)), static_cast<int>(place % 4));
+    return graph_.type(id) == ops::Type::Bool ? graph_.apply(ops::find("bool"), {given}) : given;
+  }
+
+  NodeId asNumber(NodeId id) {
+    return graph_.type(id) == ops::Type::Bool ? graph_.apply(ops::find("float"), {id}) : id;
+  }
+
+  Graph& graph_;
+  const Library& library_;
+  std::vector<bool> isKnown_;  // by input
+  std::vector<bool> isFrame_;  // by node, as the two below
+  std::vector<NodeId> written_;
+  std::vector<Sum> sums_;
+  std::vector<NodeId> values_;
+};
+
+// What no result reads need not be computed.
+void leaveOutUnread(const Graph& graph, std::span<const NodeId> roots, std::uint32_t firstInput,
+                    std::vector<NodeId>& values, NodeId zero) {
+  std::vector<bool> isRead(values.size());
+  for (const NodeId id : reachable(graph, roots)) {
+    if (!graph.isInput(id) || graph.node(id).operands[0] < firstInput) continue;
+    isRead[(graph.node(id).operands[0] - firstInput) * 4 + graph.node(id).operands[1]] = true;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!isRead[i]) values[i] = zero;
+  }
+}
+
+}  // namespace
+
+std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known) {
+  Graph graph = module.graph.copy();
+  const auto firstInput = static_cast<std::uint32_t>(graph.inputCount());
+  Separation separation(graph, module.library, known);
+  const std::vector<NodeId> roots = module.roots();
+  for (const NodeId id : reachable(module.graph, roots)) separation.visit(id);
+  std::vector<NodeId> found;
+  for (const NodeId root : roots) found.push_back(separation.written(root));
+  std::vector<NodeId> values = separation.values();
+  const NodeId zero = graph.constant(0);
+  leaveOutUnread(graph, found, firstInput, values, zero);
+  if (graph.full() || values.empty()) return 0;
+  values.resize(4 * separation.inputs(), zero);
+  auto node = found.begin();
+  for (Output& output : module.outputs) {
+    for (NodeId& component : output.components) component = *node++;
+  }
+  module.methods.resize(graph.inputCount());
+  module.graph = std::move(graph);
+  module.outputs.push_back({frameLabel, oneNumber, std::move(values)});
+  return separation.inputs();
+}
+
+}  // namespace warpjet

@@ -1,0 +1,96 @@
+// After a week: what is computed once a frame keeps positions, normals and the way from one frame to the next right.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { warps } from '../warps/index.js'
+import { launchBrowser } from './support/browser.js'
+import { differingPixels, litPixels } from './support/pixels.js'
+import { servePages } from './support/server.js'
+import { drawScenes, launchFor, p5HostsInThisRun } from './support/sketch.js'
+import { openPipeline } from './support/transform-feedback.js'
+import { afterAWeek, isMeasured } from './support/uptime.js'
+
+describe('warpjetFrame0, … keep float32 right for a week:', () => {
+  let browser, gpu
+  before(async () => {
+    browser = await launchBrowser()
+    gpu = await openPipeline(browser)
+  })
+  after(() => browser.close())
+
+  const everyday = ['sine-sphere', 'deformer-noise', 'airplane-twist']
+  const shown = warps
+    .filter(isMeasured)
+    .filter(({ name }) => everyday.includes(name) || isRun('a week of every warp'))
+  for (const warp of shown)
+    test(warp.name, async () => {
+      const { start, then, step } = await afterAWeek(gpu, warp, { perFrame: true })
+      for (const { position, angle, notFinite } of [start, then]) {
+        assert.equal(notFinite, 0)
+        assert.ok(position <= 2e-5, `positions are ${position} off`)
+        assert.ok(angle <= warp.degrees, `normals are ${angle}° off`)
+      }
+      assert.ok(step < 0.05, `a frame's way is ${step} off`)
+    })
+
+  test('and without them it is not right', async () => {
+    const { then, step } = await afterAWeek(
+      gpu,
+      warps.find(({ name }) => name === 'sine-sphere'),
+      {},
+    )
+    assert.ok(then.angle > 1 && step > 0.9, `${then.angle}° and ${step} off`)
+  })
+})
+
+describe('createWarp after a week', () => {
+  let browsers, server
+  before(async () => {
+    server = await servePages()
+    browsers = await launchFor(p5HostsInThisRun)
+  })
+  after(async () => {
+    for (const browser of Object.values(browsers)) await browser.close()
+    await server.close()
+  })
+
+  for (const [version, renderer, scripts] of p5HostsInThisRun)
+    test(`p5 ${version}, ${renderer}`, async () => {
+      const wave = (phase) =>
+        `({ glsl, position, millis, uniforms }) => glsl.vec3(position.y.mult(4).add(${phase}).sin().mult(0.25), 0, 0)`
+      // The same phase as a number below 2π, worked out in double.
+      const at = (millis) => (millis / 90 / (2 * Math.PI)) % 1
+      const times = { early: 20, late: 6e8, next: 6e8 + 16 }
+      const scene = (warp) => `noStroke(); lights(); ${warp}; fill('coral'); sphere(60, 48, 32)`
+      const scenes = {}
+      for (const [name, time] of Object.entries(times)) {
+        scenes[name] = scene(`clock = ${time}; warps.millis()`)
+        scenes[`${name}, own clock`] = scene(`clock = ${time}; warps.own()`)
+        scenes[`${name}, right`] = scene(`warps.right({ phase: ${2 * Math.PI * at(time)} })`)
+      }
+      const images = await drawScenes(
+        browsers[renderer],
+        server,
+        [...scripts, '/dist/p5.warpjet.min.js'],
+        {
+          renderer,
+          setup: `
+            window.clock = 0
+            p5.prototype.millis = () => clock
+            warps.millis = createWarp(${wave('millis.div(90)')})
+            warps.own = createWarp(${wave('uniforms.time.div(0.09)')}, { uniforms: { time: () => clock / 1000 } })
+            warps.right = createWarp(${wave('uniforms.phase')}, { uniforms: { phase: 0 } })`,
+          scenes,
+        },
+      )
+      for (const name of Object.keys(times)) {
+        const right = images[`${name}, right`]
+        assert.ok(litPixels(right).length > 5000)
+        for (const other of [name, `${name}, own clock`]) {
+          const differing = differingPixels(images[other], right, 2)
+          assert.ok(differing < 20, `${other}: ${differing} pixels differ`)
+        }
+      }
+      assert.ok(differingPixels(images.late, images.next, 2) > 300, 'a frame moves it')
+    })
+})
