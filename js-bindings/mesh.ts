@@ -4,8 +4,9 @@
  */
 export { bakeWarp, type Evaluates } from './mesh/bake.js'
 export { exportGLB } from './mesh/export.js'
-export { loadMesh, type LoadOptions } from './mesh/load.js'
+export { loadMesh, type LoadAsOptions, type LoadOptions } from './mesh/load.js'
 export type { Material, Mesh, MeshInput, Picture } from './mesh/mesh-arrays.js'
+export type { Plain } from './mesh/geometry.js'
 export { subdivide, type AdaptiveOptions, type LevelsOptions } from './mesh/subdivide.js'
 /** @internal */
 export { varyGeometry } from './mesh/vary-geometry.js'
@@ -13,3 +14,4 @@ export { surfaceVariation, type SurfaceVariation } from './mesh/surface-variatio
 export type { Bytes, Resolve, Source } from './mesh/sources.js'
 export { WarpError } from './checks/errors.js'
 export type { Uniforms } from './inputs/vertices.js'
+export type { Attribute, Geometry } from './inputs/geometry.js'

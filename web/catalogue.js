@@ -300,7 +300,7 @@ export const sections = [
         name: 'three-sea',
         figure: 'Waves',
         title: 'Sea',
-        text: 'Four waves that go round in circles, as Gerstner found in 1804. They cast shadows on each other, and the buoy asks three.js with a ray where the water is and which way it faces.',
+        text: 'Four waves that go round in circles, as Gerstner found in 1804. Where foldover finds the water turned over it foams, and the boat asks inverseAt what of the calm sea has come under it.',
       },
       {
         name: 'three-grass',
@@ -313,6 +313,24 @@ export const sections = [
         figure: 'Rays',
         title: 'Terrain to point at',
         text: 'A plane that ridged noise makes mountains of. The flag stands where the pointer meets them, upright on the slope; a click plants it. Drag to turn.',
+      },
+      {
+        name: 'three-corridor',
+        figure: 'Bones',
+        title: 'Through a bending corridor',
+        text: 'A skinned figure walks straight ahead, and one warp in the world takes it, the walls and the arches around a bend. Its shadow goes along, and the camera follows its bounds.',
+      },
+      {
+        name: 'three-glass',
+        figure: 'Tangents',
+        title: 'Glass',
+        text: 'A vase of hammered glass, the hammering a map of normals. The warp turns the tangents of the vase with its normals, so that dents stay dents while flutes wind around it.',
+      },
+      {
+        name: 'three-lanterns',
+        figure: 'Culling',
+        title: 'Ten thousand lanterns',
+        text: 'Twenty-five tiles of four hundred lanterns each, on a swell. Three.js leaves out every tile that the warp takes out of sight; the small picture shows from above which it draws.',
       },
     ],
   },

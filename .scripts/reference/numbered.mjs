@@ -49,10 +49,11 @@ export const meshNumberedText = ({ meshArrays, mostTriangles, usualTriangles }) 
 
 /** The arrays of a job of the module of meshes. */
 export const floatArrays = ${numbers(of('float'))}
-export const indexArray = ${of('index')[0][1]}
+export const indexArrays = ${numbers(of('index'))}
 export const byteArrays = ${numbers(of('byte'))}
 
 export type FloatArray = keyof typeof floatArrays
+export type IndexArray = keyof typeof indexArrays
 export type ByteArray = keyof typeof byteArrays
 
 export const mostTriangles = ${mostTriangles}

@@ -2,6 +2,7 @@ import * as THREE from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { GUI } from 'three/addons/libs/lil-gui.module.min.js'
 import Stats from 'three/addons/libs/stats.module.js'
+import { compileWarp } from 'warpjet'
 import { warp } from 'warpjet/three'
 
 const renderer = new THREE.WebGLRenderer({ antialias: true })
@@ -49,45 +50,83 @@ function swell({ glsl, position, millis, uniforms }) {
 }
 
 const sea = new THREE.Mesh(
-  new THREE.PlaneGeometry(60, 60, 300, 300).rotateX(-Math.PI / 2),
-  new THREE.MeshPhysicalMaterial({ color: '#0f6b7c', roughness: 0.18, clearcoat: 0.4 }),
+  new THREE.PlaneGeometry(44, 44, 220, 220).rotateX(-Math.PI / 2),
+  new THREE.MeshPhysicalMaterial({ vertexColors: true, roughness: 0.2, clearcoat: 0.4 }),
 )
 sea.castShadow = sea.receiveShadow = true
 scene.add(sea)
-const settings = { height: 0.7, speed: 1 }
-const warped = warp(sea, swell, {
-  uniforms: { height: () => settings.height, speed: () => settings.speed },
-})
+const settings = { height: 0.78, speed: 1, foam: 2 }
+const uniforms = { height: () => settings.height, speed: () => settings.speed }
+const warped = warp(sea, swell, { uniforms })
 
-// A buoy that rides on what is drawn: a ray finds the water below it, and which way it faces.
-const buoy = new THREE.Group()
-const red = new THREE.MeshStandardMaterial({ color: '#e4572e', roughness: 0.5 })
-const white = new THREE.MeshStandardMaterial({ color: 'white', roughness: 0.5 })
+// The same sea on the CPU, for the foam and for the boat.
+const known = compileWarp(swell, { uniforms })
+const { position, normal } = sea.geometry.attributes
+const calm = { positions: position.array, normals: normal.array }
+
+// Where the water turns over it is white, and only slowly becomes water again.
+const [water, white] = [new THREE.Color('#0f6b7c'), new THREE.Color('#f4fbff')]
+const foam = new Float32Array(position.count)
+const colors = new THREE.Float32BufferAttribute(new Float32Array(3 * position.count), 3)
+sea.geometry.setAttribute('color', colors)
+const color = new THREE.Color()
+function breakWaves(millis, seconds) {
+  const { mask } = known.foldover(calm, { uniforms: { millis } })
+  const left = Math.exp(-seconds / Math.max(settings.foam, 0.01))
+  for (let i = 0; i < foam.length; i++) {
+    foam[i] = mask[i] || foam[i] * left
+    color.lerpColors(water, white, foam[i]).toArray(colors.array, 3 * i)
+  }
+  colors.needsUpdate = true
+}
+
+// A boat: half an egg, a deck, a mast and two sails.
+const boat = new THREE.Group()
+const wood = new THREE.MeshStandardMaterial({ color: '#8c4a2f', roughness: 0.6 })
+const deck = new THREE.MeshStandardMaterial({ color: '#d8b27a', roughness: 0.7 })
+const cloth = new THREE.MeshStandardMaterial({ color: '#fff7e8', side: THREE.DoubleSide })
+const hull = new THREE.SphereGeometry(1, 48, 16, 0, 7, Math.PI / 2, Math.PI / 2)
+const sail = (...corners) =>
+  new THREE.ShapeGeometry(new THREE.Shape(corners.map(([z, y]) => new THREE.Vector2(z, y))))
 for (const [geometry, material, y] of [
-  [new THREE.CylinderGeometry(0.75, 0.6, 0.45, 32), red, 0.1],
-  [new THREE.CylinderGeometry(0.22, 0.5, 1, 32), white, 0.8],
-  [new THREE.CylinderGeometry(0.2, 0.22, 0.25, 32), red, 1.4],
-  [new THREE.SphereGeometry(0.16, 24, 16), white, 1.6],
+  [hull.scale(0.5, 0.5, 1.3), wood, 0.25],
+  [new THREE.CircleGeometry(1, 48).rotateX(-Math.PI / 2).scale(0.5, 1, 1.3), deck, 0.25],
+  [new THREE.CylinderGeometry(0.03, 0.04, 2.4, 12), wood, 1.4],
+  [sail([0.06, 0.2], [1, 0.25], [0.06, 2.1]).rotateY(Math.PI / 2), cloth, 0.35],
+  [sail([-0.06, 0.2], [-1.1, 0.3], [-0.06, 1.7]).rotateY(Math.PI / 2), cloth, 0.35],
 ]) {
   const part = new THREE.Mesh(geometry, material)
   part.position.y = y
   part.castShadow = part.receiveShadow = true
-  buoy.add(part)
+  boat.add(part)
 }
-scene.add(buoy)
-const down = new THREE.Raycaster(new THREE.Vector3(0, 9, 0), new THREE.Vector3(0, -1, 0))
+scene.add(boat)
+
+// It knows what of the calm sea has come under it: the waves do not depend on the height, so that what comes to the height 0
+// here was as far below it as the water is above.
+let near
 const up = new THREE.Vector3(0, 1, 0)
-function ride() {
-  const [hit] = down.intersectObject(sea)
-  if (!hit) return
-  buoy.position.copy(hit.point)
-  const upright = new THREE.Quaternion().setFromUnitVectors(up, hit.normal)
-  buoy.quaternion.slerp(upright, 0.15)
+const course = new THREE.Quaternion()
+function ride(millis) {
+  const angle = millis / 9000
+  const [x, z] = [3 * Math.cos(angle), 3 * Math.sin(angle)]
+  const found = known.inverseAt([x, 0, z], { near, uniforms: { millis } })
+  if (!found) return
+  near = found.position
+  boat.position.set(x, -near[1], z)
+  const { normal } = known.evaluateAt([near[0], 0, near[2]], {
+    normal: [0, 1, 0],
+    uniforms: { millis },
+  })
+  const upright = new THREE.Quaternion().setFromUnitVectors(up, new THREE.Vector3(...normal))
+  course.setFromAxisAngle(up, -angle)
+  boat.quaternion.slerp(upright.multiply(course), 0.15)
 }
 
 const panel = new GUI({ title: 'Sea' })
 panel.add(settings, 'height', 0, 1.2)
 panel.add(settings, 'speed', 0, 2)
+panel.add(settings, 'foam', 0, 6).name('foam, seconds')
 const stats = new Stats()
 document.body.append(stats.dom)
 
@@ -99,9 +138,12 @@ function resize() {
 addEventListener('resize', resize)
 resize()
 
+let last = 0
 renderer.setAnimationLoop((time) => {
   warped.update(time)
-  ride()
+  breakWaves(time, (time - last) / 1000)
+  last = time
+  ride(time)
   controls.update()
   renderer.render(scene, camera)
   stats.update()

@@ -5,7 +5,9 @@ import { anyNumber, finiteFloat, firstWrong } from '../checks/numbers.js'
 import { isList } from '../checks/options.js'
 import { type Uniforms, type Vertices, uniformsOf } from '../inputs/vertices.js'
 import { type WarpProgram, warpProgram } from '../cpu/warp-program.js'
-import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh-arrays.js'
+import { type Geometry, isGeometry } from '../inputs/geometry.js'
+import { type Plain, movedGeometry } from './geometry.js'
+import { type Mesh, type MeshInput, type MeshOrGeometry, putMesh, takeMesh } from './mesh-arrays.js'
 import { withJob } from '../wasm/mesh.js'
 import { takeVariation } from './surface-variation.js'
 
@@ -20,11 +22,27 @@ export const asksForVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?
 
 /**
  * The mesh with every vertex moved and every normal and tangent turned; all else is copied. Missing normals are computed
- * before, and how normals and uvs vary over the surface, if the warp depends on them. `warp` is what `compileWarp` returns. An empty mesh stays empty; 10 million triangles take some seconds. Throws
- * a `WarpError` if arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex, or the
- * mesh is too large for the memory of the module (such as 40 million triangles).
+ * before, and how normals and uvs vary over the surface, if the warp depends on them. `warp` is what `compileWarp` returns. An empty mesh stays empty; 10 million triangles take some seconds.
+ * A `BufferGeometry` of three.js comes back as one, with all its other attributes and its groups. Throws a `WarpError` if
+ * arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex, a geometry has morph targets,
+ * or the mesh is too large for the memory of the module (such as 40 million triangles).
  */
-export function bakeWarp(mesh: MeshInput, warp: Evaluates, options?: EvaluationOptions): Mesh {
+export function bakeWarp<Given extends Geometry>(
+  geometry: Given,
+  warp: Evaluates,
+  options?: EvaluationOptions,
+): Plain<Given>
+export function bakeWarp(mesh: MeshInput, warp: Evaluates, options?: EvaluationOptions): Mesh
+export function bakeWarp(
+  given: MeshOrGeometry,
+  warp: Evaluates,
+  options?: EvaluationOptions,
+): unknown {
+  const baked = bake(given, warp, options)
+  return isGeometry(given) ? movedGeometry('bakeWarp', given, baked) : baked
+}
+
+function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions): Mesh {
   checkWarp('bakeWarp', warp)
   const uniforms = uniformsOf('bakeWarp', options)
   const { copy, variation } = withJob('bakeWarp', (job) => {

@@ -1,6 +1,6 @@
 // `exportGLB`: from a mesh to a file.
 import { WarpError } from '../checks/errors.js'
-import { type MeshInput, putMesh } from './mesh-arrays.js'
+import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
 import { withJob } from '../wasm/mesh.js'
 
 /**
@@ -10,7 +10,7 @@ import { withJob } from '../wasm/mesh.js'
  * `WarpError` for a mesh without triangles, one that is too large for the memory of the module (such as 40 million
  * triangles), arrays that do not fit together, and a texture that is neither PNG nor JPEG.
  */
-export function exportGLB(mesh: MeshInput): Uint8Array {
+export function exportGLB(mesh: MeshOrGeometry): Uint8Array {
   return withJob('exportGLB', (job) => {
     putMesh(job, mesh)
     if (job.triangleCount() === 0)

@@ -1,6 +1,8 @@
 // `loadMesh`: from a file to a mesh.
 import { WarpError, describe } from '../checks/errors.js'
 import { checkOptions } from '../checks/options.js'
+import { isGeometry } from '../inputs/geometry.js'
+import { geometryAs } from './geometry.js'
 import { type Mesh, takeMesh } from './mesh-arrays.js'
 import { type Job, withJob } from '../wasm/mesh.js'
 import {
@@ -17,6 +19,11 @@ export interface LoadOptions {
   resolve?: Resolve
 }
 
+export interface LoadAsOptions<Geometry> extends LoadOptions {
+  /** `BufferGeometry` of three.js: then the model comes as one, its material and warnings in `userData`. */
+  as: new () => Geometry
+}
+
 type FurtherFiles = Map<string, Uint8Array>
 
 /**
@@ -26,8 +33,26 @@ type FurtherFiles = Map<string, Uint8Array>
  * bytes, a Blob or File, or a URL, which in Node may be a path. Throws a `WarpError` for a file that cannot be read, or is broken
  * or too large.
  */
-export async function loadMesh(source: Source, options: LoadOptions = {}): Promise<Mesh> {
-  checkOptions('loadMesh', options, ['resolve'])
+export function loadMesh<Geometry extends { readonly isBufferGeometry: true }>(
+  source: Source,
+  options: LoadAsOptions<Geometry>,
+): Promise<Geometry>
+export function loadMesh(source: Source, options?: LoadOptions): Promise<Mesh>
+export async function loadMesh(
+  source: Source,
+  options: LoadOptions & { as?: new () => unknown } = {},
+): Promise<unknown> {
+  checkOptions('loadMesh', options, ['resolve', 'as'])
+  const { as } = options
+  if (as === undefined) return read(source, options)
+  if (typeof as !== 'function' || !isGeometry(new as()))
+    throw new WarpError(
+      `loadMesh: the option "as" must be the class BufferGeometry of three.js, but is ${describe(as)}.`,
+    )
+  return geometryAs(as, await read(source, options))
+}
+
+async function read(source: Source, options: LoadOptions): Promise<Mesh> {
   const given: unknown = options.resolve
   if (given !== undefined && typeof given !== 'function')
     throw new WarpError(

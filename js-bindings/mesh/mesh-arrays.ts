@@ -2,6 +2,7 @@
 import { WarpError, describe } from '../checks/errors.js'
 import { finiteFloat, firstWrong, inWords } from '../checks/numbers.js'
 import { isList } from '../checks/options.js'
+import { type Geometry, arraysOf, isGeometry } from '../inputs/geometry.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import type { Job } from '../wasm/mesh.js'
 
@@ -61,14 +62,25 @@ export const floatArrays: readonly FloatArray[] = [
 
 const sizes: Partial<Record<FloatArray, number>> = { uvs: 2, colors: 4, tangents: 4 }
 
+/** A geometry of three.js as a mesh. */
+export type MeshOrGeometry = MeshInput | Geometry
+
+/** What comes in, as a mesh. */
+export function meshOf(method: string, given: unknown): unknown {
+  if (!isGeometry(given)) return given
+  if (given.attributes.position) return arraysOf(given)
+  throw new WarpError(`${method}: the geometry has no attribute "position".`)
+}
+
 /**
  * Lays the mesh into the job and sees that its arrays fit together; throws a `WarpError` if they do not.
  */
-export function putMesh(job: Job, mesh: unknown) {
+export function putMesh(job: Job, given: unknown) {
   const { method } = job
+  const mesh = meshOf(method, given)
   if (!isObject(mesh) || !('positions' in mesh))
     throw new WarpError(
-      `${method}: a mesh such as { positions, normals, indices } was expected, but ${describe(mesh)} came.`,
+      `${method}: a mesh such as { positions, normals, indices } was expected, but ${describe(given)} came.`,
     )
   for (const name of floatArrays) {
     const numbers = mesh[name]

@@ -6,7 +6,9 @@ import { settled } from '../inputs/declared-uniforms.js'
 import type { Uniforms } from '../inputs/vertices.js'
 import { warpProgram } from '../cpu/warp-program.js'
 import { type Evaluates, asksForVariation, checkWarp, evaluateFor } from './bake.js'
-import { type Mesh, type MeshInput, putMesh, takeMesh } from './mesh-arrays.js'
+import { type Geometry, isGeometry } from '../inputs/geometry.js'
+import { type Plain, finerGeometry } from './geometry.js'
+import { type Mesh, type MeshInput, type MeshOrGeometry, putMesh, takeMesh } from './mesh-arrays.js'
 import { type Job, withJob } from '../wasm/mesh.js'
 import { mostTriangles, usualTriangles } from '../wasm/mesh-tables.js'
 import { variationOf } from './surface-variation.js'
@@ -37,10 +39,19 @@ export interface LevelsOptions extends Limit {
  * The same surface with more vertices, not warped yet. Edges are split until the warped triangles are as near to the
  * warped surface as `tolerance` says, only where that is needed; or, with `levels`, everywhere. No cracks come up, and
  * new vertices lie between the old ones in every attribute. If `maxTriangles` ends it before, `warnings` says so. A mesh
- * without triangles comes back as it is. Throws a `WarpError` for wrong options, arrays that do not fit together, and a
+ * without triangles comes back as it is. A `BufferGeometry` of three.js comes back as one, with all its attributes, morph
+ * targets and groups, and the warnings in its `userData`. Throws a `WarpError` for wrong options, arrays that do not fit together, and a
  * result that does not fit into the 4 GB of the module.
  */
-export function subdivide(mesh: MeshInput, options: AdaptiveOptions | LevelsOptions): Mesh {
+export function subdivide<Given extends Geometry>(
+  geometry: Given,
+  options: AdaptiveOptions | LevelsOptions,
+): Plain<Given>
+export function subdivide(mesh: MeshInput, options: AdaptiveOptions | LevelsOptions): Mesh
+export function subdivide(
+  given: MeshOrGeometry,
+  options: AdaptiveOptions | LevelsOptions,
+): unknown {
   if (typeof options !== 'object' || options === null)
     throw new WarpError(
       `subdivide: options such as { warp, tolerance: 0.01 } or { levels: 2 } were expected, but ${describe(options)} came.`,
@@ -57,11 +68,14 @@ export function subdivide(mesh: MeshInput, options: AdaptiveOptions | LevelsOpti
   const refine =
     'levels' in options ? uniformly(options, maxTriangles) : adaptively(options, maxTriangles)
   return withJob('subdivide', (job) => {
-    putMesh(job, mesh)
+    putMesh(job, given)
     job.act('addNormals')
     refine(job)
     const warnings = job.texts()
-    return warnings.length ? { ...takeMesh(job), warnings } : takeMesh(job)
+    const mesh = warnings.length ? { ...takeMesh(job), warnings } : takeMesh(job)
+    if (!isGeometry(given)) return mesh
+    const [ends, triangles] = [job.indices('ends'), job.indices('triangles')]
+    return finerGeometry(given, mesh, { ends, triangles })
   })
 }
 

@@ -1,7 +1,7 @@
 // `surfaceVariation`: how normals and uvs vary over a mesh.
 import { variationNames } from '../inputs/inputs.js'
 import { arrayNames } from '../inputs/vertices.js'
-import { type MeshInput, putMesh } from './mesh-arrays.js'
+import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import { type Job, withJob } from '../wasm/mesh.js'
 
@@ -24,11 +24,11 @@ export interface SurfaceVariation {
  * edge or a seam of the uvs parts them. Triangles without area add nothing. Throws a `WarpError` if arrays do not fit
  * together or the mesh is too large for the memory of the module.
  */
-export const surfaceVariation = (mesh: MeshInput): SurfaceVariation =>
+export const surfaceVariation = (mesh: MeshOrGeometry): SurfaceVariation =>
   findVariation('surfaceVariation', mesh)
 
 /** The same for `method`. */
-export const findVariation = (method: string, mesh: MeshInput): SurfaceVariation =>
+export const findVariation = (method: string, mesh: MeshOrGeometry): SurfaceVariation =>
   withJob(method, (job) => {
     putMesh(job, mesh)
     job.act('addNormals')

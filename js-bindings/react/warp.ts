@@ -14,14 +14,12 @@ import {
 import type { Group, Material, Mesh, Object3D } from 'three'
 import type { ThreeOffset, WarpOptions } from '../three/settings.js'
 import type { ThreeUniforms, ValuesOf } from '../three/uniforms.js'
-import { type WarpedObject, warp as warpForWebGL } from '../three/warp.js'
+import { type WarpedObject, warp } from '../three/warp.js'
 
 export interface WarpProps<Uniforms extends ThreeUniforms = {}> extends WarpOptions<Uniforms> {
   /** From a vertex to the offset that moves it. Another function is another warp: define it outside of the component, or
    * with `useCallback`, so that it stays the same from one rendering to the next. */
   offset: ThreeOffset<ValuesOf<Uniforms>>
-  /** `warp` of 'warpjet/three/webgpu', where the canvas has a WebGPURenderer. */
-  warp?: typeof warpForWebGL
 }
 
 /**
@@ -29,7 +27,7 @@ export interface WarpProps<Uniforms extends ThreeUniforms = {}> extends WarpOpti
  * `<Warp offset={wave}><mesh>…</mesh></Warp>`. New values of `uniforms` are set, and `millis` is the clock's, without
  * another compilation; another offset is compiled, and what was there before is disposed of, as it is when the component
  * leaves. Materials that are elements are warped themselves, so that their props go on to count; others are cloned. `ref` is
- * what `warp` gives. Throws a `WarpError` where `warp` does.
+ * what `warp` gives. For a WebGPURenderer, `import 'warpjet/three/webgpu'` stands somewhere. Throws a `WarpError` where `warp` does.
  */
 export const Warp = forwardRef(WarpOf) as <const Uniforms extends ThreeUniforms = {}>(
   props: PropsWithChildren<WarpProps<Uniforms>> & { ref?: Ref<WarpedObject<ValuesOf<Uniforms>>> },
@@ -39,13 +37,13 @@ function WarpOf(
   { children, ...props }: PropsWithChildren<WarpProps<ThreeUniforms>>,
   ref: ForwardedRef<WarpedObject>,
 ) {
-  const { offset, uniforms, space, share, surfaceVariation, warp = warpForWebGL } = props
+  const { offset, uniforms, space, share, surfaceVariation } = props
   const group = useRef<Group>(null)
   const warped = useRef<WarpedObject>(null)
   const isAround = children !== undefined && children !== null && children !== false
   const kinds = JSON.stringify(Object.entries(uniforms ?? {}).map(kindOf))
   // New values are set below.
-  const causes = [offset, space, share, surfaceVariation, warp, isAround, kinds]
+  const causes = [offset, space, share, surfaceVariation, isAround, kinds]
   useLayoutEffect(() => {
     const object = isAround ? group.current : group.current?.parent
     if (!object) return

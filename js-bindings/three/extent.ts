@@ -3,6 +3,7 @@ import { type BatchedMesh, Box3, type InstancedMesh, Matrix4, Sphere, Vector3 } 
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import type { ThreeWarp } from './kept.js'
 import { type Warpable, boxOf, isMoved, poseState, posedBox, posedFrom, sphereOf } from './pose.js'
+import type { WarpSpace } from './settings.js'
 import { fillOf } from './surface.js'
 
 const everything = () =>
@@ -50,16 +51,23 @@ export function remembered<Result>(state: () => number[], work: () => Result): (
   }
 }
 
-/** What changes where an object is, beside the warp. */
+/** What changes where a warped object is. */
 export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
-  const { instanceMatrix, count } = object as InstancedMesh
   const { drawRange, index } = object.geometry
   return [
     ...warp.numbers(),
     ...[drawRange.start, drawRange.count, index?.version ?? 0],
     ...(warp.reads.has('color') ? fillOf(object.material) : []),
+    ...placeState(object, warp.settings.space),
+  ]
+}
+
+/** What changes where it is before the warp. */
+function placeState(object: Warpable, space: WarpSpace): number[] {
+  const { instanceMatrix, count } = object as InstancedMesh
+  return [
     ...poseState(object),
-    ...(warp.settings.space === 'world' ? object.matrixWorld.elements : []),
+    ...(space === 'world' ? object.matrixWorld.elements : []),
     ...(instanceMatrix ? [instanceMatrix.version, count] : []),
     ...batchState(object as BatchedMesh),
   ]
@@ -107,10 +115,21 @@ export interface Extent {
   sphere: Sphere
 }
 
-/** Around the object as it is drawn, before its own matrix. */
-export function extentOf(warp: ThreeWarp, object: Warpable): Extent {
+/** Gives what is around the object as it is drawn, before its own matrix; works out anew what has changed. */
+export function extentOf(warp: ThreeWarp, object: Warpable): () => Extent {
+  const before = remembered(
+    () => placeState(object, 'world'),
+    () => aroundInWorld(object),
+  )
+  return remembered(
+    () => stateOf(warp, object),
+    () => findExtent(warp, object, before),
+  )
+}
+
+function findExtent(warp: ThreeWarp, object: Warpable, before: () => Extent): Extent {
   if (!warp.runs) return whole(everything())
-  if (warp.settings.space === 'world') return extentInWorld(warp, object)
+  if (warp.settings.space === 'world') return extentInWorld(warp, object, before())
   const one = extentOfOne(warp, object)
   if (isInfinite(one.box)) return whole(everything())
   const all = whole(new Box3())
@@ -148,8 +167,8 @@ const smaller = (a: Sphere, b: Sphere) => (a.radius < b.radius ? a : b)
 /** Sines of a GPU are less exact than those of the CPU. */
 const slack = 1.001
 
-/** All instances are warped as one: ten thousand of them would take a second. */
-function extentInWorld(warp: ThreeWarp, object: Warpable): Extent {
+/** Around all instances in the world, before the warp. */
+function aroundInWorld(object: Warpable): Extent {
   const box = posedBox(object)
   const sphere = isMoved(object)
     ? sphereAround(box)
@@ -161,7 +180,12 @@ function extentInWorld(warp: ThreeWarp, object: Warpable): Extent {
     all.box.union(box.clone().applyMatrix4(toWorld).intersect(moved.getBoundingBox(new Box3())))
     all.sphere.union(moved)
   }
-  const warped = warpedExtent(warp, object, all)
+  return all
+}
+
+/** All instances are warped as one: ten thousand of them would take a second. */
+function extentInWorld(warp: ThreeWarp, object: Warpable, before: Extent): Extent {
+  const warped = warpedExtent(warp, object, before)
   if (isInfinite(warped.box)) return whole(everything())
   // What three.js will apply, backwards: it makes spheres larger by the largest scale.
   const back = new Matrix4().copy(object.matrixWorld).invert()

@@ -2,16 +2,7 @@
 import { BufferAttribute, BufferGeometry } from 'three'
 import { WarpError, describe } from '../checks/errors.js'
 import type { Mesh, MeshInput } from '../mesh/mesh-arrays.js'
-import { numbersOf } from './pose.js'
-
-/** What each has of a vertex: three.js' name of it and how many numbers. */
-const known = {
-  positions: ['position', 3],
-  normals: ['normal', 3],
-  uvs: ['uv', 2],
-  colors: ['color', 4],
-  tangents: ['tangent', 4],
-} as const
+import { arraysOf, geometryAttributes } from '../inputs/geometry.js'
 
 /**
  * A geometry as `bakeWarp`, `subdivide`, `exportGLB` and the others of 'warpjet/mesh' take it; its arrays are the
@@ -22,17 +13,9 @@ export function fromBufferGeometry(geometry: BufferGeometry): Mesh {
     throw new WarpError(
       `fromBufferGeometry: a BufferGeometry was expected, but ${describe(geometry)} came.`,
     )
-  const { attributes, index } = geometry
-  if (!attributes.position)
+  if (!geometry.attributes.position)
     throw new WarpError('fromBufferGeometry: the geometry has no attribute "position".')
-  const mesh: Record<string, ArrayLike<number>> = {}
-  for (const [name, [attribute, size]] of Object.entries(known)) {
-    const given = attributes[attribute]
-    // Colours without alpha are opaque.
-    if (given) mesh[name] = numbersOf(given, size, 1)
-  }
-  if (index) mesh.indices = Uint32Array.from(index.array)
-  return mesh as unknown as Mesh
+  return arraysOf(geometry) as unknown as Mesh
 }
 
 /**
@@ -46,8 +29,8 @@ export function toBufferGeometry(mesh: MeshInput, like?: BufferGeometry): Buffer
       `toBufferGeometry: a mesh such as { positions, normals, indices } was expected, but ${describe(mesh)} came.`,
     )
   const geometry = new BufferGeometry()
-  for (const [name, [attribute, size]] of Object.entries(known)) {
-    const numbers = mesh[name as keyof typeof known]
+  for (const [name, [attribute, size]] of Object.entries(geometryAttributes)) {
+    const numbers = mesh[name as keyof typeof geometryAttributes]
     if (numbers)
       geometry.setAttribute(attribute, new BufferAttribute(Float32Array.from(numbers), size))
   }

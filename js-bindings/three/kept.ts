@@ -3,6 +3,7 @@ import { type KeptWarp, keepWarp, readOptions, writeWarp } from '../compile/warp
 import { runOnCpu } from '../compile/compile-warp.js'
 import type { Target } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
+import { millisUniform, outputs } from '../compile/host-names.js'
 import { WarpError } from '../checks/errors.js'
 import { checkCallback } from '../checks/options.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
@@ -16,16 +17,6 @@ import { warpProgram } from '../cpu/warp-program.js'
 
 /** What a text turns beside the position. */
 export type Turned = 'position' | 'normal' | 'tangent'
-
-/** All of our names in three's shaders begin with warpjet, so that they meet none of anybody else's. */
-export const outputs = {
-  offset: 'warpjetOffset',
-  position: 'warpjetMoved',
-  normal: 'warpjetTurned',
-  tangent: 'warpjetSwung',
-}
-
-export const millisUniform = 'warpjetMillis'
 
 export interface Text {
   code: string
@@ -85,6 +76,7 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
     onCpu(uniforms),
     'offset',
   )
+  const texts = new Map<string, Text>()
   const isRead = (name: string) => positionText.uniforms.some((uniform) => uniform.name === name)
   return {
     settings,
@@ -95,8 +87,11 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
     varies: warp.varies,
     reads: new Set(positionText.attributes.map(({ name }) => name)),
     write: (target, turned, names) => {
-      const { code, declarations, attributes } = writeFor(warp, turned, target, names)
-      return { code, declarations, attributes }
+      const key = JSON.stringify([target, turned, names])
+      const { code, declarations, attributes } =
+        texts.get(key) ?? writeFor(warp, turned, target, names)
+      texts.set(key, { code, declarations, attributes })
+      return texts.get(key)!
     },
     cpu,
     offsets,

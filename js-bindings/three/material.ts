@@ -8,7 +8,8 @@ import {
   type WebGLRenderer,
 } from 'three'
 import { WarpError, describe } from '../checks/errors.js'
-import { type ThreeWarp, keep, millisUniform } from './kept.js'
+import { millisUniform } from '../compile/host-names.js'
+import { type ThreeWarp, keep } from './kept.js'
 import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
 import type { ThreeUniforms, UniformHandles, ValuesOf } from './uniforms.js'
 import { isWoven, weave } from './weave.js'
@@ -134,7 +135,11 @@ export function weaveInto(
     shader.vertexShader = woven.get(source)!
   }
   const key = `warpjet ${warp.key()} ${earlierKey}`
-  made.customProgramCacheKey = () => key
+  made.customProgramCacheKey = function (this: Material & { isNodeMaterial?: boolean }) {
+    // WebGPURenderer copies this into a material of nodes, which knows better.
+    const { customProgramCacheKey } = Object.getPrototypeOf(this) as Material
+    return this.isNodeMaterial ? customProgramCacheKey.call(this) : key
+  }
   made.needsUpdate = true
   return {
     material: made,

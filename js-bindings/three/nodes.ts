@@ -16,7 +16,8 @@ import {
 import * as TSL from 'three/tsl'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
 import { type Shape, imageShape, typeOf } from '../expression/shapes.js'
-import { type ThreeWarp, type Turned, millisUniform, outputs } from './kept.js'
+import { millisUniform, outputs } from '../compile/host-names.js'
+import type { ThreeWarp, Turned } from './kept.js'
 import type { WarpSpace } from './settings.js'
 import { fillOf } from './surface.js'
 

@@ -13,6 +13,7 @@ import {
   Vector3,
 } from 'three'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import { numbersOf } from '../inputs/geometry.js'
 import type { Vertices } from '../inputs/vertices.js'
 
 /** What can be warped. */
@@ -39,25 +40,6 @@ export function poseState(object: Warpable): number[] {
       state.push(...matrixWorld.elements)
   return state
 }
-
-/** An attribute's numbers, as floats. */
-export function numbersOf(attribute: Attribute, size: number, missing = 0): Float32Array {
-  const { count, itemSize } = attribute
-  if (isPlain(attribute, size)) return attribute.array as Float32Array
-  const numbers = new Float32Array(count * size).fill(missing)
-  const parts = ['getX', 'getY', 'getZ', 'getW'] as const
-  for (let k = 0; k < Math.min(size, itemSize); k++) {
-    const part = parts[k]!
-    for (let i = 0; i < count; i++) numbers[i * size + k] = attribute[part](i)
-  }
-  return numbers
-}
-
-const isPlain = (attribute: Attribute, size: number) =>
-  !('data' in attribute) &&
-  attribute.array instanceof Float32Array &&
-  attribute.itemSize === size &&
-  attribute.array.length === size * attribute.count
 
 /** The vertices as arrays: `isPosed` says whether morph targets and bones have moved them. */
 export function verticesOf(object: Warpable, isPosed: boolean, fill: number[]): Vertices {

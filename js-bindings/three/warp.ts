@@ -19,15 +19,13 @@ import {
   type ShadowMaterials,
   type Warped,
   type Woven,
-  checkMaterial,
   shadowMaterials,
   updateOf,
-  weaveInto,
 } from './material.js'
 import type { Warpable } from './pose.js'
 import { type Raycast, raycastOf } from './rays.js'
+import { checkForAll, refusing, weaveForAll } from './renderers.js'
 import { type Settings, type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
-import type { OffsetFunction } from '../types/types.js'
 import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 
 export interface WarpedObject<Uniforms = {}> extends Warped<Uniforms> {
@@ -46,49 +44,20 @@ const warpedNow = new WeakSet<object>()
  * its derivative says, shadows follow, what is visible is not culled, and rays meet what is seen. The geometry stays as it
  * is, and so do the materials, which are cloned, unless `share: true` says otherwise. Throws a `WarpError` for what cannot
  * be warped, such as a sprite, for an offset that returns no vec3 or misuses an operation, and for wrong options.
+ * Whether WebGLRenderer or WebGPURenderer draws it need not be said, where `import 'warpjet/three/webgpu'` stands somewhere.
  */
 export function warp<const Uniforms extends ThreeUniforms = {}>(
   object: Object3D,
   offset: ThreeOffset<ValuesOf<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): WarpedObject<ValuesOf<Uniforms>> {
-  return warpBy(forWebGL, object, offset as never, options) as never
-}
-
-/** What differs between the renderers of three.js. */
-export interface Adapter {
-  check: (method: string, material: unknown) => void
-  /** Throws for what this renderer cannot do with an object in a space. */
-  checkPart?: (settings: Settings, part: Warpable) => void
-  weave: (material: Material, warp: ThreeWarp) => Woven
-  shadows?: (warp: ThreeWarp, surface: () => Material, own: ShadowMaterials) => ShadowMaterials
-  /** Whether it is for a renderer, and what to import from for the other ones. */
-  isFor: (renderer: object) => boolean
-  other: string
-}
-
-const forWebGL: Adapter = {
-  check: checkMaterial,
-  weave: weaveInto,
-  shadows: shadowMaterials,
-  isFor: (renderer) => !('isWebGPURenderer' in renderer),
-  other: "drawn by WebGPURenderer; import warp from 'warpjet/three/webgpu'",
-}
-
-export function warpBy(
-  adapter: Adapter,
-  object: Object3D,
-  offset: OffsetFunction,
-  options: WarpOptions<object>,
-): WarpedObject {
-  const method = 'warp'
-  const settings = readOptions(method, options)
-  const parts = partsOf(adapter, settings, object)
-  const kept = keep(offset, settings)
+  const settings = readOptions('warp', options)
+  const parts = partsOf(settings, object)
+  const kept = keep(offset as never, settings)
   const materials = new Map<Material, Woven>()
-  const done = parts.map((part) => putOn(adapter, kept, part, materials))
+  const done = parts.map((part) => putOn(kept, part, materials))
   return {
-    uniforms: kept.handles,
+    uniforms: kept.handles as never,
     update: updateOf(kept),
     bounds: () => boundsOf(object, done),
     raycast: (raycaster, intersects) =>
@@ -102,8 +71,7 @@ export function warpBy(
 }
 
 /** What is drawn of an object and all that is in it, checked before anything is changed. */
-function partsOf(adapter: Adapter, settings: Settings, object: Object3D): Warpable[] {
-  const { method } = settings
+function partsOf({ method }: Settings, object: Object3D): Warpable[] {
   if (!object?.isObject3D)
     throw new WarpError(
       `${method}: a Mesh, Points, a Line or a group of them was expected, but ${describe(object)} came.`,
@@ -122,8 +90,7 @@ function partsOf(adapter: Adapter, settings: Settings, object: Object3D): Warpab
       )
     if (!geometry.attributes?.position)
       throw new WarpError(`${method}: the geometry of ${nameOf(part)} has no attribute "position".`)
-    for (const each of [material].flat()) adapter.check(method, each)
-    adapter.checkPart?.(settings, part as Warpable)
+    for (const each of [material].flat()) checkForAll(method, each)
     parts.push(part as Warpable)
   })
   if (parts.length) return parts
@@ -163,30 +130,24 @@ function replacing(object: object, properties: PropertyDescriptorMap) {
   }
 }
 
-function putOn(
-  adapter: Adapter,
-  warp: ThreeWarp,
-  object: Warpable,
-  materials: Map<Material, Woven>,
-): Part {
+function putOn(warp: ThreeWarp, object: Warpable, materials: Map<Material, Woven>): Part {
   const wovenOf = (material: Material) => {
-    if (!materials.has(material)) materials.set(material, adapter.weave(material, warp))
+    if (!materials.has(material)) materials.set(material, weaveForAll(material, warp))
     return materials.get(material)!.material
   }
   if (warp.varies && warp.settings.surfaceVariation !== false && !hasVariation(object))
     noteApproximation(warp.settings.method, 'await addSurfaceVariation(geometry)')
   const before = object.material
   const surface = () => [object.material].flat()[0]!
-  const shadows = adapter.shadows?.(warp, surface, object as ShadowMaterials) ?? {}
-  const state = () => stateOf(warp, object)
-  const extent = remembered(state, () => extentOf(warp, object))
+  const shadows = shadowMaterials(warp, surface, object as ShadowMaterials)
+  const extent = extentOf(warp, object)
   const raycast = raycastOf(warp, object, object.raycast, () => extent().sphere)
-  const { onBeforeRender } = object
+  const onBeforeRender = refusing(warp.settings, object as Mesh)
   object.material = Array.isArray(before) ? before.map(wovenOf) : wovenOf(before)
   const after = object.material
   const putBack = replacing(object, {
     ...values(shadows),
-    ...values({ raycast, onBeforeRender: refusingOthers(adapter, onBeforeRender) }),
+    ...values({ raycast, onBeforeRender }),
     // Looked at before anything is drawn, so that uniforms may be set at any time.
     boundingSphere: answering(() => extent().sphere),
     boundingBox: answering(() => extent().box),
@@ -202,8 +163,8 @@ function putOn(
       putBack()
       // Another material, put on meanwhile, stays.
       if (object.material === after) object.material = before
-      shadows.customDepthMaterial?.dispose()
-      shadows.customDistanceMaterial?.dispose()
+      shadows.customDepthMaterial.dispose()
+      shadows.customDistanceMaterial.dispose()
       warpedNow.delete(object)
     },
   }
@@ -222,13 +183,6 @@ const answering = <Value extends Box3 | Sphere>(value: () => Value): PropertyDes
 
 const hasVariation = ({ geometry }: Warpable) =>
   variationNames.some((name) => variationAttribute(name) in geometry.attributes)
-
-/** Another renderer would draw the object as it was. */
-const refusingOthers = (adapter: Adapter, own: Mesh['onBeforeRender']): Mesh['onBeforeRender'] =>
-  function (this: Object3D, renderer, ...others) {
-    if (!adapter.isFor(renderer)) throw new WarpError(`warp: the object is ${adapter.other}.`)
-    own.call(this, renderer, ...others)
-  }
 
 /** A batch culls each of its geometries by itself. */
 function inBatch(warp: ThreeWarp, object: BatchedMesh) {

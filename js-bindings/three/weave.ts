@@ -6,7 +6,8 @@
 import { WarpError } from '../checks/errors.js'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
 import { typeOf } from '../expression/shapes.js'
-import { type Text, type ThreeWarp, type Turned, millisUniform, outputs } from './kept.js'
+import { millisUniform, outputs } from '../compile/host-names.js'
+import type { Text, ThreeWarp, Turned } from './kept.js'
 import type { WarpSpace } from './settings.js'
 
 /** The chunks of three.js that make the position and the normal, in our order; those of a later version may be missing. */

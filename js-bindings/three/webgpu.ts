@@ -1,12 +1,12 @@
-// `warp`, `warpMaterial` and `warpNode` for WebGPURenderer, on WebGPU and on WebGL 2.
-import type { Material, Mesh, Object3D } from 'three'
+// `warpMaterial` and `warpNode` for WebGPURenderer, on WebGPU and on WebGL 2, and what `warp` needs for it.
+import type { Material } from 'three'
 import { WarpError } from '../checks/errors.js'
 import { type ThreeWarp, keep } from './kept.js'
 import { type Warped, type Woven, checkMaterial as checkOfWebGL, updateOf } from './material.js'
 import { type AnyNode, nodeFor, obstacle } from './nodes.js'
 import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
 import type { ThreeUniforms, ValuesOf } from './uniforms.js'
-import { type Adapter, type WarpedObject, warpBy } from './warp.js'
+import { provideNodes } from './renderers.js'
 
 /** The properties of a material of nodes that have the vertex, also on others, of which three.js makes such. */
 interface NodeMaterial extends Material {
@@ -34,9 +34,13 @@ function checkMaterial(method: string, material: unknown): asserts material is M
     )
 }
 
-function weaveInto(given: Material, warp: ThreeWarp): Woven {
+function weaveInto(
+  given: Material,
+  warp: ThreeWarp,
+  made = warp.settings.isShared ? given : given.clone(),
+): Woven {
   const { isShared } = warp.settings
-  const material = (isShared ? given : given.clone()) as NodeMaterial
+  const material = made as NodeMaterial
   const { positionNode, castShadowPositionNode } = given as NodeMaterial
   const had = Object.hasOwn(material, 'positionNode')
   material.positionNode = nodeFor(warp, positionNode ?? undefined)
@@ -55,25 +59,7 @@ function weaveInto(given: Material, warp: ThreeWarp): Woven {
   }
 }
 
-const forWebGPU: Adapter = {
-  check: checkMaterial,
-  checkPart({ method, space }, part) {
-    const problem = obstacle(space, part as Mesh)
-    if (problem) throw new WarpError(`${method}: ${problem}.`)
-  },
-  weave: weaveInto,
-  isFor: (renderer) => 'isWebGPURenderer' in renderer,
-  other: "drawn by WebGLRenderer; import warp from 'warpjet/three'",
-}
-
-/** As `warp` of 'warpjet/three', for what WebGPURenderer draws, on either of its backends, with materials of any kind. */
-export function warp<const Uniforms extends ThreeUniforms = {}>(
-  object: Object3D,
-  offset: ThreeOffset<ValuesOf<Uniforms>>,
-  options: WarpOptions<Uniforms> = {},
-): WarpedObject<ValuesOf<Uniforms>> {
-  return warpBy(forWebGPU, object, offset as never, options) as never
-}
+provideNodes({ check: checkMaterial, obstacle, weave: weaveInto })
 
 export interface NodeWarpedMaterial<
   Kind extends Material = Material,

@@ -11,11 +11,13 @@
 
 #include "mesh/load.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/refine/subdivide.hpp"
 
 namespace warpjet {
 
 struct Job {
   Mesh mesh;
+  Origins origins;  // of a mesh that was refined
   // A file, as it enters or leaves; further files that it needs, the next of them with its name.
   std::vector<std::uint8_t> file, name, contents;
   std::optional<ModelFile> model;  // made of the file when it is first asked about
@@ -47,6 +49,8 @@ inline constexpr std::tuple jobArrays{
     JobArray{"uGradients", [](auto& job) -> decltype(auto) { return (job.mesh.gradients[3]); }},
     JobArray{"vGradients", [](auto& job) -> decltype(auto) { return (job.mesh.gradients[4]); }},
     JobArray{"indices", [](auto& job) -> decltype(auto) { return (job.mesh.indices); }},
+    JobArray{"ends", [](auto& job) -> decltype(auto) { return (job.origins.ends); }},
+    JobArray{"triangles", [](auto& job) -> decltype(auto) { return (job.origins.triangles); }},
     JobArray{"picture", [](auto& job) -> decltype(auto) { return (job.picture); }},
     JobArray{"mimeType", [](auto& job) -> decltype(auto) { return (job.mimeType); }},
     JobArray{"file", [](auto& job) -> decltype(auto) { return (job.file); }},

@@ -13,10 +13,11 @@ export const floatArrays = {
   uGradients: 8,
   vGradients: 9,
 }
-export const indexArray = 10
-export const byteArrays = { picture: 11, mimeType: 12, file: 13, name: 14, contents: 15 }
+export const indexArrays = { indices: 10, ends: 11, triangles: 12 }
+export const byteArrays = { picture: 13, mimeType: 14, file: 15, name: 16, contents: 17 }
 
 export type FloatArray = keyof typeof floatArrays
+export type IndexArray = keyof typeof indexArrays
 export type ByteArray = keyof typeof byteArrays
 
 export const mostTriangles = 268435456

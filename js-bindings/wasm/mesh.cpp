@@ -210,6 +210,7 @@ EMSCRIPTEN_KEEPALIVE int refine(Job* job, float tolerance, float angle,
     Refined refined = subdivide(job->mesh, refinement, warped);
     job->texts = shortfallOf(refined, refinement);
     job->mesh = std::move(refined.mesh);
+    job->origins = std::move(refined.origins);
     return true;
   });
 }
@@ -224,6 +225,7 @@ EMSCRIPTEN_KEEPALIVE int refineUniformly(Job* job, int levels, std::uint32_t max
                     grouped(divided.mesh.triangleCount()) + " triangles, for maxTriangles is " +
                     grouped(maxTriangles) + '.'};
     job->mesh = std::move(divided.mesh);
+    job->origins = std::move(divided.origins);
     return true;
   });
 }

@@ -3,9 +3,10 @@ import { WarpError } from '../checks/errors.js'
 import {
   type ByteArray,
   type FloatArray,
+  type IndexArray,
   byteArrays,
   floatArrays,
-  indexArray,
+  indexArrays,
 } from './mesh-tables.js'
 import factory from '../generated/mesh.js'
 import inlined from '../generated/mesh-wasm.js'
@@ -91,7 +92,7 @@ export class Job {
   }
 
   setIndices(numbers: ArrayLike<number>) {
-    const at = this.resize(indexArray, numbers.length)
+    const at = this.resize(indexArrays.indices, numbers.length)
     this.wasm.HEAPU32.set(numbers, at / 4)
   }
 
@@ -113,8 +114,8 @@ export class Job {
     return this.wasm.HEAPF32.slice(at / 4, at / 4 + count)
   }
 
-  indices(): Uint32Array {
-    const [at, count] = this.place(indexArray)
+  indices(name: IndexArray = 'indices'): Uint32Array {
+    const [at, count] = this.place(indexArrays[name])
     return this.wasm.HEAPU32.slice(at / 4, at / 4 + count)
   }
 
@@ -124,7 +125,7 @@ export class Job {
   }
 
   triangleCount(): number {
-    const indices = this.place(indexArray)[1]
+    const indices = this.place(indexArrays.indices)[1]
     return Math.floor((indices || this.place(floatArrays.positions)[1] / 3) / 3)
   }
 

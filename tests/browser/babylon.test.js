@@ -1,10 +1,10 @@
 // 'warpjet/babylon' in a page: a motion that a matrix can do, done by a warp and by Babylon.js itself, is the same picture.
 import assert from 'node:assert/strict'
 import { mkdirSync, writeFileSync } from 'node:fs'
-import { after, before, test } from 'node:test'
+import { after, before, describe, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { build } from 'vite'
-import { launchBrowser, openPage } from './support/browser.js'
+import { launchBrowserWithWebGPU, openPage } from './support/browser.js'
 import { servePages } from './support/server.js'
 import { differing } from './support/three/pixels.js'
 
@@ -13,11 +13,18 @@ const project = '.build/babylon'
 
 const code = `
 import { Engine } from '@babylonjs/core/Engines/engine.js'
+import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
 import { ArcRotateCamera } from '@babylonjs/core/Cameras/arcRotateCamera.js'
+import { Ray } from '@babylonjs/core/Culling/ray.js'
 import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js'
 import { HemisphericLight } from '@babylonjs/core/Lights/hemisphericLight.js'
+import { ShadowGenerator } from '@babylonjs/core/Lights/Shadows/shadowGenerator.js'
+import '@babylonjs/core/Lights/Shadows/shadowGeneratorSceneComponent.js'
 import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
 import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
+import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
+import { RawTexture } from '@babylonjs/core/Materials/Textures/rawTexture.js'
+import { Constants } from '@babylonjs/core/Engines/constants.js'
 import { Matrix, Vector3, Quaternion } from '@babylonjs/core/Maths/math.vector.js'
 import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
 import { Scene } from '@babylonjs/core/scene.js'
@@ -27,57 +34,146 @@ const size = 96
 const motion = Matrix.Compose(
   Vector3.One(), Quaternion.FromEulerAngles(0.4, 0.7, -0.3), new Vector3(0.2, 0.1, -0.15))
 const m = motion.m
+const amount = [0.3, -0.2, 0.25]
 
 const offset = ({ glsl, position, millis, uniforms }) =>
   uniforms.linear.mult(position).sub(position).add(uniforms.shift.mult(millis.div(1000)))
 
-const canvas = document.body.appendChild(document.createElement('canvas'))
-canvas.width = canvas.height = size
-const engine = new Engine(canvas, false, { preserveDrawingBuffer: true })
+const engines = {}
+async function engineFor(backend) {
+  if (engines[backend]) return engines[backend]
+  const canvas = document.body.appendChild(document.createElement('canvas'))
+  canvas.width = canvas.height = size
+  if (backend === 'webgl')
+    return (engines[backend] = new Engine(canvas, false, { preserveDrawingBuffer: true }))
+  const engine = new WebGPUEngine(canvas, { antialias: false })
+  await engine.initAsync()
+  return (engines[backend] = engine)
+}
 
-window.draw = async (kind, way) => {
+function sceneOn(engine, kind) {
   const scene = new Scene(engine)
   const camera = new ArcRotateCamera('camera', 0.7, 1.1, 4, Vector3.Zero(), scene)
   camera.minZ = 0.1
   new HemisphericLight('sky', new Vector3(0, 1, 0), scene).intensity = 0.3
   const sun = new DirectionalLight('sun', new Vector3(-0.5, -1, -0.6), scene)
   sun.position = new Vector3(2, 4, 3)
+  Object.assign(sun, { shadowMinZ: 1, shadowMaxZ: 12, autoUpdateExtends: false })
+  Object.assign(sun, { orthoLeft: -3, orthoRight: 3, orthoTop: 3, orthoBottom: -3 })
   const ground = MeshBuilder.CreateGround('ground', { width: 8, height: 8 }, scene)
   ground.position.y = -1
+  ground.receiveShadows = true
   const knot = MeshBuilder.CreateTorusKnot('knot', { radius: 0.5, tube: 0.18, radialSegments: 64, tubularSegments: 12 }, scene)
   const material = kind === 'PBR' ? new PBRMaterial('pbr', scene) : new StandardMaterial('standard', scene)
   if (kind === 'PBR') Object.assign(material, { metallic: 0.1, roughness: 0.5 })
   knot.material = material
-  if (way === 'moved') {
-    knot.setPivotMatrix(Matrix.Identity())
-    motion.decompose(knot.scaling, (knot.rotationQuaternion = new Quaternion()), knot.position)
+  const generator = new ShadowGenerator(256, sun)
+  generator.addShadowCaster(knot)
+  return { scene, knot, material }
+}
+
+/** By Babylon.js itself. */
+function move(knot, matrix = motion) {
+  knot.setPivotMatrix(Matrix.Identity())
+  matrix.decompose(knot.scaling, (knot.rotationQuaternion = new Quaternion()), knot.position)
+}
+
+function warped(material) {
+  const warp = new BabylonWarp(material, offset, {
+    uniforms: { linear: [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]], shift: [0, 0, 0] },
+  })
+  warp.values.shift = new Vector3(m[12], m[13], m[14])
+  warp.millis = 1000
+  return warp
+}
+
+/** Its normals left as they were, in the one language and in the other. */
+function withoutNormals(warp, material) {
+  const { getCustomCode } = warp
+  warp.getCustomCode = (...args) => {
+    const code = getCustomCode.apply(warp, args)
+    const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL.replaceAll('normalUpdated = warpjetTurned;', '')
+    return code && { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: text }
   }
-  if (way !== 'moved' && way !== 'still') {
-    const warp = new BabylonWarp(material, offset, {
-      uniforms: { linear: [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]], shift: [0, 0, 0] },
-    })
-    if (way === 'without its normals') {
-      const { getCustomCode } = warp
-      warp.getCustomCode = (...args) => {
-        const code = getCustomCode.apply(warp, args)
-        const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL.replaceAll('normalUpdated = warpjetTurned;', '')
-        return code && { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: text }
-      }
-      material.markDirty(true)
-    }
-    warp.values.shift = new Vector3(m[12], m[13], m[14])
-    warp.millis = 1000
+  material.markDirty(true)
+}
+
+function byImage(material, scene) {
+  const numbers = Float32Array.from({ length: 16 }, (_, i) => [...amount, 1][i % 4])
+  const map = new RawTexture(numbers, 2, 2, Constants.TEXTUREFORMAT_RGBA, scene, false, false,
+    Constants.TEXTURE_NEAREST_SAMPLINGMODE, Constants.TEXTURETYPE_FLOAT)
+  new BabylonWarp(material, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), { uniforms: { map } })
+}
+
+window.draw = async (backend, kind, way) => {
+  const engine = await engineFor(backend)
+  const { scene, knot, material } = sceneOn(engine, kind)
+  // That of a canvas is gone once the frame is.
+  const target = new RenderTargetTexture('target', size, scene)
+  scene.activeCamera.outputRenderTarget = target
+  if (way === 'moved') move(knot)
+  if (way === 'shifted') move(knot, Matrix.Translation(...amount))
+  if (way === 'by an image') byImage(material, scene)
+  if (['warped', 'without its normals', 'without its shadow'].includes(way)) {
+    const warp = warped(material)
+    if (way === 'without its normals') withoutNormals(warp, material)
+    if (way === 'without its shadow') material.shadowDepthWrapper = null
   }
   await scene.whenReadyAsync()
-  for (let i = 0; i < 3; i++) {
+  for (let i = 0; i < 4; i++) {
     engine.beginFrame()
     scene.render()
     engine.endFrame()
+    // Shaders of shadows are made when those of the surface are there.
+    await new Promise((drawn) => setTimeout(drawn, 20))
   }
-  const pixels = await engine.readPixels(0, 0, size, size)
+  const pixels = await target.readPixels()
   scene.dispose()
   return [...new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.byteLength)]
 }
+
+/** Rays against a warped mesh, and against one that was moved → how far hits are apart, and how many there were. */
+window.pick = async () => {
+  const engine = await engineFor('webgl')
+  const { scene, knot, material } = sceneOn(engine, 'Standard')
+  const { scene: other, knot: reference } = sceneOn(engine, 'Standard')
+  move(reference)
+  reference.computeWorldMatrix(true)
+  const warp = warped(material)
+  let [hits, misses, apart, before] = [0, 0, 0, 0]
+  const rays = Array.from({ length: 300 }, (_, i) => {
+    const from = new Vector3(4 * Math.cos(i), 2 * Math.sin(3 * i), 4 * Math.sin(i))
+    const to = new Vector3(Math.sin(5 * i), Math.cos(7 * i), Math.sin(11 * i)).scale(0.6)
+    return new Ray(from, to.subtract(from).normalize(), 10)
+  })
+  const pickedBy = (ray, scene, mesh) => scene.pickWithRay(ray, (each) => each === mesh)
+  for (const ray of rays) {
+    const [a, b] = [pickedBy(ray, scene, knot), pickedBy(ray, other, reference)]
+    if (a.hit !== b.hit || (a.hit && Vector3.Distance(a.pickedPoint, b.pickedPoint) > 1e-3)) before++
+  }
+  warp.refresh(knot)
+  for (const ray of rays) {
+    const [a, b] = [pickedBy(ray, scene, knot), pickedBy(ray, other, reference)]
+    if (a.hit !== b.hit) misses++
+    else if (a.hit) {
+      hits++
+      apart = Math.max(apart, Vector3.Distance(a.pickedPoint, b.pickedPoint))
+    }
+  }
+  const box = (mesh) => mesh.getBoundingInfo().boundingBox
+  const { minimumWorld: min, maximumWorld: max } = box(knot)
+  const outside = knot.getPositionData().length > 0 &&
+    reference.getPositionData().some((_, i, all) => {
+      if (i % 3) return false
+      const p = Vector3.TransformCoordinates(new Vector3(all[i], all[i + 1], all[i + 2]), motion)
+      return p.x < min.x - 1e-5 || p.y < min.y - 1e-5 || p.z < min.z - 1e-5 || p.x > max.x + 1e-5 || p.y > max.y + 1e-5 || p.z > max.z + 1e-5
+    })
+  scene.dispose()
+  other.dispose()
+  return { hits, misses, apart, before, outside }
+}
+// Without somebody who holds it, the browser loses the device.
+window.gpu = navigator.gpu
 document.title = 'ready'
 `
 
@@ -100,7 +196,7 @@ before(async () => {
       },
     },
   })
-  browser = await launchBrowser()
+  browser = await launchBrowserWithWebGPU()
   pages = await servePages()
   const html = `<!doctype html><body><script type="module" src="/${project}/dist/page.js"></script>`
   ;({ page, messages } = await openPage(browser, pages.page(html)))
@@ -116,20 +212,39 @@ after(async () => {
 })
 
 const draw = (...what) => page.evaluate((what) => draw(...what), what)
+const printed = () => messages.splice(0).filter((text) => !text.startsWith('BJS - '))
 
-for (const kind of ['Standard', 'PBR'])
-  test(`${kind}Material`, async () => {
-    const [still, moved, warped, unlit] = [
-      await draw(kind, 'still'),
-      await draw(kind, 'moved'),
-      await draw(kind, 'warped'),
-      await draw(kind, 'without its normals'),
-    ]
-    assert.ok(differing(still, moved) > 300, `${differing(still, moved)} pixels are moved`)
-    assert.equal(differing(warped, moved), 0)
-    assert.ok(differing(unlit, moved) > 100, `${differing(unlit, moved)} differ without normals`)
-    assert.deepEqual(
-      messages.filter((text) => !text.startsWith('BJS - ')),
-      [],
-    )
+for (const backend of ['webgl', 'webgpu'])
+  describe(backend, () => {
+    for (const kind of ['Standard', 'PBR'])
+      test(`${kind}Material, with its shadow`, async () => {
+        const still = await draw(backend, kind, 'still')
+        const moved = await draw(backend, kind, 'moved')
+        const warped = await draw(backend, kind, 'warped')
+        assert.ok(differing(still, moved) > 300, `${differing(still, moved)} pixels are moved`)
+        assert.equal(differing(warped, moved), 0)
+        for (const without of ['without its normals', 'without its shadow']) {
+          const count = differing(await draw(backend, kind, without), moved)
+          assert.ok(count > 100, `${count} pixels differ ${without}`)
+        }
+        assert.deepEqual(printed(), [])
+      })
+
+    test('an image among the uniforms', async () => {
+      const [shown, expected] = [
+        await draw(backend, 'Standard', 'by an image'),
+        await draw(backend, 'Standard', 'shifted'),
+      ]
+      assert.equal(differing(shown, expected), 0)
+      assert.ok(differing(expected, await draw(backend, 'Standard', 'still')) > 300)
+      assert.deepEqual(printed(), [])
+    })
   })
+
+test('rays and culling follow where they are told to', async () => {
+  const { hits, misses, apart, before, outside } = await page.evaluate(() => pick())
+  assert.ok(hits > 60 && before > 60, `${hits} hits, ${before} otherwise before`)
+  assert.equal(misses, 0)
+  assert.ok(apart < 1e-4, `${apart} apart`)
+  assert.equal(outside, false)
+})

@@ -9,7 +9,11 @@ const seen = 200
 
 let pages, page, messages
 before(async () => {
-  pages = await threePages(webgpuFlags)
+  pages = await threePages([
+    ...webgpuFlags,
+    '--js-flags=--expose-gc',
+    '--enable-precise-memory-info',
+  ])
   ;({ page, messages } = await pages.open('three', 'page-webgpu.js'))
 })
 after(() => pages.close())
@@ -83,6 +87,36 @@ for (const backend of ['webgl', 'webgpu'])
       })
       assert.deepEqual([messages, differing], [[], 0])
       assert.ok(moved > seen)
+    })
+
+    test('soft, hard and variance shadows', async () => {
+      for (const map of ['Basic', 'PCF', 'VSM'])
+        for (const light of map === 'VSM'
+          ? ['directional', 'spot']
+          : ['directional', 'spot', 'point'])
+          await isSame('plain', { light, map })
+    })
+
+    test('one warp is drawn by WebGLRenderer too, whichever comes', async () => {
+      messages.length = 0
+      const found = await page.evaluate((given) => three.both(given), { backend })
+      for (const [name, { differing, moved }] of Object.entries(found)) {
+        assert.equal(differing, 0, name)
+        assert.ok(moved > seen, name)
+      }
+      assert.deepEqual(messages, [])
+    })
+
+    // A thousand times it is the same, by hand: six minutes.
+    test('warped and disposed many times, nothing is left', async () => {
+      const { before, after } = await page.evaluate((given) => three.churn(given), {
+        backend,
+        times: 100,
+      })
+      const { heap: heapBefore, ...countsBefore } = before
+      const { heap, ...counts } = after
+      assert.deepEqual(counts, countsBefore)
+      assert.ok(heap < heapBefore + 3e6, `the heap grew from ${heapBefore} to ${heap}`)
     })
 
     test('without normals hundreds of pixels would differ', async () => {

@@ -39,6 +39,29 @@ TEST(SubdivideAttributes, InterpolateLinearly) {
   }
 }
 
+TEST(SubdivideAttributes, NewVerticesAndTrianglesKnowWhereTheyComeFrom) {
+  const Mesh cube = cubeOfFaces(100);
+  const Refined result = refined(cube, sines);
+  const std::size_t before = cube.vertexCount(), after = result.mesh.vertexCount();
+  ASSERT_GT(after, before);
+  ASSERT_EQ(result.origins.ends.size(), 2 * (after - before));
+  ASSERT_EQ(result.origins.triangles.size(), result.mesh.triangleCount());
+  for (std::size_t i = before; i < after; ++i) {
+    const std::uint32_t a = result.origins.ends[2 * (i - before)],
+                        b = result.origins.ends[2 * (i - before) + 1];
+    ASSERT_LT(std::max(a, b), i);
+    const Point middle =
+        0.5 * (pointOf(result.mesh.positions, a) + pointOf(result.mesh.positions, b));
+    EXPECT_NEAR(length(middle - pointOf(result.mesh.positions, i)), 0, 1e-4);
+  }
+  // Each face has a direction of its own, and two triangles.
+  for (std::size_t i = 0; i < result.mesh.triangleCount(); ++i) {
+    const Point face = pointOf(cube.normals, cube.corners(result.origins.triangles[i])[0]);
+    const Point normal = pointOf(result.mesh.normals, result.mesh.corners(i)[0]);
+    EXPECT_NEAR(length(face - normal), 0, 1e-6);
+  }
+}
+
 TEST(SubdivideAttributes, FacesKeepTheirOwn) {
   const Mesh mesh = cubeOfFaces(100);
   const Mesh result = refined(mesh, sines).mesh;

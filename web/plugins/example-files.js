@@ -19,11 +19,16 @@ const libraries = [
   'node_modules/p5/lib/p5.min.js',
   // Those of three.js take modules, which their pages map names to.
   'dist/three.js',
+  'dist/warpjet.js',
   ...['basics', 'compiler', 'evaluation', 'three-warp'].map((name) => `dist/shared/${name}.js`),
   ...['three.module.js', 'three.core.js'].map((name) => `node_modules/three/build/${name}`),
-  ...['controls/OrbitControls.js', 'libs/lil-gui.module.min.js', 'libs/stats.module.js'].map(
-    (name) => `node_modules/three/examples/jsm/${name}`,
-  ),
+  ...[
+    'controls/OrbitControls.js',
+    'environments/RoomEnvironment.js',
+    'libs/lil-gui.module.min.js',
+    'libs/stats.module.js',
+    'utils/BufferGeometryUtils.js',
+  ].map((name) => `node_modules/three/examples/jsm/${name}`),
   'node_modules/glsl-noise/simplex/3d.glsl',
 ]
 const fonts = {

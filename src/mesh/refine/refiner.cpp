@@ -88,7 +88,9 @@ Refined Refiner::run() && {
   for (const Triangle& triangle : surface_.triangles())
     worst.raise({triangle.distance, triangle.angle});
   worst.distance = std::max(worst.distance, unresolved_);
+  Origins origins = surface_.origins();
   return {std::move(surface_).takeMesh(),
+          std::move(origins),
           worst.distance <= refinement_.tolerance,
           worst.angle <= refinement_.angle,
           worst.distance,

@@ -1,6 +1,7 @@
 #include "mesh/refine/subdivide.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "mesh/refine/refiner.hpp"
@@ -10,20 +11,31 @@ namespace warpjet {
 
 namespace {
 
+Origins originsOf(const Mesh& mesh) {
+  Origins origins;
+  origins.triangles.resize(mesh.triangleCount());
+  std::iota(origins.triangles.begin(), origins.triangles.end(), 0);
+  return origins;
+}
+
 // Where all triangles had two corners in one place, nothing is left to index.
-Mesh orElse(Mesh finer, const Mesh& mesh) { return finer.indices.empty() ? mesh : finer; }
+template <class Finer>
+Finer orElse(Finer finer, const Mesh& mesh) {
+  if (!finer.mesh.indices.empty()) return finer;
+  finer.mesh = mesh;
+  finer.origins = originsOf(mesh);
+  return finer;
+}
 
 }  // namespace
 
 Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunction& warp) {
-  if (mesh.triangleCount() == 0) return {mesh, true, true, 0, 0, false, true};
-  Refined refined = Refiner(mesh, refinement, warp).run();
-  refined.mesh = orElse(std::move(refined.mesh), mesh);
-  return refined;
+  if (mesh.triangleCount() == 0) return {mesh, {}, true, true, 0, 0, false, true};
+  return orElse(Refiner(mesh, refinement, warp).run(), mesh);
 }
 
 Divided subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangles) {
-  if (mesh.triangleCount() == 0) return {mesh, levels};
+  if (mesh.triangleCount() == 0) return {mesh, {}, levels};
   maxTriangles = std::min(maxTriangles, mostTriangles);
   Surface surface(mesh);
   int made = 0;
@@ -35,7 +47,8 @@ Divided subdivideUniformly(const Mesh& mesh, int levels, std::size_t maxTriangle
     surface.addMiddles(edges);
     surface.divide(surface.mesh().positions);
   }
-  return {orElse(std::move(surface).takeMesh(), mesh), made};
+  Origins origins = surface.origins();
+  return orElse(Divided{std::move(surface).takeMesh(), std::move(origins), made}, mesh);
 }
 
 }  // namespace warpjet

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -32,8 +33,15 @@ struct Refinement {
   std::size_t maxTriangles = usualTriangles;
 };
 
+// Where a finer mesh comes from: of each new vertex, in order, the two that it is in the middle of,
+// and of each triangle the number of the one that it is a part of.
+struct Origins {
+  std::vector<std::uint32_t> ends, triangles;
+};
+
 struct Refined {
   Mesh mesh;  // indexed; what was there comes first, in its order
+  Origins origins;
   bool reachedTolerance, reachedAngle;
   float worst;       // model units: the largest distance that is left, where it was measured
   float worstAngle;  // radians, likewise
@@ -51,6 +59,7 @@ Refined subdivide(const Mesh& mesh, const Refinement& refinement, const WarpFunc
 
 struct Divided {
   Mesh mesh;
+  Origins origins;
   int levels;  // how often each triangle became four
 };
 

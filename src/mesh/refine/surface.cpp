@@ -28,7 +28,7 @@ Surface::Surface(Mesh mesh) : mesh_(std::move(mesh)) {
   for (std::uint32_t i = 0; i < mesh_.triangleCount(); ++i) {
     const Three corners = mesh_.corners(i);
     const auto& [a, b, c] = corners;
-    add(corners, {findSide(a, b), findSide(b, c), findSide(c, a)});
+    add(corners, {findSide(a, b), findSide(b, c), findSide(c, a)}, i);
   }
 }
 
@@ -52,14 +52,15 @@ double Surface::areaOf(const Three& corners) const {
   return glm::length(glm::cross(corner(1) - a, corner(2) - a)) / 2;
 }
 
-void Surface::add(const Three& corners, const Three& sides) {
+void Surface::add(const Three& corners, const Three& sides, std::uint32_t origin) {
   std::array<float, 3> lengths;
   for (int i = 0; i < 3; ++i)
     lengths[i] = distance(mesh_.positions, corners[i], corners[(i + 1) % 3]);
   const auto longest = std::max_element(lengths.begin(), lengths.end());
   const double length = *longest;
   const bool isSliver = 2 * areaOf(corners) < sliver * length * length;
-  triangles_.push_back({corners, sides, static_cast<int>(longest - lengths.begin()), isSliver});
+  triangles_.push_back(
+      {corners, sides, origin, static_cast<int>(longest - lengths.begin()), isSliver});
   for (const std::uint32_t side : sides) ++edges_[sides_[side].edge].uses;
 }
 
@@ -85,6 +86,7 @@ void Surface::split(std::uint32_t side) {
   const std::uint32_t position = edges_[sides_[side].edge].middle;
   const auto middle = static_cast<std::uint32_t>(mesh_.vertexCount());
   appendBlend(mesh_, mesh_, {{a, b, a}, {0.5f, 0.5f, 0}});
+  ends_.insert(ends_.end(), {a, b});
   std::copy_n(welder_.position(position).begin(), 3, mesh_.positions.end() - 3);
   welded_.push_back(position);
   sides_[side].middle = middle;
@@ -128,6 +130,7 @@ void Surface::divide(const Triangle& triangle, const std::vector<float>& positio
     std::rotate(three.begin(), three.begin() + first, three.end());
     return three;
   };
+  const std::uint32_t origin = triangle.origin;
   const auto [a, b, c] = turn(triangle.corners);
   const auto [sideAB, sideBC, sideCA] = turn(triangle.sides);
   const std::uint32_t ab = sides_[sideAB].middle, bc = sides_[sideBC].middle,
@@ -135,26 +138,33 @@ void Surface::divide(const Triangle& triangle, const std::vector<float>& positio
 
   if (splits == 1) {
     const std::uint32_t inner = findSide(ab, c);
-    add({a, ab, c}, {halfOf(sideAB, a), inner, sideCA});
-    add({ab, b, c}, {halfOf(sideAB, b), sideBC, inner});
+    add({a, ab, c}, {halfOf(sideAB, a), inner, sideCA}, origin);
+    add({ab, b, c}, {halfOf(sideAB, b), sideBC, inner}, origin);
     return;
   }
   const std::uint32_t atB = findSide(ab, bc);
-  add({ab, b, bc}, {halfOf(sideAB, b), halfOf(sideBC, b), atB});
+  add({ab, b, bc}, {halfOf(sideAB, b), halfOf(sideBC, b), atB}, origin);
   if (splits == 3) {
     const std::uint32_t atC = findSide(bc, ca), atA = findSide(ca, ab);
-    add({bc, c, ca}, {halfOf(sideBC, c), halfOf(sideCA, c), atC});
-    add({ca, a, ab}, {halfOf(sideCA, a), halfOf(sideAB, a), atA});
-    add({ab, bc, ca}, {atB, atC, atA});
+    add({bc, c, ca}, {halfOf(sideBC, c), halfOf(sideCA, c), atC}, origin);
+    add({ca, a, ab}, {halfOf(sideCA, a), halfOf(sideAB, a), atA}, origin);
+    add({ab, bc, ca}, {atB, atC, atA}, origin);
   } else if (distance(positions, a, bc) <= distance(positions, ab, c)) {
     const std::uint32_t diagonal = findSide(a, bc);
-    add({a, ab, bc}, {halfOf(sideAB, a), atB, diagonal});
-    add({a, bc, c}, {diagonal, halfOf(sideBC, c), sideCA});
+    add({a, ab, bc}, {halfOf(sideAB, a), atB, diagonal}, origin);
+    add({a, bc, c}, {diagonal, halfOf(sideBC, c), sideCA}, origin);
   } else {
     const std::uint32_t diagonal = findSide(ab, c);
-    add({a, ab, c}, {halfOf(sideAB, a), diagonal, sideCA});
-    add({ab, bc, c}, {atB, halfOf(sideBC, c), diagonal});
+    add({a, ab, c}, {halfOf(sideAB, a), diagonal, sideCA}, origin);
+    add({ab, bc, c}, {atB, halfOf(sideBC, c), diagonal}, origin);
   }
+}
+
+Origins Surface::origins() const {
+  Origins origins{ends_, {}};
+  origins.triangles.reserve(triangles_.size());
+  for (const Triangle& triangle : triangles_) origins.triangles.push_back(triangle.origin);
+  return origins;
 }
 
 Mesh Surface::takeMesh() && {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "mesh/refine/subdivide.hpp"
 #include "mesh/surface/pairs.hpp"
 #include "mesh/surface/weld.hpp"
 
@@ -32,6 +33,7 @@ struct Side {
 struct Triangle {
   std::array<std::uint32_t, 3> corners;
   std::array<std::uint32_t, 3> sides;  // the first between the first two corners, and so on
+  std::uint32_t origin;                // the number of the one that came
   int longest;                         // of the sides
   bool isSliver;
   // How far the warped surface and its normals are off inside, once that is measured.
@@ -73,6 +75,7 @@ class Surface {
     triangles_[triangle].angle = angle;
   }
 
+  Origins origins() const;
   Mesh takeMesh() &&;
 
  private:
@@ -82,10 +85,11 @@ class Surface {
   bool isSlit(const Triangle& triangle) const;
   std::uint32_t halfOf(std::uint32_t side, std::uint32_t end) const;
   void split(std::uint32_t side);
-  void add(const Three& corners, const Three& sides);
+  void add(const Three& corners, const Three& sides, std::uint32_t origin);
   void divide(const Triangle& triangle, const std::vector<float>& positions);
 
   Mesh mesh_;
+  std::vector<std::uint32_t> ends_;  // of new vertices, two each
   Welder welder_;
   std::vector<std::uint32_t> welded_;  // by vertex, the number of its position
   Pairs edgesByEnds_, sidesByEnds_;

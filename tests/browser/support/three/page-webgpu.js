@@ -1,6 +1,8 @@
 // What tests ask of a page with WebGPURenderer, on both its backends, and 'warpjet/three/webgpu'.
 import * as THREE from 'three/webgpu'
-import { warp, warpNode } from 'warpjet/three/webgpu'
+import { WebGLRenderer } from 'three'
+import { warp } from 'warpjet/three'
+import { warpNode } from 'warpjet/three/webgpu'
 import * as scenes from './scenes.js'
 import * as wave from './wave.js'
 import { differing } from './pixels.js'
@@ -43,9 +45,10 @@ const sabotages = {
 }
 
 /** How many pixels differ between the warp and the motion → { differing, moved, afterwards }. */
-async function compare(name, { backend, light = 'directional', space, sabotage }) {
+async function compare(name, { backend, light = 'directional', space, sabotage, map = 'PCF' }) {
   const renderer = await rendererFor(backend)
   const make = scenes.shapes[name]
+  renderer.shadowMap.type = THREE[`${map}ShadowMap`]
   const before = await draw(renderer, scenes.sceneOf(scenes.unmoved(make), light))
   const expected = await draw(renderer, scenes.sceneOf(scenes.moved(make, space), light))
   const object = scenes.unmoved(make)
@@ -131,7 +134,73 @@ async function alongNormal({ backend }) {
   return { differing: differing(shown, expected), moved: differing(shown, before) }
 }
 
-window.three = { compare, names: Object.keys(scenes.shapes), normals, image, alongNormal }
+/** One object, warped once, drawn by both renderers, each against the motion as it draws it. */
+async function both({ backend }) {
+  const renderer = await rendererFor(backend)
+  const other = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true })
+  other.setSize(size, size)
+  const sceneOf = (object) => {
+    const scene = scenes.sceneOf(object, 'directional')
+    scene.traverse((part) => (part.castShadow = false))
+    return scene
+  }
+  const read = (scene) => {
+    other.render(scene, scenes.camera())
+    const gl = other.getContext()
+    const bytes = new Uint8Array(4 * size * size)
+    gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, bytes)
+    return bytes
+  }
+  const object = scenes.unmoved(scenes.shapes.plain)
+  const [before, scene] = [sceneOf(scenes.unmoved(scenes.shapes.plain)), sceneOf(object)]
+  const expected = sceneOf(scenes.moved(scenes.shapes.plain))
+  const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
+  warped.update(1000)
+  const found = {}
+  for (const [name, show] of [
+    ['webgl', read],
+    ['webgpu', (scene) => draw(renderer, scene)],
+  ]) {
+    const [shown, wanted] = [await show(scene), await show(expected)]
+    found[name] = {
+      differing: differing(shown, wanted),
+      moved: differing(wanted, await show(before)),
+    }
+  }
+  warped.dispose()
+  other.dispose()
+  return found
+}
+
+/** Warps and disposes many times → what three.js counts and the heap, before and after. */
+async function churn({ backend, times }) {
+  const renderer = await rendererFor(backend)
+  const object = scenes.shapes.plain()
+  const scene = scenes.sceneOf(object, 'directional')
+  const once = () => {
+    const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
+    warped.update(1000)
+    return draw(renderer, scene).then(() => warped.dispose())
+  }
+  const state = () => {
+    globalThis.gc?.()
+    return { ...renderer.info.memory, heap: performance.memory?.usedJSHeapSize }
+  }
+  for (let i = 0; i < 20; i++) await once()
+  const before = state()
+  for (let i = 0; i < times; i++) await once()
+  return { before, after: state() }
+}
+
+window.three = {
+  both,
+  churn,
+  compare,
+  names: Object.keys(scenes.shapes),
+  normals,
+  image,
+  alongNormal,
+}
 // Without somebody who holds it, the browser loses the device.
 window.gpu = navigator.gpu
 window.lib = { THREE, warp, warpNode, rendererFor, draw, scenes }

@@ -1,0 +1,56 @@
+// What a mesh of Babylon.js is for rays and for culling, as a warp has it.
+import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
+import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import { WarpError, describe } from '../checks/errors.js'
+import type { CpuWarp } from '../cpu/cpu-warp.js'
+import { warpProgram } from '../cpu/warp-program.js'
+
+const method = 'refresh'
+
+/** Where Babylon.js keeps what bones and morph targets have moved, for picking. */
+interface Kept {
+  _internalAbstractMeshDataInfo: { _positions: Vector3[] | null }
+}
+
+export function refreshMesh(cpu: CpuWarp, mesh: AbstractMesh, uniforms: { millis: number }) {
+  const positions = (mesh as Partial<AbstractMesh> | undefined)?.getPositionData?.(false, true)
+  if (!positions)
+    throw new WarpError(
+      `${method}: a mesh of Babylon.js with vertices was expected, but ${describe(mesh)} came.`,
+    )
+  if (!cpu[warpProgram].program())
+    throw new WarpError(
+      `${method}: this warp calls a glsl.fn or reads an image, which only the GPU can do; pick another mesh in its place.`,
+    )
+  const of = (kind: string, size: number) => {
+    const numbers = mesh.getVerticesData(kind)
+    return numbers && numbers.length === (positions.length / 3) * size ? numbers : undefined
+  }
+  const count = positions.length / 3
+  const normals = mesh.getNormalsData(false, true) ?? undefined
+  const uvs = of(VertexBuffer.UVKind, 2)
+  const colors = of(VertexBuffer.ColorKind, 4) ?? new Float32Array(4 * count).fill(1)
+  const vertices = { positions, colors, ...(normals && { normals }), ...(uvs && { uvs }) }
+  const warped = cpu.evaluate(vertices, { uniforms })
+  // Bones come after the warp.
+  put(mesh, mesh.getPositionData(true, false, warped.positions) ?? warped.positions)
+}
+
+function put(mesh: AbstractMesh, numbers: ArrayLike<number>) {
+  const points: Vector3[] = []
+  const [min, max] = [new Vector3(), new Vector3()]
+  min.setAll(Infinity)
+  max.setAll(-Infinity)
+  for (let i = 0; i < numbers.length; i += 3) {
+    const point = new Vector3(numbers[i], numbers[i + 1], numbers[i + 2])
+    points.push(point)
+    min.minimizeInPlace(point)
+    max.maximizeInPlace(point)
+  }
+  const { sourceMesh } = mesh as { sourceMesh?: AbstractMesh }
+  ;((sourceMesh ?? mesh) as unknown as Kept)._internalAbstractMeshDataInfo._positions = points
+  mesh.buildBoundingInfo(min, max, mesh.computeWorldMatrix(true))
+  for (const part of mesh.subMeshes.length > 1 ? mesh.subMeshes : [])
+    part.refreshBoundingInfo(numbers as Float32Array)
+}

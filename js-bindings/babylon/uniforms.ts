@@ -1,0 +1,89 @@
+// The uniforms of a warp in Babylon.js: the option's values, or those that `values` has in their place.
+import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
+import { WarpError, describe } from '../checks/errors.js'
+import { isCallable } from '../checks/options.js'
+import { type Shape, imageShape } from '../expression/shapes.js'
+import {
+  type DeclaredUniforms,
+  numbersFor,
+  readDeclared,
+  withUniforms,
+} from '../inputs/declared-uniforms.js'
+import type { OffsetFunction } from '../types/types.js'
+
+export interface BabylonUniform {
+  label: string
+  shape: Shape
+  numbers: () => number[]
+  /** If it is one. */
+  image?: () => BaseTexture
+}
+
+const isTexture = (value: unknown): value is BaseTexture =>
+  typeof (value as Partial<BaseTexture> | undefined)?.getInternalTexture === 'function'
+
+/** What `inputs/declared-uniforms.ts` knows an image by. */
+const plain = (value: unknown): unknown =>
+  isTexture(value) ? { width: 1, height: 1, texture: value } : withoutMethods(value)
+
+/** A Color3 has r, g and b, and a Matrix its numbers. */
+function withoutMethods(value: unknown): unknown {
+  const { r, g, b, a, m } = (value ?? {}) as Record<string, unknown>
+  if (r !== undefined && b !== undefined) return a === undefined ? [r, g, b] : [r, g, b, a]
+  return m ?? vectorOf(value)
+}
+
+function vectorOf(value: unknown): unknown {
+  if (typeof value !== 'object' || value === null || !('x' in value)) return value
+  const { x, y, z, w } = value as Record<string, unknown>
+  return [x, y, z, w].filter((part) => part !== undefined)
+}
+
+const now = (given: unknown) => plain(isCallable(given) ? (given as () => unknown)() : given)
+
+export function readUniforms(
+  method: string,
+  offset: OffsetFunction,
+  option: object | undefined,
+  values: Record<string, unknown>,
+) {
+  const wrapped =
+    option &&
+    Object.fromEntries(
+      Object.entries(option).map(([name, given]) => [
+        name,
+        isCallable(given) ? () => now(given) : plain(given),
+      ]),
+    )
+  const declared = readDeclared(method, wrapped)
+  const labels = new Map([...declared.keys()].map((name, i) => [name, `warpjet${i}`]))
+  const uniforms = [...declared].map(([name, { shape }]): BabylonUniform => {
+    const place = `The warp's uniform "${name}"`
+    const given = () => now(values[name] ?? (option as Record<string, unknown>)[name])
+    const label = labels.get(name)!
+    if (shape !== imageShape)
+      return { label, shape, numbers: () => numbersFor(place, shape, given()) }
+    const image = () => {
+      const { texture } = (given() ?? {}) as { texture?: BaseTexture }
+      if (texture) return texture
+      throw new WarpError(
+        `${place} must be a texture of Babylon.js, but is ${describe(values[name])}.`,
+      )
+    }
+    image()
+    return { label, shape, numbers: () => [], image }
+  })
+  const onCpu: DeclaredUniforms = new Map(
+    uniforms.map(({ label, shape, numbers, image }) => [
+      label,
+      {
+        shape,
+        numbers,
+        isFunction: true,
+        ...(image && { image: () => ({ width: 1, height: 1 }) }),
+      },
+    ]),
+  )
+  const labelled = withUniforms(method, offset, declared, (name) => labels.get(name)!)
+  return { labelled, uniforms, onCpu }
+}

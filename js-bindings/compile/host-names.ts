@@ -1,0 +1,10 @@
+// What a warp is called in the shaders of a host: all of it begins with warpjet, so that it meets nobody else's names.
+
+export const outputs = {
+  offset: 'warpjetOffset',
+  position: 'warpjetMoved',
+  normal: 'warpjetTurned',
+  tangent: 'warpjetSwung',
+}
+
+export const millisUniform = 'warpjetMillis'

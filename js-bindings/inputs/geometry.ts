@@ -1,0 +1,63 @@
+// Geometries of three.js as flat arrays. They are known by their shape: three.js is the application's own.
+
+/** What is used of a BufferAttribute or an InterleavedBufferAttribute. */
+export interface Attribute {
+  count: number
+  itemSize: number
+  normalized: boolean
+  array: ArrayLike<number>
+  getX(i: number): number
+  getY(i: number): number
+  getZ(i: number): number
+  getW(i: number): number
+}
+
+/** What is used of a BufferGeometry. */
+export interface Geometry {
+  readonly isBufferGeometry: true
+  attributes: Record<string, unknown>
+  index: { array: ArrayLike<number> } | null
+}
+
+export const isGeometry = (value: unknown): value is Geometry =>
+  (value as Partial<Geometry> | null | undefined)?.isBufferGeometry === true
+
+/** By what a mesh has of a vertex: three.js' name of it, and how many numbers. */
+export const geometryAttributes = {
+  positions: ['position', 3],
+  normals: ['normal', 3],
+  uvs: ['uv', 2],
+  colors: ['color', 4],
+  tangents: ['tangent', 4],
+} as const
+
+/** Its arrays, which are the geometry's own where they fit. */
+export function arraysOf({ attributes, index }: Geometry) {
+  const arrays: Record<string, Float32Array | Uint32Array> = {}
+  for (const [name, [attribute, size]] of Object.entries(geometryAttributes)) {
+    const given = attributes[attribute] as Attribute | undefined
+    // Colours without alpha are opaque.
+    if (given) arrays[name] = numbersOf(given, size, 1)
+  }
+  if (index) arrays.indices = Uint32Array.from(index.array)
+  return arrays
+}
+
+/** An attribute's numbers, as floats; `missing` is what it has too few of. */
+export function numbersOf(attribute: Attribute, size: number, missing = 0): Float32Array {
+  const { count, itemSize } = attribute
+  if (isPlain(attribute, size)) return attribute.array as Float32Array
+  const numbers = new Float32Array(count * size).fill(missing)
+  const parts = ['getX', 'getY', 'getZ', 'getW'] as const
+  for (let k = 0; k < Math.min(size, itemSize); k++) {
+    const part = parts[k]!
+    for (let i = 0; i < count; i++) numbers[i * size + k] = attribute[part](i)
+  }
+  return numbers
+}
+
+const isPlain = (attribute: Attribute, size: number) =>
+  !('data' in attribute) &&
+  attribute.array instanceof Float32Array &&
+  attribute.itemSize === size &&
+  attribute.array.length === size * attribute.count

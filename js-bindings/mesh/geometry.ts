@@ -1,0 +1,181 @@
+// Geometries of three.js coming out, as they came in: what is not known here is kept, or lies between its neighbours.
+import { WarpError } from '../checks/errors.js'
+import { type Attribute, type Geometry, geometryAttributes } from '../inputs/geometry.js'
+import type { Mesh } from './mesh-arrays.js'
+
+/** What is used of a BufferGeometry that is made. */
+interface Made extends Geometry {
+  attributes: Record<string, Attribute>
+  morphAttributes: Record<string, Attribute[]>
+  groups: Group[]
+  drawRange: Range
+  boundingBox: unknown
+  boundingSphere: unknown
+  userData: Record<string, unknown>
+  setIndex(index: unknown): void
+  setAttribute(name: string, attribute: unknown): void
+  setFromPoints(points: unknown[]): Made
+  copy(other: unknown): Made
+}
+
+interface Range {
+  start: number
+  count: number
+}
+interface Group extends Range {
+  materialIndex?: number
+}
+
+type GeometryClass = new () => Made
+type AttributeClass = new (array: unknown, size: number, normalized?: boolean) => Attribute
+
+/** What three.js' own methods make of a geometry, such as a BufferGeometry of a BoxGeometry. */
+export type Plain<Given> = Given extends { toNonIndexed(): infer Made } ? Made : Given
+
+/** The class that defines `method`, of which `value` is, maybe by others that extend it. */
+function classWith(value: object, method: string) {
+  let prototype: object | null = value
+  while (prototype && !Object.hasOwn(prototype, method))
+    prototype = Object.getPrototypeOf(prototype)
+  return prototype!.constructor
+}
+
+/** Classes of three.js, by a geometry: no import says where they are. */
+function classesOf(geometry: object) {
+  const method = 'isInstancedBufferGeometry' in geometry ? 'constructor' : 'setFromPoints'
+  const Plain = classWith(Object.getPrototypeOf(geometry) as object, method) as GeometryClass
+  const { position } = new Plain().setFromPoints([]).attributes
+  return { Plain, Numbers: classWith(position!, 'setXYZ') as AttributeClass }
+}
+
+/** A loaded mesh as a geometry of the class; what that has no place for is in its `userData`. */
+export function geometryAs(Class: new () => unknown, mesh: Mesh): unknown {
+  const made = new Class() as Made
+  const { Numbers } = classesOf(made)
+  put(made, mesh, Numbers)
+  if (mesh.indices) made.setIndex(new Numbers(mesh.indices, 1))
+  const { material, warnings } = mesh
+  Object.assign(made.userData, material && { material }, warnings && { warnings })
+  return made
+}
+
+function put(made: Made, mesh: Mesh, Numbers: AttributeClass) {
+  for (const [name, [attribute, size]] of Object.entries(geometryAttributes)) {
+    const numbers = mesh[name as keyof typeof geometryAttributes]
+    if (numbers) made.setAttribute(attribute, new Numbers(numbers, size))
+  }
+}
+
+/** A copy whose vertices have moved. */
+export function movedGeometry(method: string, given: Geometry, mesh: Mesh): unknown {
+  if (Object.values((given as Made).morphAttributes ?? {}).some((targets) => targets.length))
+    throw new WarpError(
+      `${method}: the geometry has morph targets, which would stay where the surface was; warp the mesh by warpjet/three, or take them away by geometry.morphAttributes = {}.`,
+    )
+  const { Plain, Numbers } = classesOf(given)
+  const made = withoutBounds(new Plain().copy(given))
+  const { positions, normals, tangents } = mesh
+  put(made, { positions, normals, ...(tangents && { tangents }) }, Numbers)
+  return made
+}
+
+/** As C++ has them: of new vertices two ends each, and of triangles the one that it is a part of. */
+export interface Origins {
+  ends: Uint32Array
+  triangles: Uint32Array
+}
+
+/** A finer geometry. Texture coordinates, colours, and what else there is lie between their neighbours as positions do. */
+export function finerGeometry(given: Geometry, mesh: Mesh, { ends, triangles }: Origins): unknown {
+  const { Plain, Numbers } = classesOf(given)
+  const made = withoutBounds(new Plain().copy(given))
+  const finer = (attribute: Attribute) => finerAttribute(attribute, ends, Numbers)
+  for (const [name, attribute] of Object.entries(made.attributes))
+    if (!('isInstancedBufferAttribute' in attribute)) made.setAttribute(name, finer(attribute))
+  for (const [name, targets] of Object.entries(made.morphAttributes))
+    made.morphAttributes[name] = targets.map(finer)
+  mergeBones(made, ends)
+  const { positions, normals, tangents } = mesh
+  put(made, { positions, normals, ...(tangents && { tangents }) }, Numbers)
+  if (mesh.indices) made.setIndex(new Numbers(mesh.indices, 1))
+  made.groups = made.groups.map((group) => ({ ...group, ...finerRange(group, triangles) }))
+  made.drawRange = finerRange(made.drawRange, triangles)
+  if (mesh.warnings) made.userData = { ...made.userData, warnings: mesh.warnings }
+  return made
+}
+
+function withoutBounds(made: Made) {
+  made.boundingBox = made.boundingSphere = null
+  return made
+}
+
+/** Triangles keep their order. */
+function finerRange({ start, count }: Range, triangles: Uint32Array): Range {
+  const before = (end: number) => triangles.findIndex((origin) => 3 * origin >= end)
+  const [first, last] = [before(start), before(start + count)]
+  const from = 3 * (first < 0 ? triangles.length : first)
+  return {
+    start: from,
+    count: last < 0 ? (count === Infinity ? count : 3 * triangles.length - from) : 3 * last - from,
+  }
+}
+
+/** Whole numbers that count something have nothing between them: there the first end has its way. */
+function finerAttribute(given: Attribute, ends: Uint32Array, Numbers: AttributeClass): Attribute {
+  const { itemSize: size, count, normalized } = given
+  const read = readerOf(given)
+  const List = given.array.constructor as new (length: number) => Float32Array
+  const numbers = new List(size * (count + ends.length / 2))
+  const isWhole = !(numbers instanceof Float32Array) && !('isFloat16BufferAttribute' in given)
+  for (let i = 0; i < count; i++) for (let k = 0; k < size; k++) numbers[size * i + k] = read(i, k)
+  for (let i = count, e = 0; e < ends.length; i++, e += 2)
+    for (let k = 0; k < size; k++) {
+      const [a, b] = [numbers[size * ends[e]! + k]!, numbers[size * ends[e + 1]! + k]!]
+      const middle = (a + b) / 2
+      numbers[size * i + k] = !isWhole ? middle : normalized ? Math.round(middle) : a
+    }
+  const made = new Numbers(numbers, size, normalized)
+  const { name, usage, gpuType } = given as never
+  return Object.assign(made, name && { name }, usage && { usage }, gpuType && { gpuType })
+}
+
+/** Its raw numbers, also where several attributes share an array. */
+function readerOf(given: Attribute) {
+  const { data, offset } = given as {
+    data?: { array: ArrayLike<number>; stride: number }
+    offset?: number
+  }
+  if (data) return (i: number, k: number) => data.array[data.stride * i + offset! + k]!
+  return (i: number, k: number) => given.array[given.itemSize * i + k]!
+}
+
+/** Between vertices of different bones it is moved by all of them: by the four that have most weight. */
+function mergeBones({ attributes }: Made, ends: Uint32Array) {
+  const { skinIndex, skinWeight } = attributes as Record<string, Attribute & Settable>
+  if (!skinIndex || !skinWeight) return
+  const parts = ['getX', 'getY', 'getZ', 'getW'] as const
+  const first = skinIndex.count - ends.length / 2
+  for (let e = 0; e < ends.length; e += 2) {
+    const weights = new Map<number, number>()
+    for (const end of [ends[e]!, ends[e + 1]!])
+      for (const part of parts) {
+        const bone = skinIndex[part](end)
+        weights.set(bone, (weights.get(bone) ?? 0) + skinWeight[part](end) / 2)
+      }
+    const all = [...weights.values()].reduce((sum, weight) => sum + weight)
+    const most = [...weights].sort(([, a], [, b]) => b - a).slice(0, 4)
+    const kept = most.reduce((sum, [, weight]) => sum + weight, 0)
+    while (most.length < 4) most.push([0, 0])
+    const four = (of: (each: [number, number]) => number) =>
+      most.map(of) as [number, number, number, number]
+    skinIndex.setXYZW(first + e / 2, ...four(([bone]) => bone))
+    skinWeight.setXYZW(
+      first + e / 2,
+      ...four(([, weight]) => (kept > 0 ? (weight * all) / kept : 0)),
+    )
+  }
+}
+
+interface Settable {
+  setXYZW(i: number, x: number, y: number, z: number, w: number): void
+}

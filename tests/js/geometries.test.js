@@ -1,0 +1,184 @@
+// 'warpjet/mesh' with geometries of three.js: they come back as such, with all that they had.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import * as THREE from 'three'
+import { compileWarp, WarpError } from 'warpjet'
+import { bakeWarp, exportGLB, loadMesh, subdivide, surfaceVariation } from 'warpjet/mesh'
+
+const up = compileWarp(({ glsl }) => glsl.vec3(0, 0, 1))
+
+const at = (attribute, i) =>
+  Array.from({ length: attribute.itemSize }, (_, k) => attribute.getComponent(i, k))
+
+/** By place, what `name` is there. */
+function byPlace({ attributes }, name) {
+  const found = new Map()
+  for (let i = 0; i < attributes.position.count; i++)
+    found.set(at(attributes.position, i).join(), at(attributes[name], i))
+  return found
+}
+
+/** A square of two triangles with all that a geometry may have; each attribute is linear in x and y. */
+function square() {
+  const geometry = new THREE.PlaneGeometry(2, 2)
+  const set = (name, Class, size, of, normalized) => {
+    const numbers = [0, 1, 2, 3].flatMap((i) => of(...at(geometry.attributes.position, i)))
+    geometry.setAttribute(name, new Class(numbers, size, normalized))
+  }
+  set('heat', THREE.Float32BufferAttribute, 1, (x, y) => [3 * x + y])
+  set('uv1', THREE.Float32BufferAttribute, 2, (x, y) => [x, 5 * y])
+  set('color', THREE.Uint8BufferAttribute, 3, (x, y) => [100 + 50 * x, 100 + 50 * y, 7], true)
+  set('kind', THREE.Uint16BufferAttribute, 1, (x) => [x > 0 ? 9 : 4])
+  const shared = new THREE.InterleavedBuffer(new Float32Array([1, 2, 3, 4, 5, 6, 7, 8]), 2)
+  geometry.setAttribute('second', new THREE.InterleavedBufferAttribute(shared, 1, 1))
+  const target = geometry.attributes.position.clone()
+  for (let i = 0; i < 4; i++) target.setZ(i, target.getX(i))
+  geometry.morphAttributes.position = [target]
+  geometry.addGroup(0, 3, 1)
+  geometry.addGroup(3, 3, 0)
+  geometry.userData.name = 'mine'
+  return geometry
+}
+
+describe('subdivide', () => {
+  const given = square()
+  const before = JSON.stringify(given.toJSON())
+  const finer = subdivide(given, { levels: 2 })
+
+  test('gives a BufferGeometry with 16 times the triangles, and leaves what came', () => {
+    assert.equal(finer.constructor, THREE.BufferGeometry)
+    assert.equal(finer.index.count, 2 * 16 * 3)
+    assert.equal(finer.attributes.position.count, 25)
+    assert.equal(finer.userData.name, 'mine')
+    assert.equal(JSON.stringify(given.toJSON()), before)
+  })
+
+  test('each attribute lies between its neighbours, in its own type', () => {
+    for (let i = 0; i < 25; i++) {
+      const [x, y] = at(finer.attributes.position, i)
+      assert.deepEqual(at(finer.attributes.heat, i), [3 * x + y])
+      assert.deepEqual(at(finer.attributes.uv1, i), [x, 5 * y])
+      assert.deepEqual(at(finer.attributes.uv, i), [(x + 1) / 2, (y + 1) / 2])
+      const [red, , blue] = at(finer.attributes.color, i)
+      assert.ok(Math.abs(255 * red - (100 + 50 * x)) <= 1 && Math.abs(255 * blue - 7) < 1e-6)
+      assert.ok([4, 9].includes(at(finer.attributes.kind, i)[0]))
+      assert.equal(at(finer.morphAttributes.position[0], i)[2], x)
+    }
+    assert.ok(
+      finer.attributes.color.array instanceof Uint8Array && finer.attributes.color.normalized,
+    )
+    // Of its corners in the array that it shares.
+    assert.deepEqual(
+      [0, 1, 2, 3].map((i) => finer.attributes.second.getX(i)),
+      [2, 4, 6, 8],
+    )
+    assert.deepEqual(byPlace(finer, 'second').get('0,0,0'), [5])
+  })
+
+  test('groups have the parts of their triangles', () => {
+    assert.deepEqual(finer.groups, [
+      { start: 0, count: 48, materialIndex: 1 },
+      { start: 48, count: 48, materialIndex: 0 },
+    ])
+    // The diagonal between the two triangles is x = y.
+    for (let i = 0; i < finer.index.count; i++) {
+      const [x, y] = at(finer.attributes.position, finer.index.getX(i))
+      assert.ok(i < 48 ? x <= y : x >= y)
+    }
+  })
+
+  test('where bones change, both move what lies between', () => {
+    const strip = new THREE.PlaneGeometry(1, 1)
+    strip.setAttribute(
+      'skinIndex',
+      new THREE.Uint16BufferAttribute([7, 0, 0, 0, 2, 0, 0, 0, 7, 0, 0, 0, 2, 3, 0, 0], 4),
+    )
+    strip.setAttribute(
+      'skinWeight',
+      new THREE.Float32BufferAttribute([1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0], 4),
+    )
+    const { attributes } = subdivide(strip, { levels: 1 })
+    const weights = (x, y) => {
+      for (let i = 0; i < attributes.position.count; i++)
+        if (at(attributes.position, i).join() === [x, y, 0].join())
+          return Object.fromEntries(
+            at(attributes.skinWeight, i).flatMap((w, k) =>
+              w ? [[at(attributes.skinIndex, i)[k], w]] : [],
+            ),
+          )
+    }
+    assert.deepEqual(weights(0, 0.5), { 7: 0.5, 2: 0.5 })
+    assert.deepEqual(weights(-0.5, 0), { 7: 1 })
+    assert.deepEqual(weights(0.5, 0), { 2: 0.75, 3: 0.25 })
+    assert.deepEqual(weights(0, -0.5), { 7: 0.5, 2: 0.25, 3: 0.25 })
+  })
+
+  test('for a warp, only where it bends', () => {
+    const bump = compileWarp(({ glsl, position }) =>
+      glsl.vec3(0, 0, position.dot(position).mult(-20).exp()),
+    )
+    const made = subdivide(square(), { warp: bump, tolerance: 0.01 })
+    assert.ok(made.index.count > 300)
+    for (let i = 0; i < made.attributes.position.count; i++) {
+      const [x, y] = at(made.attributes.position, i)
+      assert.ok(Math.abs(at(made.attributes.heat, i)[0] - (3 * x + y)) < 1e-5)
+    }
+    const full = subdivide(square(), { warp: bump, tolerance: 1e-6, maxTriangles: 100 })
+    assert.match(full.userData.warnings[0], /maxTriangles/)
+  })
+})
+
+describe('bakeWarp', () => {
+  test('moves the vertices of a geometry, which keeps everything else', () => {
+    const given = square()
+    given.morphAttributes = {}
+    given.computeBoundingSphere()
+    const baked = bakeWarp(given, up)
+    assert.equal(baked.constructor, THREE.BufferGeometry)
+    assert.equal(baked.boundingSphere, null)
+    for (let i = 0; i < 4; i++) {
+      const [x, y, z] = at(given.attributes.position, i)
+      assert.deepEqual(at(baked.attributes.position, i), [x, y, z + 1])
+      for (const name of ['uv', 'uv1', 'heat', 'color', 'kind', 'second'])
+        assert.deepEqual(at(baked.attributes[name], i), at(given.attributes[name], i), name)
+    }
+    assert.deepEqual(baked.groups, given.groups)
+    assert.equal(given.attributes.position.getZ(0), 0)
+    assert.equal(baked.toJSON().type, 'BufferGeometry')
+  })
+
+  test('refuses morph targets, which would stay', () => {
+    assert.throws(() => bakeWarp(square(), up), {
+      name: 'WarpError',
+      message: /^bakeWarp: the geometry has morph targets/,
+    })
+    assert.throws(() => bakeWarp(new THREE.BufferGeometry(), up), {
+      name: 'WarpError',
+      message: 'bakeWarp: the geometry has no attribute "position".',
+    })
+  })
+})
+
+test('other functions take geometries too', () => {
+  const geometry = new THREE.BoxGeometry()
+  assert.ok(exportGLB(geometry).length > 500)
+  assert.equal(
+    surfaceVariation(geometry).normalXGradients.length,
+    3 * geometry.attributes.position.count,
+  )
+})
+
+test('loadMesh gives a BufferGeometry where it is asked to', async () => {
+  const file = new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.5\nf 1/1 2/1 3/1\n')
+  const geometry = await loadMesh(file, { as: THREE.BufferGeometry })
+  assert.ok(geometry instanceof THREE.BufferGeometry)
+  assert.deepEqual([...geometry.attributes.position.array], [0, 0, 0, 1, 0, 0, 0, 1, 0])
+  assert.deepEqual(at(geometry.attributes.normal, 0), [0, 0, 1])
+  assert.equal(geometry.index.count, 3)
+  assert.deepEqual([...new THREE.Mesh(geometry).geometry.index.array], [0, 1, 2])
+  for (const as of [5, Array, class {}])
+    await assert.rejects(loadMesh(file, { as }), {
+      name: 'WarpError',
+      message: /^loadMesh: the option "as" must be the class BufferGeometry/,
+    })
+})
