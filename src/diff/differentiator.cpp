@@ -82,8 +82,8 @@ NodeId Differentiator::whole(const Tangent& tangent) {
 // The base of all operands, if they depend on the same components as the node does. What branches
 // begins with bases of its own: the one of the branch that is not taken may be infinite, and a
 // factor 0 before it would not keep it out.
-std::optional<NodeId> Differentiator::commonBase(NodeId id, const Tangents& tangents,
-                                                 const Components& components) const {
+std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& direction) const {
+  const auto& [input, tangents, components] = direction;
   if (graph_.isOperation(id) && ops::has(graph_.node(id).op, ops::Trait::Branches)) return {};
   std::optional<NodeId> base;
   const NodeId from = operandsOf(graph_, id);
@@ -99,11 +99,12 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Tangents& tang
   return base;
 }
 
-void Differentiator::findTangent(NodeId id, Tangents& tangents, const Components& components) {
+void Differentiator::findTangent(NodeId id, const Direction& direction) {
+  Tangents& tangents = direction.tangents;
   auto& [factor, base] = tangents.set(id) = {graph_.constant(1), graph_.constant(1)};
   // Not zero; who reads the call asks for the tangent of each argument.
   if (graph_.isList(id) || graph_.isOurCall(id)) return;
-  if (const auto common = commonBase(id, tangents, components)) {
+  if (const auto common = commonBase(id, direction)) {
     factor = chainRule(id, [&](NodeId operand) { return tangents[operand].factor; });
     base = *common;
     if (!canOverflow(id, tangents)) return;
@@ -151,38 +152,52 @@ NodeId Differentiator::chainRule(NodeId id, TangentOf tangent) {
   return sum.total();
 }
 
-NodeId Differentiator::derivative(NodeId root, NodeId input) {
-  forgetIfTooMuch();
-  const std::uint32_t variable = graph_.node(input).operands[0];
-  Components& components = components_[variable];
-  Tangents& tangents = tangents_[input];
-  const std::size_t before = components.bytes() + tangents.bytes();
+std::uint32_t Differentiator::componentsOf(NodeId id, const Direction& direction) const {
+  const Node& node = graph_.node(id);
+  // A state may come to depend on all.
+  if (graph_.isLocal(id)) return graph_.isStep(id) ? 0 : ~std::uint32_t{0};
+  const bool isOfInput =
+      graph_.isInput(id) && node.operands[0] == graph_.node(direction.input).operands[0];
+  std::uint32_t bits = isOfInput ? 1u << node.operands[1] : 0;
+  for (int i = 0; i < graph_.arity(id); ++i) bits |= direction.components[graph_.operand(id, i)];
+  return bits;
+}
+
+void Differentiator::visit(NodeId id, const Direction& direction) {
+  Tangents& tangents = direction.tangents;
   const NodeId zero = graph_.constant(0), one = graph_.constant(1);
-  const auto isKnown = [&](NodeId id) { return tangents[id].factor != noNode; };
-  const auto dependsOnInput = [&](NodeId id) {
+  const auto dependsOnInput = [&] {
     for (int i = 0; i < graph_.arity(id); ++i) {
       if (tangents[graph_.operand(id, i)].factor != zero) return true;
     }
     return false;
   };
-  const auto componentsOf = [&](NodeId id) {
-    const Node& node = graph_.node(id);
-    const bool isOfInput = graph_.isInput(id) && node.operands[0] == variable;
-    std::uint32_t bits = isOfInput ? 1u << node.operands[1] : 0;
-    for (int i = 0; i < graph_.arity(id); ++i) bits |= components[graph_.operand(id, i)];
-    return bits;
-  };
 
-  for (const NodeId id : reachable(graph_, {&root, 1}, isKnown)) {
-    if (const std::uint32_t bits = componentsOf(id)) components.set(id) = bits;
-    Tangent& tangent = tangents.set(id) = {zero, one};
-    if (id == input) {
-      tangent.factor = one;
-    } else if (dependsOnInput(id)) {
-      findTangent(id, tangents, components);
-      if (tangent.base == zero) tangent.factor = zero;
-    }
+  if (const std::uint32_t bits = componentsOf(id, direction)) direction.components.set(id) = bits;
+  if (graph_.has(localOp) && isWaiting(id, tangents)) return;
+  if (graph_.isFold(id)) return visitFold(id, direction);
+  Tangent& tangent = tangents.set(id) = {zero, one};
+  if (id == direction.input) {
+    tangent.factor = one;
+  } else if (graph_.isOutcome(id)) {
+    // The same variable's derivative, of the fold that has it too.
+    const NodeId fold = tangents[graph_.operand(id, 0)].factor;
+    const NodeId local = tangents[graph_.operand(id, 1)].factor;
+    if (local != zero && graph_.isFold(fold)) tangent.factor = graph_.outcome(fold, local);
+  } else if (dependsOnInput()) {
+    findTangent(id, direction);
+    if (tangent.base == zero) tangent.factor = zero;
   }
+}
+
+NodeId Differentiator::derivative(NodeId root, NodeId input) {
+  forgetIfTooMuch();
+  Components& components = components_[graph_.node(input).operands[0]];
+  Tangents& tangents = tangents_[input];
+  const std::size_t before = components.bytes() + tangents.bytes();
+  const auto isKnown = [&](NodeId id) { return tangents[id].factor != noNode; };
+  for (const NodeId id : reachable(graph_, {&root, 1}, isKnown))
+    visit(id, {input, tangents, components});
   bytes_ += components.bytes() + tangents.bytes() - before;
   return whole(tangents[root]);
 }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "diff/paged.hpp"
 #include "graph/graph.hpp"
@@ -17,7 +19,8 @@ class Differentiator {
   explicit Differentiator(Graph& graph) : graph_(graph) {}
 
   // d root / d input, where `input` is a component of an input. Other inputs are held constant.
-  // Calls of the host's functions on the way must have their partials.
+  // Calls of the host's functions on the way must have their partials, and `root` must read no
+  // variable of a loop outside of its fold.
   NodeId derivative(NodeId root, NodeId input);
 
   // What it remembers for later derivatives.
@@ -38,16 +41,31 @@ class Differentiator {
   // where it is needed. Hundreds of parameters of a million nodes would take all memory.
   static constexpr std::size_t mostBytes = std::size_t{1} << 27;
 
+  // What is known of one direction.
+  struct Direction {
+    NodeId input;
+    Tangents& tangents;
+    Components& components;
+  };
+
   void forgetIfTooMuch();
-  void findTangent(NodeId id, Tangents& tangents, const Components& components);
-  std::optional<NodeId> commonBase(NodeId id, const Tangents& tangents,
-                                   const Components& components) const;
+  void visit(NodeId id, const Direction& direction);
+  std::uint32_t componentsOf(NodeId id, const Direction& direction) const;
+  void findTangent(NodeId id, const Direction& direction);
+  std::optional<NodeId> commonBase(NodeId id, const Direction& direction) const;
   bool canOverflow(NodeId id, const Tangents& tangents);
   template <class TangentOf>
   NodeId chainRule(NodeId id, TangentOf tangent);
   NodeId whole(const Tangent& tangent);
 
+  bool isWaiting(NodeId id, const Tangents& tangents) const;
+  bool findTangents(std::span<const State> states, const Direction& direction);
+  void visitFold(NodeId id, const Direction& direction);
+  NodeId tangentState(NodeId local, NodeId input);
+
   Graph& graph_;
+  // By the variable of a state and an input, the variable of its derivative.
+  std::map<std::pair<NodeId, NodeId>, NodeId> tangentStates_;
   std::map<NodeId, Tangents> tangents_;
   std::map<std::uint32_t, Components> components_;  // by input
   std::size_t bytes_ = 0;                           // of both

@@ -42,6 +42,8 @@ struct Dialect {
   std::string_view declaration;   // of type $0, a variable $1 that gets its value later
   bool declaresSeveral;           // whether more of the type may follow in it
   std::string_view definition;    // of type $0, the temporary $1, up to its value
+  std::string_view variable;      // the same of one that gets other values later
+  std::string_view loop;          // that counts $0 from 0 up to below $1, up to its body
   std::string_view construction;  // a vector, matrix or struct of type $0 of the values $1
   std::string_view splat;         // a vector of type $0, all of whose components are $1
   std::string_view function;      // that gives $0, is named $1 and takes $2, up to its body

@@ -6,6 +6,7 @@
 #include "emit/statements.hpp"
 #include "emit/sums.hpp"
 #include "emit/writer.hpp"
+#include "graph/folds.hpp"
 #include "graph/reachable.hpp"
 #include "graph/schedule.hpp"
 
@@ -25,7 +26,9 @@ class Emitter {
         comments_(comments),
         inputs_(inputs),
         nodes_(reachable(graph, roots())),
-        writer_(graph, dialect) {}
+        writer_(graph, dialect) {
+    if (graph.has(foldOp)) loops_.emplace(graph, nodes_);
+  }
 
   Emitted run() {
     constexpr std::size_t usualLength = 24;
@@ -43,9 +46,7 @@ class Emitter {
   }
 
  private:
-  bool computes(NodeId id) const {
-    return !graph_.isLeaf(id) && !graph_.isList(id) && !graph_.isResult(id);
-  }
+  bool computes(NodeId id) const { return graph_.isOperation(id) || graph_.isCall(id); }
 
   std::vector<NodeId> roots() const {
     std::vector<NodeId> roots;
@@ -121,20 +122,81 @@ class Emitter {
 
   // The beginning of a statement.
   void define(std::string_view type, std::string_view name) {
-    statements_ += "  ";
-    fill(statements_, dialect_.definition, {type, name});
+    begin(dialect_.definition, type, name);
+  }
+  void begin(std::string_view form, std::string_view type, std::string_view name) {
+    statements_ += indent_;
+    fill(statements_, form, {type, name});
   }
 
   void writeStatements() {
-    const Statements statements = makeStatements(graph_, nodes_, outputs_, sums_, options_);
+    all_ = makeStatements(graph_, nodes_, loops_ ? &*loops_ : nullptr, outputs_, sums_, options_);
+    writeBody(all_[0]);
+  }
+
+  void writeBody(const Statements& statements) {
     for (const std::uint32_t i : schedule(statements.work)) {
       const Statement& statement = statements.all[i];
-      if (statement.node) {
-        compute(*statement.node, statement.output);
-      } else {
+      if (!statement.node) {
         assign(*statement.output);
+      } else if (graph_.isFold(*statement.node)) {
+        writeLoop(graph_.loopOf(*statement.node));
+        continue;
+      } else {
+        compute(*statement.node, statement.output);
       }
       statements_ += ";\n";
+    }
+  }
+
+  // Variables live on behind the loop, where they are the outcome.
+  void writeLoop(std::uint32_t loop) {
+    const std::vector<State>& states = loops_->statesOf(loop);
+    const std::string_view type = dialect_.typeName(ops::Type::Float, oneNumber);
+    std::vector<std::string> variables;
+    for (const State& state : states) {
+      variables.push_back(temporaries_.next());
+      begin(dialect_.variable, type, variables.back());
+      writer_.writeValue(statements_, oneNumber, {&state.start, 1});
+      statements_ += ";\n";
+    }
+    for (std::size_t i = 0; i < states.size(); ++i) writer_.name(states[i].local, variables[i]);
+    const std::string counter = temporaries_.next();
+    statements_ += indent_;
+    fill(statements_, dialect_.loop, {counter, std::to_string(graph_.loop(loop).steps)});
+    indent_ += "  ";
+    if (const auto step = loops_->stepOf(loop)) {
+      const std::string number = temporaries_.next();
+      define(type, number);
+      fill(statements_, dialect_.construction, {type, counter});
+      statements_ += ";\n";
+      writer_.name(*step, number);
+    }
+    writeBody(all_[loop + 1]);
+    assignStates(states);
+    indent_.resize(indent_.size() - 2);
+    statements_ += indent_ + "}\n";
+    result_.temporaries += states.size();
+  }
+
+  // All at once: what is read from a variable that is assigned too is kept before.
+  void assignStates(std::span<const State> states) {
+    std::vector<std::string> sources;
+    for (const auto& [local, start, next] : states) {
+      std::string& source = sources.emplace_back();
+      if (next == local) continue;
+      writer_.writeValue(source, oneNumber, {&next, 1});
+      const bool isOwn = !graph_.isLocal(next) && !graph_.is(next, ops::find("neg"));
+      if (isOwn || graph_.isStep(next) || (writer_.isNamed(next) && !graph_.isLocal(next)))
+        continue;
+      const std::string kept = temporaries_.next();
+      define(dialect_.typeName(ops::Type::Float, oneNumber), kept);
+      statements_ += source + ";\n";
+      source = kept;
+    }
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (!sources[i].empty())
+        statements_ += indent_ + writer_.nameOf(states[i].local) + " = " + sources[i] + ";\n";
     }
   }
 
@@ -142,7 +204,7 @@ class Emitter {
     writeComment(id);
     std::string name = output ? output->name : temporaries_.next();
     if (output) {
-      statements_ += "  " + name + " = ";
+      statements_ += indent_ + name + " = ";
     } else {
       define(writer_.typeOf(id), name);
       ++result_.temporaries;
@@ -152,7 +214,7 @@ class Emitter {
   }
 
   void assign(const Output& output) {
-    statements_ += "  " + output.name + " = ";
+    statements_ += indent_ + output.name + " = ";
     if (const auto& sum = sums_[static_cast<std::size_t>(&output - outputs_.data())]) {
       statements_ += writer_.inputName(sum->input) + " + " + outputs_[sum->output].name;
     } else {
@@ -162,7 +224,7 @@ class Emitter {
 
   void writeComment(NodeId id) {
     if (const Comments::Range* comment = comments_.find(id))
-      statements_ += "  // " + comments_.texts[comment->text] + '\n';
+      statements_ += indent_ + "// " + comments_.texts[comment->text] + '\n';
   }
 
   // Results are declared outside of a block that holds the temporaries, so that two texts can be
@@ -190,8 +252,11 @@ class Emitter {
   const Comments& comments_;
   std::span<const std::string> inputs_;
   std::vector<NodeId> nodes_;
+  std::optional<Loops> loops_;
   Writer writer_;
   Temporaries temporaries_;
+  std::vector<Statements> all_;  // outside of all loops, then by loop
+  std::string indent_ = "  ";
   std::string statements_;
   Emitted result_;
 };

@@ -11,9 +11,10 @@ inline constexpr std::array<std::array<std::string_view, 3>, 2> vectors{
 // Images have low precision unless told otherwise, which cuts heights off.
 inline constexpr std::string_view image = "highp sampler2D";
 
-inline constexpr std::string_view declaration = "$0 $1",
-                                  definition = "$0 $1 = ", construction = "$0($1)",
-                                  splat = "$0($1)", function = "$0 $1($2) {\n", parameter = "$0 $1",
+inline constexpr std::string_view declaration = "$0 $1", definition = "$0 $1 = ",
+                                  loop = "for (int $0 = 0; $0 < $1; $0++) {\n",
+                                  construction = "$0($1)", splat = "$0($1)",
+                                  function = "$0 $1($2) {\n", parameter = "$0 $1",
                                   structure = "struct $0 {$1 };\n", member = " $0 $1;";
 
 // WebGL 1.0, section 6.21; WebGL 2 allows 1024, but a warp should do in both.

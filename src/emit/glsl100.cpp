@@ -43,6 +43,8 @@ const Dialect glsl100{
     .declaration = glsl::declaration,
     .declaresSeveral = true,
     .definition = glsl::definition,
+    .variable = glsl::definition,
+    .loop = glsl::loop,
     .construction = glsl::construction,
     .splat = glsl::splat,
     .function = glsl::function,

@@ -60,6 +60,8 @@ const Dialect glsl300{
     .declaration = glsl::declaration,
     .declaresSeveral = true,
     .definition = glsl::definition,
+    .variable = glsl::definition,
+    .loop = glsl::loop,
     .construction = glsl::construction,
     .splat = glsl::splat,
     .function = glsl::function,

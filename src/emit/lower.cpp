@@ -53,7 +53,7 @@ class Lowering {
 
   // Operands are visited before their users.
   void visit(NodeId id) {
-    if (graph_.isLeaf(id) || graph_.isList(id)) return;
+    if (graph_.isLeaf(id) || graph_.isList(id) || graph_.isOfStates(id)) return;
     const NodeId first = end();
     lowered_[index(id)] = replacement(id);
     const Comments::Range* comment = comments_.find(id);
@@ -67,7 +67,19 @@ class Lowering {
     if (graph_.isCall(id)) return visitCall(id);
     if (graph_.isResult(id))
       return graph_.result(lowered(graph_.operand(id, 0)), graph_.resultNumber(id));
+    if (graph_.isFold(id)) return visitFold(id);
+    if (graph_.isOutcome(id))
+      return graph_.outcome(lowered(graph_.operand(id, 0)), graph_.operand(id, 1));
     return visitOperation(id);
+  }
+
+  NodeId visitFold(NodeId id) {
+    std::vector<State> states = graph_.states(id);
+    for (auto& [local, start, next] : states) {
+      start = lowered(start);
+      next = lowered(next);
+    }
+    return graph_.fold(graph_.loopOf(id), states);
   }
 
   NodeId visitOperation(NodeId id) {

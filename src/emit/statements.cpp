@@ -8,22 +8,30 @@ namespace {
 
 class Maker {
  public:
-  Maker(const Graph& graph, std::span<const Output> outputs,
+  Maker(const Graph& graph, const Loops* loops, std::span<const Output> outputs,
         std::span<const std::optional<Sum>> sums, const EmitOptions& options)
-      : graph_(graph), outputs_(outputs), sums_(sums), options_(options), states_(graph.size()) {}
+      : graph_(graph),
+        loops_(loops),
+        outputs_(outputs),
+        sums_(sums),
+        options_(options),
+        states_(graph.size()),
+        all_(loops ? graph.loopCount() + 1 : 1) {}
 
-  Statements run(std::span<const NodeId> nodes) {
+  std::vector<Statements> run(std::span<const NodeId> nodes) {
     countUses(nodes);
     findScalarOutputs();
-    for (const NodeId id : nodes) {
+    if (loops_) findCaptured();
+    for (const NodeId id : loops_ ? std::span(loops_->order()) : nodes) {
       if (!graph_.isLeaf(id)) visit(id);
     }
+    made_ = &all_[0];
     for (std::size_t i = 0; i < outputs_.size(); ++i) assign(outputs_[i], sums_[i]);
-    return std::move(made_);
+    return std::move(all_);
   }
 
  private:
-  // A set of statements, as a part of `made_.work.reads`.
+  // A set of statements of one body, as a part of its `work.reads`.
   struct Set {
     std::uint32_t first = 0, count = 0;
   };
@@ -34,6 +42,7 @@ class Maker {
     int depth = 0;  // of the operations in its text
     Set reads;      // of its text
     const Output* output = nullptr;
+    bool isForced = false;
   };
 
   State& state(NodeId id) { return states_[index(id)]; }
@@ -57,8 +66,55 @@ class Maker {
     }
   }
 
+  std::uint32_t loopOf(NodeId id) const { return loops_ ? loops_->loopOf(id) : Loops::outside; }
+
+  // What a body reads from outside of it is computed before it, as is what a state becomes at the
+  // end of a step.
+  void findCaptured() {
+    captured_.resize(graph_.loopCount());
+    for (const NodeId id : loops_->order()) {
+      if (graph_.isFold(id)) {
+        const std::uint32_t loop = graph_.loopOf(id);
+        for (const auto& [local, start, next] : loops_->statesOf(loop)) {
+          state(next).isForced = true;
+          read(start, loops_->loopOf(id));
+          read(next, loop);
+        }
+      } else if (!graph_.isOutcome(id)) {
+        for (int i = 0; i < graph_.arity(id); ++i) read(graph_.operand(id, i), loopOf(id));
+      }
+    }
+  }
+
+  // In the body of that loop, or outside of all.
+  void read(NodeId id, std::uint32_t loop) {
+    if (loopOf(id) == loop) return;
+    if (graph_.isList(id)) {
+      for (int i = 0; i < graph_.arity(id); ++i) read(graph_.operand(id, i), loop);
+      return;
+    }
+    state(id).isForced = true;
+    for (; loop != loopOf(id); loop = loops_->around(loop)) captured_[loop].push_back(id);
+  }
+
+  void visitFold(NodeId id) {
+    const std::uint32_t loop = graph_.loopOf(id);
+    if (loopStatements_.empty()) loopStatements_.resize(graph_.loopCount(), none);
+    std::uint32_t& statement = loopStatements_[loop];
+    if (statement == none) {
+      Set set = emptySet();
+      for (const auto& [local, start, next] : loops_->statesOf(loop)) include(set, start);
+      for (const NodeId read : captured_[loop]) include(set, read);
+      statement = add({id, nullptr}, set);
+    }
+    state(id).statement = statement;
+  }
+
   // Operands before users.
   void visit(NodeId id) {
+    loop_ = loopOf(id);
+    made_ = &all_[loop_ == Loops::outside ? 0 : loop_ + 1];
+    if (graph_.isFold(id)) return visitFold(id);
     State& it = state(id);
     it.reads = readsOfOperands(id);
     if (!graph_.isList(id) && it.reads.count > options_.maxReads) it.reads = readFewer(id);
@@ -70,13 +126,13 @@ class Maker {
     if (graph_.isList(id)) return;
     if (graph_.isOurCall(id)) return makeStatement(id);
     ++it.depth;
-    const bool isShared = it.uses > 1 && !isCheap(id);
+    const bool isShared = (it.uses > 1 || it.isForced) && !isCheap(id);
     if (isShared || it.output || it.depth >= options_.maxDepth) makeStatement(id);
   }
 
   // Not worth a temporary: the negative of a variable, and one of several results.
   bool isCheap(NodeId id) const {
-    if (graph_.isResult(id)) return true;
+    if (graph_.isResult(id) || graph_.isOutcome(id)) return true;
     return graph_.is(id, ops::find("neg")) && graph_.isLeaf(graph_.operand(id, 0));
   }
 
@@ -86,14 +142,15 @@ class Maker {
   }
 
   std::uint32_t add(const Statement& statement, Set reads) {
-    made_.all.push_back(statement);
-    made_.work.tasks.push_back({reads.first, reads.count, statement.output != nullptr});
-    return static_cast<std::uint32_t>(made_.all.size() - 1);
+    made_->all.push_back(statement);
+    made_->work.tasks.push_back({reads.first, reads.count, statement.output != nullptr});
+    return static_cast<std::uint32_t>(made_->all.size() - 1);
   }
 
   Set readsOfOperands(NodeId id) {
     // Most operations read what one of their operands does, and share its set.
-    if (graph_.arity(id) == 1 && state(graph_.operand(id, 0)).statement == none)
+    const bool isSame = graph_.arity(id) == 1 && loopOf(graph_.operand(id, 0)) == loop_;
+    if (isSame && state(graph_.operand(id, 0)).statement == none)
       return state(graph_.operand(id, 0)).reads;
     Set set = emptySet();
     for (int i = 0; i < graph_.arity(id); ++i) include(set, graph_.operand(id, i));
@@ -124,20 +181,21 @@ class Maker {
     return state(id).statement == none ? state(id).reads.count : 0;
   }
 
-  Set emptySet() const { return {static_cast<std::uint32_t>(made_.work.reads.size()), 0}; }
+  Set emptySet() const { return {static_cast<std::uint32_t>(made_->work.reads.size()), 0}; }
 
   // Adds what is read where the node is used. The set must be the last one.
   void include(Set& set, NodeId id) {
+    if (loopOf(id) != loop_) return;  // computed before the body begins
     const State& it = state(id);
     if (it.statement != none) return include(set, it.statement);
     for (std::uint32_t i = 0; i < it.reads.count; ++i)
-      include(set, made_.work.reads[it.reads.first + i]);
+      include(set, made_->work.reads[it.reads.first + i]);
   }
 
   void include(Set& set, std::uint32_t statement) {
-    const auto begin = made_.work.reads.begin() + set.first;
-    if (std::find(begin, made_.work.reads.end(), statement) != made_.work.reads.end()) return;
-    made_.work.reads.push_back(statement);
+    const auto begin = made_->work.reads.begin() + set.first;
+    if (std::find(begin, made_->work.reads.end(), statement) != made_->work.reads.end()) return;
+    made_->work.reads.push_back(statement);
     ++set.count;
   }
 
@@ -155,20 +213,26 @@ class Maker {
   }
 
   const Graph& graph_;
+  const Loops* loops_;
   std::span<const Output> outputs_;
   std::span<const std::optional<Sum>> sums_;
   const EmitOptions& options_;
-  std::vector<State> states_;            // by node
-  std::vector<std::uint32_t> assigned_;  // by output, its statement
-  Statements made_;
+  std::vector<State> states_;                  // by node
+  std::vector<std::uint32_t> assigned_;        // by output, its statement
+  std::vector<std::vector<NodeId>> captured_;  // by loop, what its body reads from outside
+  std::vector<std::uint32_t> loopStatements_;  // by loop
+  std::vector<Statements> all_;                // outside of all loops, then by loop
+  std::uint32_t loop_ = Loops::outside;        // where statements are being made
+  Statements* made_ = nullptr;                 // those
 };
 
 }  // namespace
 
-Statements makeStatements(const Graph& graph, std::span<const NodeId> nodes,
-                          std::span<const Output> outputs, std::span<const std::optional<Sum>> sums,
-                          const EmitOptions& options) {
-  return Maker(graph, outputs, sums, options).run(nodes);
+std::vector<Statements> makeStatements(const Graph& graph, std::span<const NodeId> nodes,
+                                       const Loops* loops, std::span<const Output> outputs,
+                                       std::span<const std::optional<Sum>> sums,
+                                       const EmitOptions& options) {
+  return Maker(graph, loops, outputs, sums, options).run(nodes);
 }
 
 }  // namespace warpjet

@@ -7,13 +7,14 @@
 
 #include "emit/emit.hpp"
 #include "emit/sums.hpp"
-#include "graph/graph.hpp"
+#include "graph/folds.hpp"
 #include "graph/schedule.hpp"
 
 namespace warpjet {
 
 struct Statement {
-  // What it computes, unless it assigns an output from what others have computed.
+  // What it computes, unless it assigns an output from what others have computed. A fold stands for
+  // its loop.
   std::optional<NodeId> node;
   // The output that it assigns; null for a temporary.
   const Output* output;
@@ -25,9 +26,12 @@ struct Statements {
   Work work;
 };
 
-// `nodes` are all that the outputs need, ascending; `sums` says which of them are sums.
-Statements makeStatements(const Graph& graph, std::span<const NodeId> nodes,
-                          std::span<const Output> outputs, std::span<const std::optional<Sum>> sums,
-                          const EmitOptions& options);
+// Those outside of all loops, then those of the body of each loop. `nodes` are all that the outputs
+// need, ascending, and `loops` what they are in, unless there are none; `sums` says which of the
+// outputs are sums.
+std::vector<Statements> makeStatements(const Graph& graph, std::span<const NodeId> nodes,
+                                       const Loops* loops, std::span<const Output> outputs,
+                                       std::span<const std::optional<Sum>> sums,
+                                       const EmitOptions& options);
 
 }  // namespace warpjet

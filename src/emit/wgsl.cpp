@@ -77,6 +77,8 @@ const Dialect wgsl{
     .declaration = "var $1: $0",
     .declaresSeveral = false,
     .definition = "let $1 = ",
+    .variable = "var $1 = ",
+    .loop = "for (var $0 = 0; $0 < $1; $0++) {\n",
     .construction = "$0($1)",
     .splat = "$0($1)",
     .function = "fn $1($2) -> $0 {\n",

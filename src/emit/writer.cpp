@@ -80,6 +80,8 @@ void Writer::writeLeaf(std::string& text, NodeId id) {
 void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
   if (isNamed(id)) {
     text += nameOf(id);
+  } else if (graph_.isOutcome(id)) {
+    text += nameOf(graph_.operand(id, 1));
   } else if (graph_.isLeaf(id)) {
     writeLeaf(text, id);
   } else if (graph_.isResult(id)) {
@@ -117,6 +119,10 @@ void Writer::write(std::string& text, NodeId id) {
 
 void Writer::writeOperation(std::string& text, NodeId id) {
   if (graph_.isResult(id)) return writeResult(text, id);
+  if (graph_.isOutcome(id)) {
+    text += nameOf(graph_.operand(id, 1));
+    return;
+  }
   frames_.push_back({id, textOf(id), false});
   finish(text);
 }

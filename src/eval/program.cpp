@@ -27,7 +27,7 @@ std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots
   Program program;
   std::vector<std::uint32_t> instructionOf(graph.size());
   for (const NodeId id : reachable(graph, roots)) {
-    if (graph.isCall(id)) return std::nullopt;
+    if (graph.isCall(id) || graph.isFold(id)) return std::nullopt;
     auto [operands, op] = graph.node(id);
     if (graph.isInput(id)) operands[0] = places[operands[0]] + operands[1];
     for (int i = 0; i < graph.arity(id); ++i) operands[i] = instructionOf[operands[i]];
@@ -45,12 +45,12 @@ ModuleProgram program(const Module& module, std::span<const std::uint32_t> resul
     const std::vector<NodeId>& components = module.outputs[number].components;
     roots.insert(roots.end(), components.begin(), components.end());
   }
-  bool callsOurs = false;
+  bool hasBodies = false;
   for (const NodeId id : reachable(module.graph, roots)) {
     if (isImage(module.graph, id)) return {};
-    callsOurs |= module.graph.isOurCall(id);
+    hasBodies |= module.graph.isOurCall(id) || module.graph.isFold(id);
   }
-  if (!callsOurs) return {program(module.graph, roots)};
+  if (!hasBodies) return {program(module.graph, roots)};
   Graph graph = module.graph.copy();
   Library library = module.library.fresh();
   const std::vector<NodeId> inlined = inlineCalls(graph, library, roots);

@@ -23,10 +23,11 @@ struct Program {
 
 // Numbers are given to the program for all inputs of the graph but images in order, component by
 // component.
-// Nothing if the program would have to call a function of the host.
+// Nothing if the program would have to call a function of the host, or to run a loop.
 std::optional<Program> program(const Graph& graph, std::span<const NodeId> roots);
 
-// Of these results of a module, in this order, with the bodies of our functions in it. Nothing if a
+// Of these results of a module, in this order, with the bodies of our functions in it, and those of
+// folds as often as they are run. Nothing if a
 // function or an image of the host is needed for them, or, which is a problem, if they are too many
 // operations.
 struct ModuleProgram {

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "functions/library.hpp"
+#include "graph/folds.hpp"
 #include "graph/multi_index.hpp"
 #include "graph/reachable.hpp"
 
@@ -11,10 +14,22 @@ class Inliner {
   Inliner(Graph& graph, Library& library)
       : graph_(graph), library_(library), inlined_(graph.size(), noNode) {}
 
-  // Operands are visited before their users.
-  void visit(NodeId id) {
-    if (graph_.isList(id) || graph_.isOurCall(id)) return;
-    inlined_[index(id)] = replacement(id);
+  void run(std::span<const NodeId> nodes) {
+    if (!graph_.has(foldOp)) return visitAll(nodes);
+    const Loops loops(graph_, nodes);
+    bodies_.resize(graph_.loopCount());
+    std::vector<NodeId> others;
+    std::vector<bool> isKnown(graph_.loopCount());
+    for (const NodeId id : loops.order()) {
+      if (graph_.isFold(id)) {
+        if (isKnown[graph_.loopOf(id)]) continue;
+        isKnown[graph_.loopOf(id)] = true;
+      }
+      const std::uint32_t loop = loops.loopOf(id);
+      (loop == Loops::outside ? others : bodies_[loop]).push_back(id);
+    }
+    loops_ = &loops;
+    visitAll(others);
   }
 
   NodeId inlined(NodeId id) const { return inlined_[index(id)]; }
@@ -26,6 +41,38 @@ class Inliner {
     std::vector<NodeId> nodes = {};
   };
 
+  // Operands are visited before their users.
+  void visitAll(std::span<const NodeId> nodes) {
+    for (const NodeId id : nodes) visit(id);
+  }
+
+  void visit(NodeId id) {
+    if (graph_.isFold(id)) return unroll(graph_.loopOf(id));
+    if (graph_.isList(id) || graph_.isOurCall(id) || graph_.isLocal(id)) return;
+    inlined_[index(id)] = replacement(id);
+  }
+
+  // Each variable of the loop is what it is in that step, and after it what it is in the end.
+  void unroll(std::uint32_t loop) {
+    const std::vector<State>& states = loops_->statesOf(loop);
+    std::vector<NodeId> now;
+    for (const State& state : states) now.push_back(inlined(state.start));
+    const auto assign = [&] {
+      for (std::size_t i = 0; i < states.size(); ++i) inlined_[index(states[i].local)] = now[i];
+    };
+    assign();
+    const NodeId number = graph_.stepOf(loop);
+    inlined_.resize(std::max(inlined_.size(), std::size_t{index(number)} + 1), noNode);
+    for (std::uint32_t step = 0; step < graph_.loop(loop).steps && !graph_.full(); ++step) {
+      inlined_[index(number)] = graph_.constant(step);
+      const std::size_t before = copies_.size();
+      visitAll(bodies_[loop]);
+      copies_.resize(before, Copy{noNode});
+      for (std::size_t i = 0; i < states.size(); ++i) now[i] = inlined(states[i].next);
+      assign();
+    }
+  }
+
   Copy& copyOf(NodeId call) {
     for (Copy& copy : copies_) {
       if (copy.call == call) return copy;
@@ -36,6 +83,7 @@ class Inliner {
   NodeId replacement(NodeId id) {
     if (graph_.isLeaf(id)) return id;
     if (graph_.isResult(id)) return result(id);
+    if (graph_.isOutcome(id)) return inlined(graph_.operand(id, 1));
     if (graph_.isCall(id)) return graph_.call(graph_.node(id).operands[1], argumentsOf(id));
     Operands<NodeId> operands{};
     bool changed = false;
@@ -92,6 +140,8 @@ class Inliner {
   Library& library_;
   std::vector<NodeId> inlined_;  // by node
   std::vector<Copy> copies_;
+  const Loops* loops_ = nullptr;
+  std::vector<std::vector<NodeId>> bodies_;  // by loop, without those of loops within it
 };
 
 bool hasOurCalls(const Graph& graph) {
@@ -105,9 +155,9 @@ bool hasOurCalls(const Graph& graph) {
 
 std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots) {
   std::vector<NodeId> found(roots.begin(), roots.end());
-  if (!hasOurCalls(graph)) return found;
+  if (!hasOurCalls(graph) && !graph.has(foldOp)) return found;
   Inliner inliner(graph, library);
-  for (const NodeId id : reachable(graph, roots)) inliner.visit(id);
+  inliner.run(reachable(graph, roots));
   for (NodeId& root : found) root = inliner.inlined(root);
   return found;
 }

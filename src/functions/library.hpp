@@ -50,7 +50,8 @@ class Library {
   std::vector<std::unique_ptr<Body>> bodies_;
 };
 
-// The same nodes with the bodies of our functions in the place of calls, in the same graph.
+// The same nodes with the bodies of our functions in the place of calls, and those of folds as
+// often as they are run, in the same graph.
 std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots);
 
 }  // namespace warpjet

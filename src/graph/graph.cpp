@@ -46,10 +46,12 @@ bool fitsFloat32(double value) {
 Graph::Graph(std::size_t capacity, Simplification simplification)
     : table_(initialTableSize), capacity_(capacity), simplification_(simplification) {}
 
-Graph::Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Function> functions)
+Graph::Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Function> functions,
+             std::vector<Loop> loops)
     : nodes_(std::move(nodes)),
       inputs_(std::move(inputs)),
       functions_(std::move(functions)),
+      loops_(std::move(loops)),
       capacity_(nodes_.size()),
       simplification_(Simplification::On) {
   for (const Node& node : nodes_) has_[index(node.op)] = true;

@@ -1,7 +1,8 @@
 // The expression graph: operations enter, interned and folded scalar nodes leave.
 //
 // Every node is one float or one bool, but for images, lists of arguments, and calls of functions
-// of ours, which only calls and results read; a vec3 is three ids, held by whoever wants a vector.
+// of ours, which only calls and results read, and what folds are made of; a vec3 is three ids, held
+// by whoever wants a vector.
 // Equal nodes are one node, so a value and its derivatives share their work. Operands always have
 // smaller ids than their users, so ascending ids are a topological order and nothing recurses by
 // depth. The graph knows nothing of shaders: an input is a label and a component, a function of the
@@ -32,21 +33,29 @@ constexpr std::uint32_t index(NodeId id) { return static_cast<std::uint32_t>(id)
 constexpr std::size_t index(Op op) { return static_cast<std::size_t>(op); }
 
 // The kinds of nodes that are no rows of the table, numbered after them: two kinds of leaves, a
-// call of a function, whose arguments are a list, and one result of a call that has several.
+// call of a function, whose arguments are a list, and one result of a call that has several. A
+// fold, the loop, is four kinds more: see graph/folds.hpp.
 inline constexpr Op constantOp{static_cast<std::uint8_t>(ops::count)};
 inline constexpr Op inputOp{static_cast<std::uint8_t>(ops::count + 1)};
 inline constexpr Op callOp{static_cast<std::uint8_t>(ops::count + 2)};
 inline constexpr Op listOp{static_cast<std::uint8_t>(ops::count + 3)};
 inline constexpr Op resultOp{static_cast<std::uint8_t>(ops::count + 4)};
+inline constexpr Op localOp{static_cast<std::uint8_t>(ops::count + 5)};
+inline constexpr Op stateOp{static_cast<std::uint8_t>(ops::count + 6)};
+inline constexpr Op foldOp{static_cast<std::uint8_t>(ops::count + 7)};
+inline constexpr Op outcomeOp{static_cast<std::uint8_t>(ops::count + 8)};
 
 // How many operands are nodes, by operation.
 inline constexpr auto arities = [] {
-  std::array<std::uint8_t, ops::count + 5> all{};
+  std::array<std::uint8_t, ops::count + 9> all{};
   for (std::size_t i = 0; i < ops::count; ++i)
     all[i] = static_cast<std::uint8_t>(ops::infos[i].arity);
   all[index(callOp)] = 1;
   all[index(listOp)] = 2;
   all[index(resultOp)] = 1;
+  all[index(stateOp)] = 3;
+  all[index(foldOp)] = 1;
+  all[index(outcomeOp)] = 2;
   return all;
 }();
 
@@ -79,6 +88,18 @@ struct Function {
   bool isOurs() const { return values > 0; }
 };
 
+// A loop: how often its body is run, and how many variables it has. The first is the number of the
+// step, from 0 on, the others are states.
+struct Loop {
+  std::uint32_t steps;
+  std::uint32_t locals = 1;
+};
+
+// One of the states of a fold: its variable, what that starts as, and what each step makes of it.
+struct State {
+  NodeId local, start, next;
+};
+
 using ops::Operands;
 
 class Graph {
@@ -92,7 +113,8 @@ class Graph {
   explicit Graph(std::size_t capacity = maxNodes,
                  Simplification simplification = Simplification::On);
   // One of these nodes, to which none can be added: that is what copies are for.
-  Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Function> functions);
+  Graph(std::vector<Node> nodes, std::vector<Input> inputs, std::vector<Function> functions,
+        std::vector<Loop> loops);
   Graph copy() const;
 
   NodeId constant(double value);
@@ -117,6 +139,20 @@ class Graph {
   std::vector<NodeId> partials(NodeId call) const { return list(partials_[index(call)]); }
   std::vector<NodeId> arguments(NodeId call) const { return list(operand(call, 0)); }
 
+  // A loop that is run so often; its variables belong to it alone.
+  std::uint32_t addLoop(std::uint32_t steps);
+  // The number of its step.
+  NodeId stepOf(std::uint32_t loop) { return intern(Node{{loop, 0}, localOp}); }
+  // One more variable of it.
+  NodeId addState(std::uint32_t loop);
+  // The loop with these states, and with all that what they become reads of its variables.
+  NodeId fold(std::uint32_t loop, std::span<const State> states);
+  // What the variable of a state is after all steps.
+  NodeId outcome(NodeId fold, NodeId local) {
+    return intern(Node{{index(fold), index(local)}, outcomeOp});
+  }
+  std::vector<State> states(NodeId fold) const;
+
   // The operation on operands, simplified. Operands of the wrong type are converted. An operation
   // on constants is folded, unless its result is not a finite float32: such a node stays as it is.
   // That is done in double; but what only jumps, such as a comparison or floor, sees its operands
@@ -132,16 +168,28 @@ class Graph {
   const Function& function(std::uint32_t number) const { return functions_[number]; }
   const Function& function(NodeId call) const { return functions_[node(call).operands[1]]; }
   std::size_t functionCount() const { return functions_.size(); }
+  const Loop& loop(std::uint32_t number) const { return loops_[number]; }
+  std::size_t loopCount() const { return loops_.size(); }
 
   bool isConstant(NodeId id) const { return node(id).op == constantOp; }
   bool isConstant(NodeId id, double value) const;
   bool isInput(NodeId id) const { return node(id).op == inputOp; }
-  bool isLeaf(NodeId id) const { return isConstant(id) || isInput(id); }
+  bool isLocal(NodeId id) const { return node(id).op == localOp; }
+  bool isLeaf(NodeId id) const { return isConstant(id) || isInput(id) || isLocal(id); }
   bool isCall(NodeId id) const { return node(id).op == callOp; }
   bool isList(NodeId id) const { return node(id).op == listOp; }
   bool isResult(NodeId id) const { return node(id).op == resultOp; }
   // A call of a function of ours, which is no number: its results are.
   bool isOurCall(NodeId id) const { return isCall(id) && function(id).isOurs(); }
+  bool isFold(NodeId id) const { return node(id).op == foldOp; }
+  bool isOutcome(NodeId id) const { return node(id).op == outcomeOp; }
+  // A state, or a list of them: what only a fold reads.
+  bool isOfStates(NodeId id) const {
+    return is(id, stateOp) || (isList(id) && is(operand(id, 1), stateOp));
+  }
+  // The loop of a variable or a fold.
+  std::uint32_t loopOf(NodeId id) const { return node(id).operands[isLocal(id) ? 0 : 1]; }
+  bool isStep(NodeId id) const { return isLocal(id) && node(id).operands[1] == 0; }
   int resultNumber(NodeId id) const { return static_cast<int>(node(id).operands[1]); }
   bool isOperation(NodeId id) const { return index(node(id).op) < ops::count; }
   bool is(NodeId id, Op op) const { return node(id).op == op; }
@@ -175,6 +223,7 @@ class Graph {
   std::vector<std::uint32_t> table_;  // open addressing; an entry is a node's index plus one
   std::vector<Input> inputs_;
   std::vector<Function> functions_;
+  std::vector<Loop> loops_;
   // Numbers by label and by name: there may be thousands.
   std::multimap<std::string, std::uint32_t, std::less<>> inputNumbers_;
   std::map<std::string, std::uint32_t, std::less<>> functionNumbers_;

@@ -31,6 +31,7 @@ class Saver {
     nodes();
     inputs();
     functions();
+    loops();
     outputs();
     comments();
     return words_.take();
@@ -86,6 +87,14 @@ class Saver {
     }
   }
 
+  void loops() {
+    words_.number(graph_.loopCount());
+    for (std::uint32_t i = 0; i < graph_.loopCount(); ++i) {
+      words_.number(graph_.loop(i).steps);
+      words_.number(graph_.loop(i).locals);
+    }
+  }
+
   void outputs() {
     words_.number(module_.outputs.size());
     for (const Output& output : module_.outputs) {
@@ -123,7 +132,7 @@ class Loader {
     std::vector<Node> made = nodes();
     std::vector<Input> given = inputs(module);
     std::vector<Function> called = functions(module);
-    module.graph = Graph(std::move(made), std::move(given), std::move(called));
+    module.graph = Graph(std::move(made), std::move(given), std::move(called), loops());
     outputs(module);
     comments(module);
     return module;
@@ -175,6 +184,15 @@ class Loader {
         family = words_.text();
         text = words_.text();
       }
+    }
+    return all;
+  }
+
+  std::vector<Loop> loops() {
+    std::vector<Loop> all(words_.number());
+    for (Loop& loop : all) {
+      loop.steps = words_.number();
+      loop.locals = words_.number();
     }
     return all;
   }

@@ -1,0 +1,55 @@
+#include "functions/fold.hpp"
+
+#include "graph/reachable.hpp"
+
+namespace warpjet {
+
+OpenFold openFold(Graph& graph, std::uint32_t steps, std::span<const NodeId> start) {
+  const std::uint32_t loop = graph.addLoop(steps);
+  OpenFold open{loop, {&graph, graph.stepOf(loop)}, {start.begin(), start.end()}, {}};
+  for (std::size_t i = 0; i < start.size(); ++i) open.states.push_back(graph.addState(loop));
+  return open;
+}
+
+namespace {
+
+// By state, whether an outcome of `root` needs it.
+std::vector<bool> neededFor(const Graph& graph, const OpenFold& open, std::span<const NodeId> next,
+                            std::size_t root) {
+  std::vector<bool> isNeeded(next.size());
+  isNeeded[root] = true;
+  std::vector<std::size_t> pending{root};
+  // What is older than the loop reads none of its variables.
+  const auto isOlder = [&](NodeId id) { return index(id) < index(open.step.id); };
+  while (!pending.empty()) {
+    const NodeId from = next[pending.back()];
+    pending.pop_back();
+    const std::vector<NodeId> nodes = reachable(graph, {&from, 1}, isOlder);
+    for (const NodeId id : nodes) {
+      if (!graph.isLocal(id) || graph.loopOf(id) != open.loop || graph.isStep(id)) continue;
+      const std::size_t state = index(id) - index(open.states[0]);
+      if (isNeeded[state]) continue;
+      isNeeded[state] = true;
+      pending.push_back(state);
+    }
+  }
+  return isNeeded;
+}
+
+}  // namespace
+
+std::vector<NodeId> closeFold(Graph& graph, const OpenFold& open, std::span<const NodeId> next) {
+  if (graph.loop(open.loop).steps == 0) return open.start;
+  std::vector<NodeId> outcomes;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const std::vector<bool> isNeeded = neededFor(graph, open, next, i);
+    std::vector<State> states;
+    for (std::size_t k = 0; k < next.size(); ++k) {
+      if (isNeeded[k]) states.push_back({open.states[k], open.start[k], next[k]});
+    }
+    outcomes.push_back(graph.outcome(graph.fold(open.loop, states), open.states[i]));
+  }
+  return outcomes;
+}
+
+}  // namespace warpjet

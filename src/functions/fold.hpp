@@ -1,0 +1,45 @@
+// How a fold is written: its body is built from the variables of a loop that is open, and closed
+// when it is known what each of them becomes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "functions/definition.hpp"
+
+namespace warpjet {
+
+// Whole numbers up to here are exact in an integer of any precision that a shader counts with.
+inline constexpr std::uint32_t mostSteps = 10'000;
+
+// A loop whose body is being made: the number of its step, from 0 on, and a state for each number
+// that it starts with.
+struct OpenFold {
+  std::uint32_t loop;
+  Expression step;
+  std::vector<NodeId> start, states;
+};
+
+OpenFold openFold(Graph& graph, std::uint32_t steps, std::span<const NodeId> start);
+
+// What the states are after all steps, if each step makes `next` of them. Of each outcome only the
+// states that it needs are in its fold.
+std::vector<NodeId> closeFold(Graph& graph, const OpenFold& open, std::span<const NodeId> next);
+
+// The same in one: `body(states, step)` gives what each step makes of them.
+template <class Body>
+Numbers fold(std::uint32_t steps, const Numbers& start, Body body) {
+  Graph& graph = *start[0].graph;
+  std::vector<NodeId> nodes;
+  for (const Expression x : start) nodes.push_back(x.id);
+  const OpenFold open = openFold(graph, steps, nodes);
+  Numbers states, results;
+  for (const NodeId id : open.states) states.push_back({&graph, id});
+  nodes.clear();
+  for (const Expression x : body(states, open.step)) nodes.push_back(x.id);
+  for (const NodeId id : closeFold(graph, open, nodes)) results.push_back({&graph, id});
+  return results;
+}
+
+}  // namespace warpjet
