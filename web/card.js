@@ -11,6 +11,7 @@ export function makeCard({ name, figure, title, text }, sketch) {
   find('.figure').textContent = figure
   find('h3').textContent = title
   find('.text').textContent = text
+  find('.play').href = `playground/index.html#example=${name}`
   find('.alone').href = `examples/${name}/index.html`
   for (const file of filesOf(sketch)) find('.show .bar').append(downloadLink(name, file))
 

@@ -17,6 +17,15 @@ export default {
   server: { fs: { allow: [path('..')] } },
   optimizeDeps: {
     include: [
+      'codemirror',
+      '@codemirror/autocomplete',
+      '@codemirror/commands',
+      '@codemirror/lang-javascript',
+      '@codemirror/language',
+      '@codemirror/lint',
+      '@codemirror/state',
+      '@codemirror/view',
+      '@lezer/highlight',
       'highlight.js/lib/core',
       'highlight.js/lib/languages/javascript',
       'highlight.js/lib/languages/glsl',
@@ -30,7 +39,13 @@ export default {
     emptyOutDir: true,
     // Making the models takes most of a build.
     rolldownOptions: {
-      input: ['index.html', 'bench/index.html', 'bench/results.html', 'drop/index.html'].map(path),
+      input: [
+        'index.html',
+        'bench/index.html',
+        'bench/results.html',
+        'drop/index.html',
+        'playground/index.html',
+      ].map(path),
       checks: { pluginTimings: false },
     },
   },

@@ -18,6 +18,8 @@ export const leftOut = {
     'tests/browser/bench-results.test.js': 'likewise the page of its results',
     'tests/browser/drop.test.js':
       'the page for one’s own model changes seldom; what it calls has its tests every day',
+    'tests/browser/playground.test.js':
+      'each of its sketches starts a p5 of its own, which takes minutes in all; the page ships to nobody',
     'tests/browser/script.test.js':
       'the loader of the script changes seldom; p5.test.js and all like it load it every day',
     'tests/browser/bundler.test.js': 'likewise what a bundler makes of the modules',

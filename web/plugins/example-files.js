@@ -14,9 +14,12 @@ const libraries = [
   'dist/p5.warpjet.min.js',
   'dist/warpjet.deformers.min.js',
   'dist/warpjet.glsl.min.js',
+  'dist/warpjet.operators.min.js',
   // What the script fetches from beside it, for the sketches that make it do so.
   'dist/mesh.min.js',
   'node_modules/p5/lib/p5.min.js',
+  'node_modules/p5/lib/p5.webgpu.min.js',
+  'node_modules/p5-v1/lib/p5.min.js',
   // Those of three.js take modules, which their pages map names to.
   'dist/three.js',
   'dist/warpjet.js',
@@ -35,6 +38,15 @@ const fonts = {
   'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',
 }
 const recorders = ['recorder.js', 'three-recorder.js']
+/** In the frame of the playground; warpjet takes no file in a folder `dist` for the sketch, when it says where a mistake is. */
+const frameScripts = Object.fromEntries(
+  ['start', 'clock', 'warps'].map((name) => [
+    `playground/dist/${name}.js`,
+    `web/playground/frame/${name}.js`,
+  ]),
+)
+/** Beside a sketch, or of any sketch in the playground. */
+const loadable = /^(?:examples\/([\w-]+)|playground\/files)\/([\w.-]*)$/
 
 const types = {
   '.html': 'text/html; charset=utf-8',
@@ -64,19 +76,23 @@ const framedPage = (html) =>
 async function contentOf(path) {
   if (libraries.includes(path)) return read(path)
   if (recorders.includes(path)) return read(`web/${path}`)
+  if (path in frameScripts) return read(frameScripts[path])
 
-  const [, example, file] = /^examples\/([\w-]+)\/([\w.-]*)$/.exec(path) ?? []
-  if (!example) return
-  if (file === 'gallery.html') return framedPage(await read(`examples/${example}/index.html`))
+  const [isLoadable, example, file] = loadable.exec(path) ?? []
+  if (!isLoadable) return
   if (file in fonts) return read(fonts[file])
   const model = /^(\w+)\.obj$/.exec(file)?.[1]
   if (model) return model in models ? obj(model) : undefined
+  if (!example) return
+  if (file === 'gallery.html') return framedPage(await read(`examples/${example}/index.html`))
   return read(`examples/${example}/${file || 'index.html'}`)
 }
 
 /** Everything that a built gallery needs: for each example its pages, its sketch, and what the sketch loads. */
 async function allPaths() {
-  const paths = [...libraries, ...recorders]
+  const paths = [...libraries, ...recorders, ...Object.keys(frameScripts)]
+  const shared = [...Object.keys(models).map((name) => `${name}.obj`), ...Object.keys(fonts)]
+  paths.push(...shared.map((file) => `playground/files/${file}`))
   const folders = await readdir(new URL('examples/', root))
   for (const name of folders.sort()) {
     const sketch = String(await read(`examples/${name}/sketch.js`))

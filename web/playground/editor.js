@@ -1,0 +1,90 @@
+/** The text of the sketch, and with it what it runs in: one history for both, so that undo brings back either. */
+import { invertedEffects } from '@codemirror/commands'
+import { javascript } from '@codemirror/lang-javascript'
+import { lintGutter, setDiagnostics } from '@codemirror/lint'
+import { EditorState, StateEffect, StateField } from '@codemirror/state'
+import { EditorView } from '@codemirror/view'
+import { basicSetup } from 'codemirror'
+import { theme } from './theme.js'
+
+/** { host, chosen }: see hosts.js. */
+const changeSetting = StateEffect.define()
+const setting = StateField.define({
+  create: () => ({ host: 'p5', chosen: [] }),
+  update: (value, { effects }) =>
+    effects.reduce((before, effect) => (effect.is(changeSetting) ? effect.value : before), value),
+})
+const undoable = invertedEffects.of(({ effects, startState }) =>
+  effects
+    .filter((effect) => effect.is(changeSetting))
+    .map(() => changeSetting.of(startState.field(setting))),
+)
+
+/** `changed` is called after each change of the text or the setting. */
+export function makeEditor(parent, { changed, moved, extensions = [] }) {
+  const view = new EditorView({
+    parent,
+    state: EditorState.create({
+      extensions: [
+        basicSetup,
+        javascript(),
+        setting,
+        undoable,
+        lintGutter(),
+        theme,
+        EditorView.lineWrapping,
+        EditorView.contentAttributes.of({ 'aria-label': 'Sketch' }),
+        EditorView.updateListener.of((update) => {
+          const isSet = update.startState.field(setting) !== update.state.field(setting)
+          if (update.docChanged || isSet) changed()
+          else if (update.selectionSet) moved?.()
+        }),
+        extensions,
+      ],
+    }),
+  })
+
+  const sketch = () => ({ text: view.state.doc.toString(), ...view.state.field(setting) })
+
+  return {
+    view,
+    sketch,
+    /** Replaces what is given of { text, host, chosen }, as one step of the history. */
+    set({ text, ...rest }) {
+      const before = sketch()
+      const { host, chosen } = { ...before, ...rest }
+      const changes =
+        text === undefined || text === before.text
+          ? undefined
+          : { from: 0, to: view.state.doc.length, insert: text }
+      const effects = changeSetting.of({ host, chosen })
+      view.dispatch({
+        changes,
+        effects,
+        selection: changes && { anchor: 0 },
+        userEvent: 'input.set',
+      })
+    },
+    /** Marks the line of a mistake, or nothing. */
+    mark(mistake) {
+      const { doc } = view.state
+      const marks = []
+      if (mistake?.line) {
+        const line = doc.line(Math.min(mistake.line, doc.lines))
+        const from = line.from + /^\s*/.exec(line.text)[0].length
+        marks.push({
+          from: Math.min(from, line.to),
+          to: line.to,
+          severity: 'error',
+          message: mistake.message,
+        })
+      }
+      view.dispatch(setDiagnostics(view.state, marks))
+    },
+    goTo(number) {
+      const { from } = view.state.doc.line(Math.min(number, view.state.doc.lines))
+      view.dispatch({ selection: { anchor: from }, scrollIntoView: true })
+      view.focus()
+    },
+  }
+}

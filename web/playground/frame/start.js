@@ -1,0 +1,91 @@
+// In the playground's frame, before everything else: what goes wrong, what is printed, and when the first picture is there
+// is told to the page around it.
+{
+  const { report, source, files } = (window.playground = frameElement.playground)
+  const place = new RegExp(`${source.replaceAll(/[.*+?^${}()|[\]\\/]/g, '\\$&')}:(\\d+):(\\d+)`)
+  const began = performance.now()
+
+  /** With the first place in the sketch that the error went through, if there is one. */
+  function tell(error, line, column) {
+    const text = String(error?.message ?? error).replaceAll(source, 'sketch.js')
+    // warpjet says it itself, and knows of functions that it has rewritten.
+    const [said, message, file, named] = /^(.*) \((\S+), line (\d+)\)$/s.exec(text) ?? [text, text]
+    const isSaid = file && source.endsWith(file)
+    const found = isSaid ? [said, named] : (place.exec(error?.stack ?? '') ?? [said, line, column])
+    const isPlain = !error?.name || error.name === 'WarpError' || error.name === 'Error'
+    report({
+      kind: 'error',
+      message: isPlain ? message : `${error.name}: ${message}`,
+      line: found[1] && Number(found[1]),
+      column: found[2] && Number(found[2]),
+    })
+  }
+  addEventListener('error', ({ error, message, filename, lineno, colno }) => {
+    const isHere = filename === source
+    tell(error ?? message, isHere ? lineno : undefined, isHere ? colno : undefined)
+  })
+  addEventListener('unhandledrejection', ({ reason }) => tell(reason))
+  // An image or a script that is missing says so on itself alone.
+  addEventListener(
+    'error',
+    ({ target }) => target?.tagName === 'SCRIPT' && tell(`${target.src} is not there.`),
+    true,
+  )
+
+  for (const level of ['log', 'info', 'warn', 'error']) {
+    const print = console[level]
+    console[level] = (...values) => {
+      report({ kind: 'printed', level, text: values.map(textOf).join(' ') })
+      if (level === 'log' || level === 'info') print.apply(console, values)
+    }
+  }
+  function textOf(value) {
+    if (typeof value !== 'object' || value === null) return String(value)
+    if (value instanceof Error) return String(value)
+    try {
+      return JSON.stringify(value)
+    } catch {
+      return String(value)
+    }
+  }
+
+  // Files that were dropped on the playground, by the names under which the sketch asks for them.
+  const { fetch } = window
+  window.fetch = (from, options) => fetch(files[String(from)] ?? from, options)
+
+  // Frames are counted where both hosts ask for them.
+  const { requestAnimationFrame } = window
+  let frames = 0
+  const waiting = []
+  window.requestAnimationFrame = (work) =>
+    requestAnimationFrame((time) => {
+      work(window.playground.clock?.frameTime(time) ?? time)
+      frames++
+      for (const take of waiting.splice(0)) take()
+    })
+
+  Object.assign(window.playground, {
+    /** Since the page began; of p5 those that it has drawn. */
+    frames: () => window.frameCount ?? frames,
+    canvas: () => document.querySelector('canvas.p5Canvas, canvas[data-engine], canvas'),
+    /** The canvas as a Blob, right after it was drawn: later a browser may have emptied it. */
+    snapshot: () =>
+      new Promise((resolve) => {
+        let isTaken = false
+        const take = () => {
+          if (isTaken) return
+          isTaken = true
+          window.playground.canvas()?.toBlob(resolve) ?? resolve()
+        }
+        waiting.push(take)
+        setTimeout(take, 1000)
+      }),
+  })
+
+  // The sketch may have drawn nothing, as long as it has come to its end.
+  const drawn = () => {
+    if (window.playground.frames() < 1) return requestAnimationFrame(drawn)
+    report({ kind: 'drawn', milliseconds: performance.now() - began })
+  }
+  requestAnimationFrame(drawn)
+}

@@ -1,0 +1,165 @@
+/** The tabs below: the text that comes of each warp, what it costs, and what the sketch has printed. */
+import { make } from '../bench/dom.js'
+import { highlight } from '../highlighting.js'
+
+const targets = { glsl300: 'GLSL 3.00', glsl100: 'GLSL 1.00', wgsl: 'WGSL' }
+const MOST_LINES = 200
+
+const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 })
+const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
+
+/** `list` gets the tabs, `panel` what the chosen one shows. `more` has further tabs: { title, fill(panel) }. */
+export function makeOutput(list, panel, more = {}) {
+  let sketch = { warps: [] }
+  let printed = []
+  const tabs = {
+    ...Object.fromEntries(
+      Object.entries(targets).map(([target, title]) => [
+        target,
+        { title, fill: () => panel.replaceChildren(textIn(target, sketch.warps)) },
+      ]),
+    ),
+    costs: { title: 'Costs', fill: () => panel.replaceChildren(costs(sketch)) },
+    ...Object.fromEntries(
+      Object.entries(more).map(([name, { title, fill }]) => [
+        name,
+        { title, fill: () => fill(panel, sketch) },
+      ]),
+    ),
+    console: { title: 'Console', fill: () => panel.replaceChildren(lines(printed)) },
+  }
+  let chosen = 'glsl300'
+
+  const buttons = Object.entries(tabs).map(([name, { title }]) => {
+    const button = make('button', {
+      type: 'button',
+      role: 'tab',
+      id: `tab-${name}`,
+      value: name,
+      textContent: title,
+    })
+    button.setAttribute('aria-controls', panel.id)
+    button.addEventListener('click', () => choose(name))
+    return button
+  })
+  list.append(...buttons)
+  // As tabs are known to do: one stop of the Tab key, arrows from one to the next.
+  list.addEventListener('keydown', ({ key }) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[key]
+    if (!step) return
+    const next = buttons.findIndex(({ value }) => value === chosen) + step + buttons.length
+    const button = buttons[next % buttons.length]
+    choose(button.value)
+    button.focus()
+  })
+
+  function choose(name) {
+    chosen = name
+    for (const button of buttons) {
+      const isChosen = button.value === name
+      button.ariaSelected = String(isChosen)
+      button.tabIndex = isChosen ? 0 : -1
+    }
+    panel.setAttribute('aria-labelledby', `tab-${name}`)
+    panel.scrollTo(0, 0)
+    tabs[name].fill()
+  }
+  choose(chosen)
+
+  return {
+    /** { warps, first, rate }: of the sketch that is shown. */
+    show(next) {
+      sketch = next
+      if (chosen !== 'console') tabs[chosen].fill()
+    },
+    rate(rate) {
+      sketch.rate = rate
+      const place = panel.querySelector('.rate')
+      if (place) place.textContent = rateText(rate)
+    },
+    /** No argument: empties it. */
+    print(line) {
+      printed = line ? [...printed, line].slice(-MOST_LINES) : []
+      buttons.at(-1).textContent = printed.length ? `Console (${printed.length})` : 'Console'
+      if (chosen === 'console') tabs.console.fill()
+    },
+  }
+}
+
+const none = (text) => make('p', { className: 'none', textContent: text })
+
+function textIn(target, warps) {
+  const texts = warps.map(({ maker, made }) => `// ${maker}\n${inLanguage(made, target)}`)
+  if (!texts.length)
+    return none(
+      'No text to show: the sketch has made no warp with createWarp, compileWarp or compile.',
+    )
+  const code = make('code')
+  code.innerHTML = highlight(texts.join('\n\n'), 'glsl')
+  return make('pre', { tabIndex: 0 }, code)
+}
+
+function inLanguage(made, target) {
+  if (!made.emit && !made.stats) return made.code
+  try {
+    const { code, declarations } = made.emit ? made.emit(target) : made
+    return declarations ? `${code}\n\n// Above main:\n${declarations}` : code
+  } catch (error) {
+    return `// ${error.message}`
+  }
+}
+
+const rateText = (rate) =>
+  rate ? `${short.format(1000 / rate)} ms (${whole.format(rate)} a second)` : '–'
+
+function costs({ warps, first, rate }) {
+  const rows = warps
+    .filter(({ made }) => made.stats)
+    .map(({ maker, made: { code, declarations = '', stats } }) => [
+      maker,
+      stats.nodes,
+      stats.operations,
+      stats.temporaries,
+      code.length + declarations.length,
+    ])
+  const list = make('dl', { className: 'read-outs' })
+  list.append(
+    make('div', {}, make('dt', { textContent: 'First picture' }), figure(first, 'ms')),
+    make(
+      'div',
+      {},
+      make('dt', { textContent: 'A frame' }),
+      make('dd', { className: 'rate', textContent: rateText(rate) }),
+    ),
+  )
+  if (!rows.length) return make('div', {}, list, none('The sketch has made no warp.'))
+  const head = ['Warp', 'Nodes', 'Operations', 'Temporaries', 'Characters']
+  const table = make(
+    'table',
+    {},
+    make('thead', {}, line('th', head)),
+    make('tbody', {}, ...rows.map((row) => line('td', row))),
+  )
+  return make('div', {}, list, table)
+}
+
+const figure = (value, unit) =>
+  make('dd', { textContent: value === undefined ? '–' : `${whole.format(value)} ${unit}` })
+
+const line = (kind, cells) =>
+  make(
+    'tr',
+    {},
+    ...cells.map((cell) =>
+      make(kind, { textContent: typeof cell === 'number' ? whole.format(cell) : cell }),
+    ),
+  )
+
+function lines(printed) {
+  if (!printed.length) return none('Nothing was printed.')
+  const list = make('ol', { className: 'printed', tabIndex: 0 })
+  list.append(
+    ...printed.map(({ level, text }) => make('li', { className: level, textContent: text })),
+  )
+  return list
+}
