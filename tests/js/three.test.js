@@ -12,6 +12,7 @@ import {
 } from 'warpjet/three'
 import { glslOffset } from 'warpjet/glsl'
 import { bakeWarp } from 'warpjet/mesh'
+import { MeshBVH, acceleratedRaycast } from 'three-mesh-bvh'
 import { bend, bulge, shear, spherify, stretch, taper, twist } from 'warpjet/deformers'
 
 const wave = ({ glsl, position, uniforms, millis }) =>
@@ -505,35 +506,75 @@ test('a geometry can say how its normals vary', async () => {
   await assert.rejects(addSurfaceVariation(5), WarpError)
 })
 
+const tenWarps = [
+  twist({ axis: 'y', length: 2, angle: 1.5 }),
+  bend({ axis: 'z', from: -1, to: 1, angle: 1.2 }),
+  taper({ axis: 'y', length: 2, amount: 0.4 }),
+  bulge({ radius: 1, amount: 0.5 }),
+  stretch({ axis: 'x', amount: 1.6 }),
+  shear({ axis: 'y', direction: 'x', amount: 0.4 }),
+  spherify({ amount: 0.7, radius: 1 }),
+  ({ position }) => position.mult(2).noise().mult(position).mult(0.4),
+  ({ glsl, position }) => glsl.vec3(position.y().mult(5).sin().mult(0.2), 0, 0),
+  ({ normal }) => normal.mult(0.3),
+]
+
 test('a thousand rays meet ten warps where they meet the baked meshes', () => {
   const { min, max } = Math
-  const warps = [
-    twist({ axis: 'y', length: 2, angle: 1.5 }),
-    bend({ axis: 'z', from: -1, to: 1, angle: 1.2 }),
-    taper({ axis: 'y', length: 2, amount: 0.4 }),
-    bulge({ radius: 1, amount: 0.5 }),
-    stretch({ axis: 'x', amount: 1.6 }),
-    shear({ axis: 'y', direction: 'x', amount: 0.4 }),
-    spherify({ amount: 0.7, radius: 1 }),
-    ({ position }) => position.mult(2).noise().mult(position).mult(0.4),
-    ({ glsl, position }) => glsl.vec3(position.y().mult(5).sin().mult(0.2), 0, 0),
-    ({ normal }) => normal.mult(0.3),
-  ]
   const geometry = new THREE.TorusKnotGeometry(0.7, 0.25, 120, 20)
   const random = numbers(3)
-  for (const [i, offset] of warps.entries()) {
+  for (const [i, offset] of tenWarps.entries()) {
     const mesh = placed(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial()))
     const warped = warp(mesh, offset, { surfaceVariation: false })
-    const baked = bakeWarp(
-      fromBufferGeometry(geometry),
-      compileWarp(offset, { surfaceVariation: false }),
-    )
-    const other = new THREE.Mesh(toBufferGeometry(baked), mesh.material)
+    const compiled = compileWarp(offset, { surfaceVariation: false })
+    const other = new THREE.Mesh(bakeWarp(geometry, compiled), mesh.material)
     other.matrixWorld.copy(mesh.matrixWorld)
-    assert.ok(max(...baked.positions) - min(...baked.positions) < 20, `warp ${i}`)
+    const { array } = other.geometry.attributes.position
+    assert.ok(max(...array) - min(...array) < 20, `warp ${i}`)
     sameHits(mesh, [other], { rays: 1000, random })
     warped.dispose()
   }
+})
+
+test('a thousand rays meet ten warps within 1e-4 of the mesh of where a denser one of triangles has them', (t) => {
+  const random = numbers(5)
+  const both = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
+  const patch = (along, down) => new THREE.SphereGeometry(1, along, down, 0, 2, 0.5, 1.4)
+  const [fine, four] = [patch(170, 120), patch(340, 240)]
+  const spread = () => new THREE.Vector3(random(), random(), random()).subScalar(0.5)
+  let worst = 0
+  for (const offset of tenWarps) {
+    const mesh = placed(new THREE.Mesh(fine, both))
+    const warped = warp(mesh, offset, { surfaceVariation: false })
+    const baked = bakeWarp(four, compileWarp(offset, { surfaceVariation: false }))
+    baked.boundsTree = new MeshBVH(baked)
+    const dense = new THREE.Mesh(baked, both)
+    dense.raycast = acceleratedRaycast
+    dense.matrixWorld.copy(mesh.matrixWorld)
+    const size = warped.bounds().getSize(new THREE.Vector3()).length()
+    const { position, normal } = baked.attributes
+    for (let i = 0; i < 100; i++) {
+      // To a place away from the edge, from somewhere above it.
+      const [u, v] = [0.1 + 0.8 * random(), 0.1 + 0.8 * random()]
+      const vertex = Math.round(340 * u) + 341 * Math.round(240 * v)
+      const to = new THREE.Vector3()
+        .fromBufferAttribute(position, vertex)
+        .add(spread().multiplyScalar(1e-3))
+      const from = new THREE.Vector3()
+        .fromBufferAttribute(normal, vertex)
+        .add(spread())
+        .multiplyScalar(3)
+        .add(to)
+      for (const point of [to, from]) point.applyMatrix4(mesh.matrixWorld)
+      const ray = new THREE.Raycaster(from, to.sub(from).normalize())
+      const [found] = ray.intersectObject(mesh)
+      const [expected] = ray.intersectObject(dense)
+      worst = Math.max(worst, found.point.distanceTo(expected.point) / size)
+    }
+    warped.dispose()
+  }
+  t.diagnostic(`at most ${worst.toExponential(1)} of the size of the mesh`)
+  assert.ok(worst < 1e-4, `${worst} of the size of the mesh`)
 })
 
 test('an instance of a batch that is shown again, and more of a geometry, count for bounds and rays', () => {
