@@ -1,6 +1,11 @@
 /**
  * A warp as nodes of three.js, for WebGPURenderer on both its backends: one function in WGSL or GLSL, called where the
  * material has the vertex. What is said in nodes is only what is called, so that the text is the one of all other hosts.
+ *
+ * The other way, a node for each operation, was measured with four Gerstner waves, their derivatives by hand, on 200,700 vertices
+ * (three 0.187, SwiftShader, two busy cores, medians in turn). A frame: 229 ms with text, 228 ms with nodes on WebGPU, 267 and
+ * 256 ms on WebGL 2. The first one: 492 and 640 ms on WebGPU, 601 and 483 ms on WebGL 2. So nothing would be gained for a second
+ * compiler of all operations.
  */
 import {
   type BatchedMesh,
