@@ -14,6 +14,8 @@ const globals = globalThis as {
 // A page has its elements among its globals, by their ids.
 const present = globals.warpjet?.version
 if (present === undefined) start()
+// It may stand after each of two versions of p5.
+else if (present === library.version && globals.p5) registerGlobally()
 else if (present !== library.version)
   console.warn(
     `warpjet: this page has scripts of two versions, ${present} and then ${library.version}; the first one counts, so leave one of them out.`,
