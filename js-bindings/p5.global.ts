@@ -3,6 +3,7 @@
  * same page, the first one stays, with what was added to it.
  */
 import * as library from './global.js'
+import { refusing } from './checks/nearest.js'
 import { registerGlobally } from './p5/register.js'
 
 const globals = globalThis as {
@@ -22,12 +23,16 @@ else if (present !== library.version)
   )
 
 function start() {
-  globals.warpjet = { ...library }
+  globals.warpjet = Object.setPrototypeOf({ ...library }, refusing(elsewhere)) as typeof library
   // glsl-autodiff's global, so that sketches written for it run unchanged.
   globals.AutoDiff ??= { gen: library.gen }
   if (registerGlobally() || typeof document === 'undefined') return
   if (document.readyState === 'complete') setTimeout(missP5)
   else addEventListener('load', missP5)
+}
+
+function elsewhere(name: string) {
+  return `warpjet.${name}: no script of this page has it; deformers such as twist are in warpjet.deformers.min.js, shader text is in warpjet.glsl.min.js, and operators are in warpjet.operators.min.js.`
 }
 
 function missP5() {
