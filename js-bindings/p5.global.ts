@@ -4,6 +4,7 @@
  */
 import * as library from './global.js'
 import { refusing } from './checks/nearest.js'
+import { located } from './p5/places.js'
 import { registerGlobally } from './p5/register.js'
 
 const globals = globalThis as {
@@ -31,8 +32,13 @@ function start() {
   else addEventListener('load', missP5)
 }
 
-function elsewhere(name: string) {
-  return `warpjet.${name}: no script of this page has it; deformers such as twist are in warpjet.deformers.min.js, shader text is in warpjet.glsl.min.js, and operators are in warpjet.operators.min.js.`
+/** With the sketch's line. */
+function elsewhere(name: string): string {
+  return located(() => {
+    throw new library.WarpError(
+      `warpjet.${name}: no script of this page has it; deformers such as twist are in warpjet.deformers.min.js, shader text is in warpjet.glsl.min.js, and operators are in warpjet.operators.min.js.`,
+    )
+  })
 }
 
 function missP5() {

@@ -21,7 +21,7 @@ test('a warp made in every frame is noted once; what another script has says whi
     server,
     [p5InThisRun[0][1], '/dist/p5.warpjet.min.js'],
     `let said
-    try { const { twist } = warpjet } catch (error) { said = [error.name, error.message] }
+    try { const { twist } = warpjet } catch (error) { said = [error.name, error.message.replace(/ \\(\\S+, line \\d+\\)$/, '')] }
     function setup() { createCanvas(20, 20, WEBGL); noStroke() }
     function draw() {
       createWarp(({ glsl }) => glsl.vec3(1, 0, 0))()
