@@ -7,7 +7,7 @@
 # What runs per node, or per vertex, is compiled for speed, and everything else of the core for size: at -Os everywhere, a warp
 # of 3,000 nodes takes six times as long.
 set(fast_sources
-  src/algebra/value.cpp src/builder/call.cpp src/diff/differentiator.cpp
+  src/algebra/value.cpp src/diff/differentiator.cpp
   src/emit/emit.cpp src/emit/writer.cpp
   src/graph/graph.cpp src/graph/schedule.cpp src/graph/simplify.cpp)
 set(fast_evaluation_sources

@@ -3,6 +3,8 @@
  * same page, the first one stays, with what was added to it.
  */
 import * as library from './global.js'
+import { refusing } from './checks/nearest.js'
+import { located } from './p5/places.js'
 import { registerGlobally } from './p5/register.js'
 
 const globals = globalThis as {
@@ -14,18 +16,29 @@ const globals = globalThis as {
 // A page has its elements among its globals, by their ids.
 const present = globals.warpjet?.version
 if (present === undefined) start()
+// It may stand after each of two versions of p5.
+else if (present === library.version && globals.p5) registerGlobally()
 else if (present !== library.version)
   console.warn(
     `warpjet: this page has scripts of two versions, ${present} and then ${library.version}; the first one counts, so leave one of them out.`,
   )
 
 function start() {
-  globals.warpjet = { ...library }
+  globals.warpjet = Object.setPrototypeOf({ ...library }, refusing(elsewhere)) as typeof library
   // glsl-autodiff's global, so that sketches written for it run unchanged.
   globals.AutoDiff ??= { gen: library.gen }
   if (registerGlobally() || typeof document === 'undefined') return
   if (document.readyState === 'complete') setTimeout(missP5)
   else addEventListener('load', missP5)
+}
+
+/** With the sketch's line. */
+function elsewhere(name: string): string {
+  return located(() => {
+    throw new library.WarpError(
+      `warpjet.${name}: no script of this page has it; deformers such as twist are in warpjet.deformers.min.js, shader text is in warpjet.glsl.min.js, and operators are in warpjet.operators.min.js.`,
+    )
+  })
 }
 
 function missP5() {

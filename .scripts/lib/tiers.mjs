@@ -51,8 +51,6 @@ export const leftOut = {
     'every TypeScript':
       'one run with the oldest TypeScript and one with the newest find nearly all there is to find',
     'a week of every warp': 'each is reduced in the same way; every day three go through it',
-    'every example on WebGPU':
-      'it draws the same warps through the same hooks, on a CPU at a fifth of the speed',
     'rare pages of p5': 'what a sketch seldom does changes seldom, and each page takes a second',
     'ten thousand warps': 'a thousand show a leak of one byte a warp just as well',
     'deep domain warping':

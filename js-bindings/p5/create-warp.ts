@@ -11,6 +11,7 @@ import {
   drawsNormals,
   rememberNormals,
   rendererOf,
+  sketchOf,
   stateOf,
 } from './host.js'
 import { type CreateWarpOptions, type WarpSettings, readOptions } from './settings.js'
@@ -37,7 +38,26 @@ export const createWarp = (
   canvas: Canvas,
   offset: OffsetFunction,
   options?: CreateWarpOptions,
-): Distort => located(() => create(canvas, offset, options))
+): Distort => {
+  noteInDraw(sketchOf(canvas))
+  return located(() => create(canvas, offset, options))
+}
+
+/** By sketch, the last frame in which it made a warp, and how many before it did so in a row. */
+const making = new WeakMap<Canvas, readonly [frame: number, row: number]>()
+
+/** Said once, where a warp was made in each of three frames. */
+function noteInDraw(sketch: Canvas) {
+  const frame = sketch.frameCount ?? 0
+  const [last, row] = making.get(sketch) ?? [frame, 0]
+  if (row > 2) return
+  const now = frame === last ? row : frame === last + 1 ? row + 1 : 0
+  making.set(sketch, [frame, now])
+  if (now > 2)
+    console.warn(
+      'createWarp: it makes a new shader in every frame, which is slow; call it once, in setup(), and in draw() the function that it returned.',
+    )
+}
 
 function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptions): Distort {
   const settings = readOptions(options)

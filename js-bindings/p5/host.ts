@@ -86,6 +86,7 @@ export interface Canvas {
   readonly _renderer?: Renderer
   readonly _pInst?: Canvas
   readonly _isGlobal?: boolean
+  readonly frameCount?: number
   readonly width: number
   readonly height: number
   readonly mouseX: number

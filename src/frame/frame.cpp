@@ -194,6 +194,8 @@ void leaveOutUnread(const Graph& graph, std::span<const NodeId> roots, std::uint
 }  // namespace
 
 std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known) {
+  // What a loop computes, and all around it, stays in the text.
+  if (module.graph.has(foldOp)) return 0;
   Graph graph = module.graph.copy();
   const auto firstInput = static_cast<std::uint32_t>(graph.inputCount());
   Separation separation(graph, module.library, known);

@@ -15,6 +15,29 @@ after(async () => {
   await server.close()
 })
 
+test('a warp made in every frame is noted once; what another script has says which', async () => {
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5InThisRun[0][1], '/dist/p5.warpjet.min.js'],
+    `let said
+    try { const { twist } = warpjet } catch (error) { said = [error.name, error.message.replace(/ \\(\\S+, line \\d+\\)$/, '')] }
+    function setup() { createCanvas(20, 20, WEBGL); noStroke() }
+    function draw() {
+      createWarp(({ glsl }) => glsl.vec3(1, 0, 0))()
+      if (frameCount === 8) { noLoop(); window.done = true }
+    }`,
+  )
+  assert.deepEqual(await page.evaluate('said'), [
+    'WarpError',
+    'warpjet.twist: no script of this page has it; deformers such as twist are in warpjet.deformers.min.js, shader text is in warpjet.glsl.min.js, and operators are in warpjet.operators.min.js.',
+  ])
+  await leavePage(page)
+  assert.deepEqual(messages, [
+    'createWarp: it makes a new shader in every frame, which is slow; call it once, in setup(), and in draw() the function that it returned.',
+  ])
+})
+
 /** What an offset function returns or, in braces, does. */
 const offsets = {
   5: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the number 5.',
@@ -120,7 +143,7 @@ const calls = {
   [`createWarp(still, 'world')`]:
     'createWarp: the options must be an object, but are the text "world".',
   [`createWarp(still, { spaces: 'world' })`]:
-    'createWarp: there is no option "spaces"; there are uniforms, type, space, defs, surfaceVariation, stroke, returns, scope.',
+    'createWarp: there is no option "spaces"; there are uniforms, type, space, defs, surfaceVariation, stroke, returns, shader, hooks, scope.',
   [`createWarp(still, { space: 'wold' })`]:
     'createWarp: the option "space" must be "local" or "world" or "camera", but is the text "wold".',
   [`createWarp(still, { type: 'phong' })`]:
@@ -131,7 +154,8 @@ const calls = {
     'createWarp: the option "returns" must be "offset" or "position", but is the text "normal".',
   [`createWarp(still, { uniforms: { amount: 'big' } })`]:
     'createWarp: the uniform "amount" must be a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that gives one of them, but is the text "big".',
-  'createWarp(warpjet.twist)': 'createWarp: a function was expected, but undefined came.',
+  'createWarp(warpjet.twist)':
+    'warpjet.twist: no script of this page has it; deformers such as twist are in warpjet.deformers.min.js, shader text is in warpjet.glsl.min.js, and operators are in warpjet.operators.min.js.',
   'flat.createWarp(still)':
     'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
   'warp(3)':
