@@ -7,8 +7,6 @@
 # What runs per node, or per vertex, is compiled for speed, and everything else of the core for size: at -Os everywhere, a warp
 # of 3,000 nodes takes six times as long.
 set(fast_sources
-  src/algebra/value.cpp src/diff/differentiator.cpp
-  src/emit/emit.cpp src/emit/writer.cpp
   src/graph/graph.cpp src/graph/schedule.cpp src/graph/simplify.cpp)
 set(fast_evaluation_sources
   src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp src/eval/registers.cpp)
@@ -16,7 +14,7 @@ list(TRANSFORM fast_sources PREPEND "${PROJECT_SOURCE_DIR}/")
 list(TRANSFORM fast_evaluation_sources PREPEND "${PROJECT_SOURCE_DIR}/")
 set(small_sources ${core_sources})
 list(REMOVE_ITEM small_sources ${fast_sources} ${fast_evaluation_sources})
-set_source_files_properties(${small_sources} js-bindings/wasm/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
+set_source_files_properties(${small_sources} js-bindings/wasm/core.cpp js-bindings/wasm/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
 # Of meshes, what runs once per file or name in it.
 set_source_files_properties(

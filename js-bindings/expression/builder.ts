@@ -7,6 +7,7 @@ import { frontEndKey } from '../checks/front-end.js'
 import { Expression, toExpression } from './expression.js'
 import { declareFunction } from './host-functions.js'
 import { callNoise, noiseKinds } from './noise.js'
+import { repeat } from './repeat.js'
 import type { Shape } from './shapes.js'
 import { callTexture } from './texture.js'
 import { madeOf, meantByFunctions, meantByMethods, methodsOf, sameAs } from './aliases.js'
@@ -65,6 +66,7 @@ export function createBuilder(session: Session): Builder {
       return toExpression(session, 'val', value, 1)
     },
     texture: (...operands) => callTexture(session, operands),
+    repeat: ((...given: unknown[]) => repeat(session, given)) as never,
     fn: ((options: unknown) => declareFunction(session, options)) as never,
     source: ((...given: unknown[]) => frontEnd()(builder, ...given)) as never,
   }

@@ -4,6 +4,7 @@ import { type Core, type SessionHandle, getCore } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { Expression, toExpression } from './expression.js'
 import type { KeptModule, Target } from '../module/kept-module.js'
+import { describeShape } from '../checks/describe.js'
 import { isCallable } from '../checks/options.js'
 import type { Shape } from './shapes.js'
 import { callerOutside } from './source-lines.js'
@@ -138,6 +139,40 @@ export class Session {
     const id = this.open(name)
     for (const { handle } of operands) this.core._push(id, handle)
     return this.expression(this.core._callNoise(id, kind, base, octaves, isMethod))
+  }
+
+  /** A loop: what its states are in the end, from what `body` makes of them in one step. */
+  repeat(
+    count: number,
+    starts: readonly Expression[],
+    body: (states: Expression[], step: Expression) => readonly Expression[],
+    names: readonly string[],
+  ): Expression[] {
+    const id = this.open('repeat')
+    const push = (all: readonly Expression[]) => {
+      for (const { handle } of all) this.core._push(id, handle)
+    }
+    const statesFrom = (handle: number) =>
+      starts.map((_, i) => this.expression(handle === failed ? failed : handle + i))
+    push(starts)
+    const step = this.core._openRepeat(id, count)
+    const states = statesFrom(step === failed ? failed : step + 1)
+    let isOpen = true
+    try {
+      const nexts = body(states, this.expression(step))
+      nexts.forEach((next, i) => {
+        const [from, to] = [starts[i]!, next].map((each) => describeShape(this.shapeOf(each)))
+        if (from !== to)
+          throw new WarpError(
+            `repeat: ${names[i]!} starts as ${from}, but the function makes it ${to}; start with ${to}.`,
+          )
+      })
+      isOpen = false
+      push(nexts)
+      return statesFrom(this.core._closeRepeat(id))
+    } finally {
+      if (isOpen && !this.core.isBroken) this.core._dropRepeat(id)
+    }
   }
 
   /** The host's image of that name at a vec2, with filter and wrap by number. */

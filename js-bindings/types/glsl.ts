@@ -81,6 +81,25 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
    */
   texture(sampler: ImageName, uv: Vec2, options?: TextureOptions): Vec4
   /**
+   * What `body` makes of a state when it is applied to its own result so often, as a loop of the shader: `body` is called
+   * once, with expressions of the state and of the step's number, from 0 on, and returns the next state of the same
+   * shape. A state is a number, a vector, or an object of them.
+   *
+   *     const { z } = glsl.repeat(8, { z: position.xy() }, ({ z }, i) => ({ z: z.mult(1.1).add(i) }))
+   *
+   * JavaScript's own loops write their body into the shader as often as they run. Take those for a few steps, or
+   * where steps differ; take `repeat` where many steps are alike: the text stays short, and the shader starts sooner. `count` is a
+   * number of JavaScript, up to 10,000, those of repeats within each other multiplied; with 0, the start comes back.
+   *
+   * Throws a `WarpError` if `count` is no such number, if `body` returns no state or one of another shape, and where an
+   * expression of its state is used after it is over.
+   */
+  repeat<State extends RepeatState>(
+    count: number,
+    start: State,
+    body: (state: RepeatExpressions<State>, i: Scalar) => RepeatNext<State>,
+  ): RepeatExpressions<State>
+  /**
    * A function of a text in GLSL, to be called with numbers and expressions, with its exact derivatives; import
    * 'warpjet/glsl' for it. It is `options.function`, or the one named `offset`, or the last. What the text's uniforms are,
    * `options.uniforms` says: hand over `uniforms`.
@@ -95,6 +114,26 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
   /** A function of your own, in the shader's language; used like a built-in one. */
   fn<Arity extends FunctionArity>(options: FunctionOptions<Arity>): OwnFunction<Arity>
 }
+
+type RepeatPart = Operand | Vector
+
+/** What `glsl.repeat` starts with: a number, a vector, or an object of them. */
+export type RepeatState = RepeatPart | { readonly [name: string]: RepeatPart }
+
+/** A number that a state starts as becomes an expression. */
+type RepeatExpression<Part> = Part extends Operand ? Scalar : Part
+
+/** The state as `glsl.repeat` hands it on. */
+export type RepeatExpressions<State extends RepeatState> = State extends RepeatPart
+  ? RepeatExpression<State>
+  : { [Name in keyof State]: RepeatExpression<State[Name]> }
+
+/** The state as the function of `glsl.repeat` returns it: of numbers too. */
+export type RepeatNext<State extends RepeatState> = State extends RepeatPart
+  ? RepeatNextPart<State>
+  : { [Name in keyof State]: RepeatNextPart<State[Name]> }
+
+type RepeatNextPart<Part> = Part extends Operand ? Operand : Part
 
 /** What `glsl.source` takes. */
 export interface SourceOptions {

@@ -25,7 +25,7 @@ export interface FractalOptions extends NoiseOptions {
   /** How many noises are added, from 1 to 16; 5 unless given. */
   octaves?: number
   /** How many times as fine as the one before an octave is, above 0; 2 unless given. An expression will do, such as a
-   * uniform; then all octaves stand in the text, and it has to stay above 0 for the range to hold. */
+   * uniform; it has to stay above 0 for the range to hold. */
   lacunarity?: Operand
   /** How many times as strong as the one before an octave is, above 0; 0.5 unless given. An expression will do. */
   gain?: Operand

@@ -99,6 +99,15 @@ EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int oct
   return session->builder.callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);
 }
 
+// See Builder::openRepeat.
+EMSCRIPTEN_KEEPALIVE int openRepeat(Session* session, int steps) {
+  return session->builder.openRepeat(steps);
+}
+
+EMSCRIPTEN_KEEPALIVE int closeRepeat(Session* session) { return session->builder.closeRepeat(); }
+
+EMSCRIPTEN_KEEPALIVE void dropRepeat(Session* session) { session->builder.dropRepeat(); }
+
 EMSCRIPTEN_KEEPALIVE int swizzle(Session* session, int handle, int count, int indices) {
   return session->builder.swizzle(handle, count, static_cast<unsigned>(indices));
 }

@@ -24,6 +24,9 @@ export interface Core {
     octaves: number,
     isMethod: boolean,
   ): number
+  _openRepeat(session: SessionHandle, steps: number): number
+  _closeRepeat(session: SessionHandle): number
+  _dropRepeat(session: SessionHandle): void
   _swizzle(session: SessionHandle, handle: number, count: number, indices: number): number
   _pendingCount(session: SessionHandle): number
   _pendingCall(session: SessionHandle, place: number): number

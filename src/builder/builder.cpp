@@ -88,6 +88,11 @@ int Builder::call(int number, bool isMethod) {
     const Form& form = forms[operation.index];
     const bool differentiates = std::any_of(form.operands.begin(), form.operands.end(),
                                             [](char letter) { return isInput(Kind{letter}); });
+    if (differentiates && !operands_.empty() && isWithinRepeat(operands_[0].nodes(), true)) {
+      operands_.clear();
+      refuse(site.method, {afterRepeat});
+      return failed;
+    }
     if (differentiates && !operands_.empty() && !hasAllPartials(operands_[0])) {
       operands_.clear();
       return needsPartials;

@@ -15,6 +15,8 @@
 #include "builder/operations.hpp"
 #include "builder/values.hpp"
 #include "diff/differentiator.hpp"
+#include "functions/fold.hpp"
+#include "graph/folds.hpp"
 #include "module/label.hpp"
 #include "module/module.hpp"
 
@@ -65,6 +67,14 @@ class Builder {
   // Of the host's image of that name; the operand is a vec2.
   int callTexture(const Sampling& sampling, std::string_view image);
 
+  // Begins the body of a loop of so many steps; the values pushed are what its states start as.
+  // Gives the handle of the step's number, which those of the states follow. The values pushed then
+  // are what each step makes of them: gives the handle of the first outcome, which the others
+  // follow. A body that is given up is dropped.
+  [[gnu::noinline]] int openRepeat(int steps);
+  [[gnu::noinline]] int closeRepeat();
+  void dropRepeat() { repeats_.pop_back(); }
+
   // Some components of a vector, two bits each, the first one lowest. A problem is told without the
   // method, which goes by three alphabets.
   int swizzle(int handle, int count, unsigned indices);
@@ -102,6 +112,12 @@ class Builder {
     std::string place(std::size_t operand) const;
   };
 
+  // A loop whose body is being recorded.
+  struct Repeat {
+    OpenFold fold;
+    std::vector<Shape> shapes;
+  };
+
   std::optional<Value> apply(const Operation& operation, const Site& site);
   std::optional<Value> applyRow(Op op, const Site& site);
   std::optional<Value> applyRowTo(Op op, std::span<const Value> operands, const Site& site);
@@ -122,6 +138,12 @@ class Builder {
   bool fitsInput(const Value& operand, std::size_t place, const Site& site);
   std::optional<Shape> commonShape(std::span<const Value> operands, const Site& site);
   bool hasAllPartials(const Value& value);
+  [[gnu::noinline]] bool isOfRepeatOf(NodeId call, std::span<const NodeId> nodes) const;
+  int addAll(std::span<const Shape> shapes, std::span<const NodeId> nodes);
+  // Whether they read a variable of a loop outside of its fold; of which the number of the step may
+  // be one that does not count.
+  bool isWithinRepeat(std::span<const NodeId> nodes, bool mayReadStep);
+  bool checkOutside(const Value& value, std::string_view asker);
 
   // The handle of a value, unless nodes made since `before` are not what a shader can hold.
   int finish(std::optional<Value> value, std::size_t before, std::string_view method);
@@ -141,7 +163,8 @@ class Builder {
   Differentiator differentiator_{graph_};
   Values values_;
   std::vector<Value> operands_;
-  std::vector<Label> labels_;  // by input
+  std::vector<Repeat> repeats_;  // the innermost last
+  std::vector<Label> labels_;    // by input
   // By the root of their labels: there may be thousands.
   std::map<std::string, std::vector<std::uint32_t>, std::less<>> numbers_;
   std::size_t commented_ = 0;

@@ -125,6 +125,16 @@ int Builder::argumentOfCall(NodeId call, int i) {
   return values_.add(Expression{&graph_, graph_.arguments(call)[i]});
 }
 
+// Whether one of the nodes is made of a loop that makes the call: the loop of its derivatives would
+// need itself.
+bool Builder::isOfRepeatOf(NodeId call, std::span<const NodeId> nodes) const {
+  if (!graph_.has(foldOp)) return false;
+  std::vector<NodeId> folds = reachable(graph_, nodes);
+  std::erase_if(folds, [&](NodeId id) { return !graph_.isFold(id); });
+  const std::vector<NodeId> needed = reachable(graph_, folds);
+  return std::binary_search(needed.begin(), needed.end(), call);
+}
+
 bool Builder::setPartials(NodeId call) {
   const std::vector<Value> given = std::exchange(operands_, {});
   const Function& function = graph_.function(call);
@@ -141,6 +151,10 @@ bool Builder::setPartials(NodeId call) {
       return false;
     }
     partials.push_back(partial[0].id);
+  }
+  if (isOfRepeatOf(call, partials)) {
+    refuse(function.name, {"a derivative of it cannot be what repeat makes of it."});
+    return false;
   }
   graph_.setPartials(call, partials);
   return true;

@@ -26,6 +26,10 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
   const std::size_t before = graph_.size();
   // A condition becomes 0 or 1 here, as it does in any sum.
   const Value offset = operands_[0] + constantLike(operands_[0], 0);
+  if (!checkOutside(offset, method)) {
+    operands_.clear();
+    return failed;
+  }
   if (options.turns && !hasAllPartials(offset)) {
     operands_.clear();
     return needsPartials;
@@ -65,6 +69,7 @@ bool Builder::finish() {
       if (const auto* why = impossible(id)) refuse("A result", {*why});
     }
   }
+  if (isWithinRepeat(module_.roots(), false)) refuse("A result", {onlyInItsBody});
   if (graph_.full()) refuse("A result", {tooLarge});
   return problem_.empty();
 }

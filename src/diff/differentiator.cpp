@@ -174,16 +174,10 @@ void Differentiator::visit(NodeId id, const Direction& direction) {
   };
 
   if (const std::uint32_t bits = componentsOf(id, direction)) direction.components.set(id) = bits;
-  if (graph_.has(localOp) && isWaiting(id, tangents)) return;
-  if (graph_.isFold(id)) return visitFold(id, direction);
+  if (graph_.has(localOp) && visitOfFold(id, direction)) return;
   Tangent& tangent = tangents.set(id) = {zero, one};
   if (id == direction.input) {
     tangent.factor = one;
-  } else if (graph_.isOutcome(id)) {
-    // The same variable's derivative, of the fold that has it too.
-    const NodeId fold = tangents[graph_.operand(id, 0)].factor;
-    const NodeId local = tangents[graph_.operand(id, 1)].factor;
-    if (local != zero && graph_.isFold(fold)) tangent.factor = graph_.outcome(fold, local);
   } else if (dependsOnInput()) {
     findTangent(id, direction);
     if (tangent.base == zero) tangent.factor = zero;

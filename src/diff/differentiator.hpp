@@ -58,6 +58,8 @@ class Differentiator {
   NodeId chainRule(NodeId id, TangentOf tangent);
   NodeId whole(const Tangent& tangent);
 
+  // Whether it was, or has to wait for, the derivative of a fold.
+  [[gnu::noinline, gnu::cold]] bool visitOfFold(NodeId id, const Direction& direction);
   bool isWaiting(NodeId id, const Tangents& tangents) const;
   bool findTangents(std::span<const State> states, const Direction& direction);
   void visitFold(NodeId id, const Direction& direction);

@@ -61,6 +61,23 @@ bool Differentiator::findTangents(std::span<const State> states, const Direction
   return true;
 }
 
+bool Differentiator::visitOfFold(NodeId id, const Direction& direction) {
+  Tangents& tangents = direction.tangents;
+  if (isWaiting(id, tangents)) return true;
+  if (graph_.isFold(id)) {
+    visitFold(id, direction);
+    return true;
+  }
+  if (!graph_.isOutcome(id)) return false;
+  // The derivative of the same variable, of the fold that has it too.
+  const NodeId fold = tangents[graph_.operand(id, 0)].factor;
+  const NodeId local = tangents[graph_.operand(id, 1)].factor;
+  const NodeId zero = graph_.constant(0);
+  const bool moves = local != zero && graph_.isFold(fold);
+  tangents.set(id) = {moves ? graph_.outcome(fold, local) : zero, graph_.constant(1)};
+  return true;
+}
+
 void Differentiator::visitFold(NodeId id, const Direction& direction) {
   Tangents& tangents = direction.tangents;
   const NodeId zero = graph_.constant(0);

@@ -150,7 +150,7 @@ class Emitter {
   }
 
   // Variables live on behind the loop, where they are the outcome.
-  void writeLoop(std::uint32_t loop) {
+  [[gnu::noinline, gnu::cold]] void writeLoop(std::uint32_t loop) {
     const std::vector<State>& states = loops_->statesOf(loop);
     const std::string_view type = dialect_.typeName(ops::Type::Float, oneNumber);
     std::vector<std::string> variables;

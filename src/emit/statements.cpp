@@ -70,7 +70,7 @@ class Maker {
 
   // What a body reads from outside of it is computed before it, as is what a state becomes at the
   // end of a step.
-  void findCaptured() {
+  [[gnu::noinline, gnu::cold]] void findCaptured() {
     captured_.resize(graph_.loopCount());
     for (const NodeId id : loops_->order()) {
       if (graph_.isFold(id)) {
@@ -97,7 +97,7 @@ class Maker {
     for (; loop != loopOf(id); loop = loops_->around(loop)) captured_[loop].push_back(id);
   }
 
-  void visitFold(NodeId id) {
+  [[gnu::noinline, gnu::cold]] void visitFold(NodeId id) {
     const std::uint32_t loop = graph_.loopOf(id);
     if (loopStatements_.empty()) loopStatements_.resize(graph_.loopCount(), none);
     std::uint32_t& statement = loopStatements_[loop];

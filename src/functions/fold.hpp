@@ -16,8 +16,8 @@ inline constexpr std::uint32_t mostSteps = 10'000;
 // A loop whose body is being made: the number of its step, from 0 on, and a state for each number
 // that it starts with.
 struct OpenFold {
-  std::uint32_t loop;
-  Expression step;
+  std::uint32_t loop = none;
+  Expression step{};
   std::vector<NodeId> start, states;
 };
 

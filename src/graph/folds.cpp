@@ -103,6 +103,12 @@ void Loops::leave(NodeId id) {
   }
 }
 
+bool Loops::reads(NodeId id, std::uint32_t loop) const {
+  std::uint32_t set = setOf(id);
+  while (set != 0 && sets_[set].loop != loop) set = sets_[set].rest;
+  return set != 0;
+}
+
 std::uint32_t Loops::with(std::uint32_t loop, std::uint32_t rest) {
   for (std::uint32_t i = 1; i < sets_.size(); ++i) {
     if (sets_[i].loop == loop && sets_[i].rest == rest) return i;

@@ -34,6 +34,8 @@ class Loops {
 
   // The innermost loop whose variables a node reads.
   std::uint32_t loopOf(NodeId id) const { return setOf(id) == 0 ? outside : sets_[setOf(id)].loop; }
+  // Whether it reads variables of that loop.
+  bool reads(NodeId id, std::uint32_t loop) const;
   // The loop that a loop stands in.
   std::uint32_t around(std::uint32_t loop) const { return loopOf(folds_[loop][0]); }
 

@@ -27,6 +27,13 @@ inline constexpr std::string_view tooHighOrder =
     "does "
     "each normal that a chain hands on.";
 
+inline constexpr std::string_view onlyInItsBody =
+    "the state of a repeat, and the number of its step, are known only in its function; use what "
+    "repeat gives.";
+inline constexpr std::string_view afterRepeat =
+    "derivatives of the state of a repeat are known only when it is over; take them of what repeat "
+    "gives.";
+
 // A text from outside, on one line and not too long, in quotation marks.
 std::string quotedShort(std::string_view text);
 

@@ -1,3 +1,4 @@
+#include "functions/fold.hpp"
 #include "noise/bodies.hpp"
 #include "noise/random.hpp"
 
@@ -12,49 +13,51 @@ namespace {
 // a cell.
 constexpr int cells = 4;
 
+// A loop along each axis. Where each cell stood in the text (SwiftShader, in space, with normals,
+// one round side by side on a busy machine, milliseconds): 66,376 characters for 3,769, a first
+// draw of 1,126 for 114 in GLSL 3.00 and of 8,859 for 206 in 1.00, frames of 36 for 46 and of 54
+// for 81.
 class Search {
  public:
-  Search(const Numbers& p, Expression seed)
-      : inside_(), corner_(), first_(far(seed)), second_(far(seed)) {
+  explicit Search(const Numbers& p) {
     for (const Expression x : p) {
       corner_.push_back(floor(x + 0.5));
       inside_.push_back(fract(x + 0.5) - 0.5);
     }
-    visit(seed);
   }
 
-  Numbers distances() const { return {sqrt(first_), sqrt(second_)}; }
+  // The squares of the distances to the nearest and to the second nearest, once those in all cells
+  // have been met that lie at `steps_` along the axes so far: a loop for each of the other axes.
+  Numbers meet(Expression cellHash, const Numbers& before) {
+    const std::size_t axis = steps_.size();
+    if (axis == inside_.size()) return meetPoint(cellHash, before);
+    const Numbers steps = steps_;
+    return fold(cells, before, [&](const Numbers& nearest, Expression step) {
+      const Expression place = step - cells / 2.0;
+      steps_ = steps;
+      steps_.push_back(place);
+      return meet(hash(cellHash, corner_[axis] + place), nearest);
+    });
+  }
 
  private:
-  static Expression far(Expression seed) { return {seed.graph, seed.graph->constant(100)}; }
-
-  // All cells that lie at `steps_` along the axes so far.
-  void visit(Expression cellHash) {
-    const std::size_t axis = depth_;
-    if (axis == inside_.size()) return meet(cellHash);
-    for (int step = -cells / 2; step < cells / 2; ++step) {
-      steps_[depth_++] = step;
-      visit(hash(cellHash, corner_[axis] + static_cast<double>(step)));
-      --depth_;
-    }
-  }
-
-  void meet(Expression cellHash) {
-    Numbers away = randomNumbers(cellHash, static_cast<int>(depth_));
+  Numbers meetPoint(Expression cellHash, const Numbers& before) const {
+    const Expression first = before[0], second = before[1];
+    Numbers away = randomNumbers(cellHash, static_cast<int>(steps_.size()));
     for (std::size_t i = 0; i < away.size(); ++i) away[i] = away[i] + steps_[i] - inside_[i];
     const Expression square = dot(away, away);
-    second_ = min(second_, max(first_, square));
-    first_ = min(first_, square);
+    return {min(first, square), min(second, max(first, square))};
   }
 
-  Numbers inside_, corner_;
-  double steps_[3] = {};  // as many as `depth_`
-  std::size_t depth_ = 0;
-  Expression first_, second_;  // squares of distances
+  Numbers inside_, corner_, steps_;
 };
 
 }  // namespace
 
-Numbers worleyNoise(const Numbers& p, Expression seed) { return Search(p, seed).distances(); }
+Numbers worleyNoise(const Numbers& p, Expression seed) {
+  const Expression far{seed.graph, seed.graph->constant(100)};
+  const Numbers squares = Search(p).meet(seed, {far, far});
+  return {sqrt(squares[0]), sqrt(squares[1])};
+}
 
 }  // namespace warpjet

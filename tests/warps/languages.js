@@ -43,6 +43,14 @@ const images = (glsl) => {
   }
 }
 
+const loops = (glsl) => {
+  const [x, v] = [glsl.param('x'), glsl.vec2Param('v')]
+  const sum = glsl.repeat(3, 0, (outer, i) =>
+    glsl.repeat(4, outer, (inner, k) => inner.add(v.x().mult(i).add(v.y().mult(k)).sin().mult(x))),
+  )
+  return { sum, slope: glsl.gradient(sum, v), octaves: v.fbm({ octaves: 3 }) }
+}
+
 /** The texts by file name. */
 export const languageTexts = () =>
   Object.fromEntries(
@@ -50,7 +58,9 @@ export const languageTexts = () =>
       const ending = target === 'wgsl' ? 'wgsl' : `${target}.glsl`
       const { declarations, code } = compile(pieces, { target })
       const image = compile(images, { target })
+      const loop = compile(loops, { target })
       return [
+        [`language-loops.${ending}`, loop.declarations + loop.code],
         [`language-images.${ending}`, image.declarations + image.code],
         [`language-warp.${ending}`, compileWarp(turned, { target }).code],
         [`language-pieces.${ending}`, declarations + code],

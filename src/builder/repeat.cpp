@@ -1,0 +1,96 @@
+// `repeat`: a body that is recorded once and runs as often.
+#include <algorithm>
+#include <utility>
+
+#include "builder/builder.hpp"
+#include "graph/reachable.hpp"
+#include "module/sentences.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr std::string_view method = "repeat";
+
+}  // namespace
+
+int Builder::openRepeat(int steps) {
+  const std::vector<Value> start = std::exchange(operands_, {});
+  std::uint64_t all = static_cast<std::uint64_t>(steps);
+  for (const Repeat& repeat : repeats_) all *= std::max(graph_.loop(repeat.fold.loop).steps, 1u);
+  if (all > mostSteps) {
+    refuse(method, {"it takes at most ", std::to_string(mostSteps),
+                    " steps, those of repeats within each other multiplied, but these are ",
+                    std::to_string(all), "."});
+    return failed;
+  }
+  if (repeats_.size() == deepestLoops) {
+    refuse(method,
+           {"repeats stand at most ", std::to_string(deepestLoops), " deep in each other."});
+    return failed;
+  }
+  Repeat repeat;
+  std::vector<NodeId> nodes;
+  for (const Value& value : start) {
+    repeat.shapes.push_back(value.shape());
+    nodes.insert(nodes.end(), value.nodes().begin(), value.nodes().end());
+  }
+  repeat.fold = openFold(graph_, static_cast<std::uint32_t>(steps), nodes);
+  const int step = values_.add(repeat.fold.step);
+  addAll(repeat.shapes, repeat.fold.states);
+  repeats_.push_back(std::move(repeat));
+  return step;
+}
+
+int Builder::closeRepeat() {
+  const std::vector<Value> next = std::exchange(operands_, {});
+  const Repeat repeat = std::move(repeats_.back());
+  repeats_.pop_back();
+  std::vector<NodeId> nodes;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (next[i].shape() != repeat.shapes[i]) {
+      refuse(method, {"state ", std::to_string(i + 1), " starts as ", shapeName(repeat.shapes[i]),
+                      ", but becomes ", shapeName(next[i].shape()), "."});
+      return failed;
+    }
+    nodes.insert(nodes.end(), next[i].nodes().begin(), next[i].nodes().end());
+  }
+  const std::vector<NodeId> outcomes = closeFold(graph_, repeat.fold, nodes);
+  if (!checkPossible(outcomes, graph_.size(), method)) return failed;
+  return addAll(repeat.shapes, outcomes);
+}
+
+int Builder::addAll(std::span<const Shape> shapes, std::span<const NodeId> nodes) {
+  int first = failed;
+  for (const Shape shape : shapes) {
+    const int handle = values_.add(fill(graph_, shape, [&](int i) {
+      return Expression{&graph_, nodes[i]};
+    }));
+    if (first == failed) first = handle;
+    nodes = nodes.subspan(static_cast<std::size_t>(shape.size()));
+  }
+  return first;
+}
+
+bool Builder::isWithinRepeat(std::span<const NodeId> nodes, bool mayReadStep) {
+  if (!graph_.has(localOp)) return false;
+  const std::vector<NodeId> needed = reachable(graph_, nodes);
+  const Loops loops(graph_, needed);
+  for (const NodeId node : nodes) {
+    if (loops.loopOf(node) == Loops::outside) continue;
+    if (!mayReadStep) return true;
+    for (const NodeId id : needed) {
+      const bool isState = graph_.isLocal(id) && !graph_.isStep(id);
+      if (isState && loops.reads(node, graph_.loopOf(id))) return true;
+    }
+  }
+  return false;
+}
+
+bool Builder::checkOutside(const Value& value, std::string_view asker) {
+  if (!isWithinRepeat(value.nodes(), false)) return true;
+  refuse(asker, {onlyInItsBody});
+  return false;
+}
+
+}  // namespace warpjet

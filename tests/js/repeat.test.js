@@ -1,0 +1,287 @@
+// glsl.repeat: values and derivatives on the CPU against plain loops and differences in double, its text, bounds, what stays the
+// same with it, and what is refused.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { compile, compileWarp, targets, WarpError } from '../../dist/warpjet.js'
+import { foldCallback, foldNumber, randomFoldCase, secondSlope, slopes } from '../random/folds.js'
+
+const near = (got, expected, tolerance, message) =>
+  assert.ok(
+    Math.abs(got - expected) <= tolerance * Math.max(1, Math.abs(expected)),
+    message ?? `${got} for ${expected}`,
+  )
+
+function refuses(work, pattern) {
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof WarpError, String(error))
+    assert.match(error.message, pattern)
+    assert.match(error.message, /^[^\n]+\.$/)
+    return true
+  })
+}
+
+describe('values', () => {
+  test('of a number, with the number of the step', () => {
+    const { evaluate } = compile((glsl) => ({
+      sum: glsl.repeat(5, 0, (sum, i) => sum.add(i.mult(glsl.param('x')))),
+    }))
+    assert.deepEqual(evaluate({ x: 3 }), { sum: 30 })
+  })
+
+  test('of a vector', () => {
+    const { evaluate } = compile((glsl) => {
+      const c = glsl.vec2Param('c')
+      const square = (z) =>
+        glsl.vec2(z.x().mult(z.x()).sub(z.y().mult(z.y())), z.x().mult(z.y(), 2))
+      return { z: glsl.repeat(3, c, (z) => square(z).add(c)) }
+    })
+    let [x, y] = [0.2, 0.3]
+    for (let i = 0; i < 3; i++) [x, y] = [x * x - y * y + 0.2, 2 * x * y + 0.3]
+    const { z } = evaluate({ c: [0.2, 0.3] })
+    near(z[0], x, 1e-12)
+    near(z[1], y, 1e-12)
+  })
+
+  test('of a record, whose parts are read and written at once', () => {
+    const { evaluate } = compile((glsl) => {
+      const { a, b } = glsl.repeat(10, { a: 0, b: 1 }, ({ a, b }) => ({ b: a.add(b), a: b }))
+      return { fibonacci: a.add(b.mult(1000)), same: glsl.repeat(4, { a }, ({ a }) => ({ a })).a }
+    })
+    assert.deepEqual(evaluate({}), { fibonacci: 55 + 89 * 1000, same: 55 })
+  })
+
+  test('of no step are the start', () => {
+    const { evaluate } = compile((glsl) => ({
+      x: glsl.repeat(0, 7, (x) => x.mult(glsl.param('y'))),
+    }))
+    assert.deepEqual(evaluate({ y: 3 }), { x: 7 })
+  })
+
+  test('and derivatives of 200 random folds', () => {
+    const compared = { value: 0, slope: 0, second: 0 }
+    for (let seed = 0; seed < 200; seed++) {
+      const fold = randomFoldCase(seed)
+      const { evaluate } = compile(foldCallback(fold))
+      const [x, y, z] = fold.point
+      const got = evaluate({ x, y, z })
+      near(got[`value${seed}`], foldNumber(fold, fold.point), 1e-9, `value of ${seed}`)
+      compared.value++
+      for (const [i, { value, isFirm }] of slopes(fold, fold.point).entries()) {
+        if (!isFirm) continue
+        near(
+          got[`slope${seed}`][i],
+          value,
+          1e-4,
+          `slope ${i} of ${seed}: ${got[`slope${seed}`][i]} for ${value}`,
+        )
+        compared.slope++
+      }
+      const second = secondSlope(fold, fold.point)
+      if (!second.isFirm) continue
+      near(
+        got[`second${seed}`],
+        second.value,
+        5e-3,
+        `second of ${seed}: ${got[`second${seed}`]} for ${second.value}`,
+      )
+      compared.second++
+    }
+    assert.ok(compared.slope > 540 && compared.second > 150, JSON.stringify(compared))
+  })
+})
+
+test('a warp of it bends normals as the same loop of JavaScript does, on the CPU', () => {
+  const offset =
+    (repeat) =>
+    ({ glsl, position }) =>
+      repeat(glsl, 6, position, (p, i) => p.add(p.zxy().mult(2).add(i).sin().mult(0.1))).sub(
+        position,
+      )
+  const unrolled = (glsl, count, start, body) => {
+    let state = start
+    for (let i = 0; i < count; i++) state = body(state, glsl.val(i))
+    return state
+  }
+  const given = { position: [0.3, -0.2, 0.7, 1, 2, 3], normal: [0, 0, 1, 0.6, 0.8, 0] }
+  const [loop, straight] = [offset((glsl, ...all) => glsl.repeat(...all)), offset(unrolled)].map(
+    (each) => compileWarp(each).evaluate({ positions: given.position, normals: given.normal }),
+  )
+  for (const key of ['positions', 'normals'])
+    loop[key].forEach((value, i) => near(value, straight[key][i], 2e-6))
+})
+
+describe('text', () => {
+  const chain = ({ glsl, position }) =>
+    glsl.repeat(24, position, (p) => p.zxy().mult(1.1).sin()).sub(position)
+
+  for (const target of targets)
+    test(`is one loop for value and derivatives in ${target}`, () => {
+      const { code } = compileWarp(chain, { target })
+      assert.equal(code.split('for (').length - 1, target === 'wgsl' ? 1 : 1)
+      assert.ok(code.length < 3000, String(code.length))
+    })
+
+  test('does once what does not change', () => {
+    const { code } = compile((glsl) => {
+      const x = glsl.param('x')
+      return { y: glsl.repeat(9, 0, (sum) => sum.add(x.sin().exp())) }
+    })
+    assert.ok(code.indexOf('sin(x)') < code.indexOf('for ('), code)
+  })
+
+  test('has no state that nothing needs', () => {
+    const { code } = compile((glsl) => ({
+      y: glsl.repeat(9, { a: 0, b: glsl.param('b') }, ({ a, b }) => ({ a: a.add(1), b: b.sin() }))
+        .a,
+    }))
+    assert.doesNotMatch(code, /sin/)
+  })
+})
+
+test('bounds hold what the loop gives', () => {
+  const warp = compileWarp(({ glsl, position }) =>
+    glsl.vec3(
+      0,
+      glsl.repeat(4, position.x(), (s, i) => s.mult(2).add(i).sin()),
+      0,
+    ),
+  )
+  const { min, max } = warp.bounds({ min: [-1, 0, 0], max: [1, 0, 0] })
+  for (let x = -1; x <= 1; x += 0.01) {
+    let s = x
+    for (let i = 0; i < 4; i++) s = Math.sin(2 * s + i)
+    assert.ok(min[1] <= s && s <= max[1], `${s} outside of ${min[1]} to ${max[1]}`)
+  }
+  assert.ok(max[1] - min[1] < 2.2)
+})
+
+describe('refuses', () => {
+  const made = (work) => () => compile((glsl) => ({ r: work(glsl, glsl.param('x')) }))
+  const cases = {
+    'a count of an expression': [
+      (g, x) => g.repeat(x, 0, (s) => s),
+      /argument 1 is an expression.*ifElse/,
+    ],
+    'half a step': [
+      (g) => g.repeat(2.5, 0, (s) => s),
+      /argument 1 must be a whole number, 0 or above, but is the number 2\.5/,
+    ],
+    'fewer than none': [(g) => g.repeat(-1, 0, (s) => s), /whole number, 0 or above/],
+    'no count': [
+      (g) => g.repeat(undefined, 0, (s) => s),
+      /argument 1 must be a whole number.*undefined/,
+    ],
+    'too many steps': [(g) => g.repeat(20000, 0, (s) => s), /at most 10000 steps/],
+    'too many steps within others': [
+      (g) => g.repeat(200, 0, (s) => g.repeat(200, s, (t) => t.add(1))),
+      /at most 10000 steps.*multiplied.*40000/,
+    ],
+    'repeats too deep in each other': [
+      (g) => {
+        const nest = (s, left) => (left ? g.repeat(2, s, (t) => nest(t, left - 1)) : s.add(1))
+        return nest(g.val(0), 9)
+      },
+      /at most 8 deep/,
+    ],
+    'no start': [
+      (g) => g.repeat(2, undefined, (s) => s),
+      /what the state starts as must be a number or an expression/,
+    ],
+    'an empty start': [(g) => g.repeat(2, {}, (s) => s), /empty object/],
+    'an array': [(g) => g.repeat(2, [1, 2], (s) => s), /glsl\.vec3/],
+    'no function': [(g) => g.repeat(2, 0, 1), /argument 3 must be a function/],
+    'a fourth argument': [(g) => g.repeat(2, 0, (s) => s, 5), /the number 5 is too many/],
+    'nothing returned': [(g) => g.repeat(2, 0, () => {}), /returns nothing; put a return/],
+    'a promise': [(g) => g.repeat(2, 0, async (s) => s), /promise|must return one state/],
+    'another shape': [
+      (g) => g.repeat(2, 0, () => g.vec3(1, 2, 3)),
+      /the state starts as a single number, but the function makes it a vec3; start with a vec3/,
+    ],
+    'another shape in a record': [
+      (g) => g.repeat(2, { p: g.vec3(1), t: 0 }, ({ t }) => ({ p: t, t })).t,
+      /"p" starts as a vec3, but the function makes it a single number/,
+    ],
+    'a part that is missing': [
+      (g) => g.repeat(2, { a: 0, b: 0 }, ({ a }) => ({ a })).a,
+      /must return "b" too/,
+    ],
+    'a part that is new': [
+      (g) => g.repeat(2, { a: 0 }, ({ a }) => ({ a, c: a })).a,
+      /returns "c", but the state starts with a/,
+    ],
+    'one state for a record': [(g) => g.repeat(2, { a: 0 }, ({ a }) => a).a, /object with a/],
+    'a state that got out': [
+      (g) => {
+        let out
+        g.repeat(2, 0, (s) => (out = s))
+        return out
+      },
+      /known only in its function; use what repeat gives/,
+    ],
+    'a step that got out': [
+      (g) => {
+        let out
+        g.repeat(2, 0, (s, i) => ((out = i), s.add(i)))
+        return out.add(1)
+      },
+      /known only in its function/,
+    ],
+    'a derivative of a state': [
+      (g, x) => g.repeat(2, x, (s) => s.add(g.derivative(s.mult(x), x))),
+      /derivative: .*only when it is over/,
+    ],
+  }
+  for (const [name, [work, pattern]] of Object.entries(cases))
+    test(name, () => refuses(made(work), pattern))
+
+  test('a state of another build', () => {
+    let other
+    compile((glsl) => ({ r: (other = glsl.param('x')) }))
+    refuses(
+      made((g) => g.repeat(2, other, (s) => s)),
+      /another warp/,
+    )
+    refuses(
+      made((g) => g.repeat(2, 0, () => other)),
+      /another warp/,
+    )
+  })
+
+  test('and goes on after what a sketch catches', () => {
+    const { evaluate } = compile((glsl) => {
+      assert.throws(
+        () =>
+          glsl.repeat(3, 0, () => {
+            throw new Error('mine')
+          }),
+        /mine/,
+      )
+      return { r: glsl.repeat(3, 0, (s) => s.add(2)) }
+    })
+    assert.deepEqual(evaluate({}), { r: 6 })
+  })
+})
+
+test('a derivative by an input may be taken of what a body computes without its state', () => {
+  const { evaluate } = compile((glsl) => {
+    const x = glsl.param('x')
+    return { r: glsl.repeat(3, 0, (s, i) => s.add(glsl.derivative(x.mult(i).sin(), x))) }
+  })
+  near(evaluate({ x: 0.4 }).r, Math.cos(0.4) + 2 * Math.cos(0.8), 1e-12)
+})
+
+test('a function of the host in a body keeps its own derivatives', () => {
+  const { code, declarations } = compile((glsl) => {
+    const x = glsl.param('x')
+    const bump = glsl.fn({
+      name: 'bump',
+      arity: 1,
+      source: 'float bump(float x) { return x * x; }',
+      derivatives: [(a) => a.mult(2)],
+    })
+    const y = glsl.repeat(3, x, (s) => bump(s).mult(0.5))
+    return { y, slope: glsl.derivative(y, x) }
+  })
+  assert.match(declarations, /bump/)
+  assert.equal(code.split('for (').length - 1, 1)
+})

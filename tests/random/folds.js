@@ -1,0 +1,152 @@
+// Random bodies for glsl.repeat, each as expressions and as plain numbers, with states of one to three components. What a step
+// adds is bounded, so that no state runs away.
+import { randomOf } from './generate.js'
+
+const unary = {
+  sin: Math.sin,
+  cos: Math.cos,
+  tanh: Math.tanh,
+  atan: Math.atan,
+  abs: Math.abs,
+}
+const binary = {
+  add: (a, b) => a + b,
+  sub: (a, b) => a - b,
+  mult: (a, b) => a * b,
+  min: Math.min,
+  max: Math.max,
+}
+
+const pick = (random, list) => list[Math.floor(list.length * random())]
+
+/** A formula of numbers: what it reads are names. */
+function grow(random, names, depth) {
+  if (depth === 0)
+    return random() < 0.2 ? Number((4 * random() - 2).toFixed(1)) : pick(random, names)
+  if (random() < 0.4) return [pick(random, Object.keys(unary)), grow(random, names, depth - 1)]
+  return [
+    pick(random, Object.keys(binary)),
+    grow(random, names, depth - 1),
+    grow(random, names, Math.floor(depth * random())),
+  ]
+}
+
+/** In plain numbers. */
+function numberOf(formula, values) {
+  if (typeof formula === 'number') return formula
+  if (typeof formula === 'string') return values[formula]
+  const [op, ...operands] = formula
+  return (unary[op] ?? binary[op])(...operands.map((each) => numberOf(each, values)))
+}
+
+/** As an expression. */
+function expressionOf(glsl, formula, values) {
+  if (typeof formula === 'number') return glsl.val(formula)
+  if (typeof formula === 'string') return values[formula]
+  const [op, ...operands] = formula
+  return glsl[op](...operands.map((each) => expressionOf(glsl, each, values)))
+}
+
+/**
+ * The fold of a seed: `outer` is a loop of `steps`, in whose body there may be an `inner` one. Each has formulas for its states; those of the
+ * inner one read the outer one's states and step too.
+ */
+function randomFold(random, outside, depth) {
+  const level = depth === 0 ? 'inner' : 'outer'
+  const states = Array.from({ length: 1 + Math.floor(3 * random()) }, (_, i) => `${level}${i}`)
+  const step = `${level}Step`
+  const known = [...outside, ...states, step]
+  const inner = depth > 0 && random() < 0.5 ? randomFold(random, known, depth - 1) : undefined
+  const read = inner ? [...known, ...inner.states.map((name) => `${name}End`)] : known
+  return {
+    steps: Math.floor(6 * random()),
+    states,
+    step,
+    starts: states.map(() => grow(random, outside, 2)),
+    inner,
+    // A state and what is below 1: the sine of anything.
+    nexts: states.map((name) => ['add', ['mult', name, 0.5], ['sin', grow(random, read, 3)]]),
+  }
+}
+
+const inputs = ['x', 'y', 'z']
+
+export function randomFoldCase(seed) {
+  const random = randomOf(31000 + seed)
+  const fold = randomFold(random, inputs, 1)
+  return { seed, inputs, fold, point: inputs.map(() => Math.fround(3 * random() - 1.5)) }
+}
+
+function runNumbers({ steps, states, step, starts, inner, nexts }, outside) {
+  let now = starts.map((each) => numberOf(each, outside))
+  for (let i = 0; i < steps; i++) {
+    const values = { ...outside, [step]: i }
+    states.forEach((name, k) => (values[name] = now[k]))
+    if (inner)
+      runNumbers(inner, values).forEach((end, k) => (values[`${inner.states[k]}End`] = end))
+    now = nexts.map((each) => numberOf(each, values))
+  }
+  return now
+}
+
+function runExpressions(glsl, { steps, states, step, starts, inner, nexts }, outside) {
+  const record = (list) => Object.fromEntries(list.map((each, i) => [states[i], each]))
+  const ends = glsl.repeat(
+    steps,
+    record(starts.map((each) => expressionOf(glsl, each, outside))),
+    (state, i) => {
+      const values = { ...outside, ...state, [step]: i }
+      if (inner)
+        for (const [k, end] of runExpressions(glsl, inner, values).entries())
+          values[`${inner.states[k]}End`] = end
+      return record(nexts.map((each) => expressionOf(glsl, each, values)))
+    },
+  )
+  return states.map((name) => ends[name])
+}
+
+/** The sum of the outcomes, in double. */
+export const foldNumber = ({ fold, inputs }, point) =>
+  runNumbers(fold, Object.fromEntries(inputs.map((name, i) => [name, point[i]]))).reduce(
+    (a, b) => a + b,
+  )
+
+/** For `compile`: the sum of the outcomes and its derivatives by x, y and z, and the second one by x and y. */
+export const foldCallback =
+  ({ fold, inputs, seed }) =>
+  (glsl) => {
+    const values = Object.fromEntries(inputs.map((name) => [name, glsl.param(name)]))
+    const sum = runExpressions(glsl, fold, values).reduce((a, b) => a.add(b))
+    const byX = glsl.derivative(sum, values.x)
+    return {
+      [`value${seed}`]: sum,
+      [`slope${seed}`]: glsl.vec3(
+        byX,
+        glsl.derivative(sum, values.y),
+        glsl.derivative(sum, values.z),
+      ),
+      [`second${seed}`]: glsl.derivative(byX, values.y),
+    }
+  }
+
+/** Central differences, in double, and whether they can be trusted: those of two step sizes agree. */
+export function slopes(test, point) {
+  const at = (i, h) =>
+    foldNumber(
+      test,
+      point.map((each, k) => (k === i ? each + h : each)),
+    )
+  return point.map((_, i) => {
+    const [coarse, fine] = [1e-4, 1e-5].map((h) => (at(i, h) - at(i, -h)) / (2 * h))
+    return { value: fine, isFirm: Math.abs(coarse - fine) < 1e-4 * Math.max(1, Math.abs(fine)) }
+  })
+}
+
+/** The second derivative by x and y. */
+export function secondSlope(test, [x, y, z]) {
+  const at = (h, k) => foldNumber(test, [x + h, y + k, z])
+  const [coarse, fine] = [2e-3, 1e-3].map(
+    (h) => (at(h, h) - at(h, -h) - at(-h, h) + at(-h, -h)) / (4 * h * h),
+  )
+  return { value: fine, isFirm: Math.abs(coarse - fine) < 1e-3 * Math.max(1, Math.abs(fine)) }
+}
