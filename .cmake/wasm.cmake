@@ -7,9 +7,9 @@
 # What runs per node, or per vertex, is compiled for speed, and everything else of the core for size: at -Os everywhere, a warp
 # of 3,000 nodes takes six times as long.
 set(fast_sources
-  src/algebra/value.cpp src/builder/builder.cpp src/builder/call.cpp src/builder/results.cpp src/diff/differentiator.cpp
-  src/emit/emit.cpp src/emit/names.cpp src/emit/statements.cpp src/emit/writer.cpp
-  src/graph/graph.cpp src/graph/schedule.cpp src/graph/simplify.cpp src/module/save.cpp)
+  src/algebra/value.cpp src/builder/builder.cpp src/builder/call.cpp src/diff/differentiator.cpp
+  src/emit/emit.cpp src/emit/statements.cpp src/emit/writer.cpp
+  src/graph/graph.cpp src/graph/schedule.cpp src/graph/simplify.cpp)
 set(fast_evaluation_sources
   src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp src/eval/registers.cpp)
 list(TRANSFORM fast_sources PREPEND "${PROJECT_SOURCE_DIR}/")
