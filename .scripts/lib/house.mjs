@@ -94,7 +94,8 @@ const textsIn = (source) =>
     .match(/'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`/g) ?? []
 
 /** A host's adapter has to speak the language of its host: p5's shaders are GLSL, and so are three's. */
-const isAdapter = (file) => /^js-bindings\/(p5|three|babylon)\//.test(file)
+const isAdapter = (file) =>
+  /^js-bindings\/(p5|three|babylon)\/|^js-bindings\/glsl\/function-text\.ts$/.test(file)
 
 /** A way from a module back to itself with an import of values on it. Types alone may need each other. */
 function importCircle(edges) {

@@ -134,6 +134,7 @@ texels and mixes them itself, whatever filter the image has.
 | \`'bilinear'\`, unless given | the mix of four; its slope, and so light, jumps at every row and column of texels |
 | \`'bicubic'\` | a smooth curve through the texels (Keys, 1981: Catmull-Rom), a little beyond them beside edges |
 | \`'bspline'\` | a cubic B-spline, smooth up to its second derivatives, which blurs the image by about a texel; best for heights |
+| \`'nearest'\` | the texel itself, for images that hold data; its derivative is 0 |
 
 Beyond 0 and 1, \`wrap\` is \`'clamp'\` unless given, \`'repeat'\` or \`'mirror'\`. A transparent image's colours are as the host keeps them:
 p5 multiplies them by alpha. WebGL 1 must be told the size: \`uniform vec2 heightsSize\` beside \`uniform sampler2D heights\`.

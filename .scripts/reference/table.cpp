@@ -49,7 +49,9 @@ std::string array(const List& items, Item item) {
   return "[" + joined + "]";
 }
 
-std::string typeName(ops::Type type) { return text(type == ops::Type::Bool ? "bool" : "float"); }
+std::string typeName(ops::Type type) {
+  return text(type == ops::Type::Bool ? "bool" : type == ops::Type::Int ? "int" : "float");
+}
 
 // The languages that lack a row, and so have it lowered to others.
 std::string missingIn(const ops::Spellings& spellings) {
@@ -62,15 +64,16 @@ std::string missingIn(const ops::Spellings& spellings) {
 
 std::string row(const ops::Title& title, const ops::Info& info) {
   const std::span types(info.signature.operands.data(), static_cast<std::size_t>(info.arity));
-  return object({{"name", text(title.name)},
-                 {"operands", text(title.operands)},
-                 {"meaning", text(title.meaning)},
-                 {"types", array(types, typeName)},
-                 {"result", typeName(info.signature.result)},
-                 {"missingIn", missingIn(info.spellings)},
-                 {"isChained", truth(info.traits.has(ops::Trait::Chained))},
-                 {"takesMatrices", truth(info.traits.has(ops::Trait::OnMatrices))},
-                 {"isHidden", truth(detail::isHidden(info))}});
+  return object(
+      {{"name", text(title.name)},
+       {"operands", text(title.operands)},
+       {"meaning", text(title.meaning)},
+       {"types", array(types, typeName)},
+       {"result", typeName(info.signature.result)},
+       {"missingIn", missingIn(info.spellings)},
+       {"isChained", truth(info.traits.has(ops::Trait::Chained))},
+       {"takesMatrices", truth(info.traits.has(ops::Trait::OnMatrices))},
+       {"isHidden", truth(detail::isHidden(info) || info.traits.has(ops::Trait::ForText))}});
 }
 
 std::string rows() {

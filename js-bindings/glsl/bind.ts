@@ -6,7 +6,8 @@ import type { Expression } from '../expression/expression.js'
 import type { Session } from '../expression/session.js'
 import { drawInputs, inputSizes, variationInputs } from '../inputs/inputs.js'
 import type { WarpInputs } from '../types/types.js'
-import type { Named, Outside } from './listing.js'
+import { imageSizeText } from './function-text.js'
+import type { Named, External } from './listing.js'
 import { article } from './options.js'
 import type { Given } from './replay.js'
 
@@ -32,43 +33,54 @@ export const inputNamed = (inputs: Inputs, name: string) =>
  * Uniforms and attributes by name: what the sketch declared under it, an input such as `millis` of the right type, or a
  * variable of the host's shader.
  */
-export function bindOutsides(
+export function bindExternals(
   method: string,
   glsl: Builder,
-  outsides: readonly Outside[],
+  externals: readonly External[],
   inputs: Inputs,
-): Pick<Given, 'outside' | 'texture'> {
+): Pick<Given, 'external' | 'texture' | 'imageSize'> {
   const declared = (inputs.uniforms ?? {}) as unknown as Record<string, unknown>
   const isDeclared = (name: string) => Object.hasOwn(declared, name)
   const made = new Map<number, Expression>()
-  const find = (outside: Outside): Expression => {
-    const { name, type, isAttribute } = outside
-    if (!isAttribute && isDeclared(name)) return checked(method, glsl, outside, declared[name])
+  const find = (external: External): Expression => {
+    const { name, type, isAttribute } = external
+    if (!isAttribute && isDeclared(name)) return checked(method, glsl, external, declared[name])
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
-    if (!isAttribute) return parameterOf(method, glsl, outside)
+    if (!isAttribute) return parameterOf(method, glsl, external)
     throw new WarpError(
       `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv and color.`,
     )
   }
+  const imageOf = (place: number) => {
+    const { name } = externals[place]!
+    return isDeclared(name) ? declared[name] : name
+  }
+  const imageSize = (place: number) => {
+    const { target } = glsl.val!(0).session as Session
+    return glsl.vec2Param!(imageSizeText(target, String(imageOf(place))))
+  }
   return {
-    outside(place) {
+    external(place) {
       let value = made.get(place)
-      if (!value) made.set(place, (value = find(outsides[place]!)))
+      if (!value) made.set(place, (value = find(externals[place]!)))
       return value
     },
-    texture(place, uv) {
-      const { name } = outsides[place]!
-      return glsl.texture!(isDeclared(name) ? declared[name] : name, uv)
+    texture(place, at, isFetched) {
+      const image = imageOf(place)
+      if (!isFetched) return glsl.texture!(image, at)
+      const uv = glsl.div!(glsl.add!(at, 0.5), imageSize(place))
+      return glsl.texture!(image, uv, { filter: 'nearest' })
     },
+    imageSize,
   }
 }
 
 function checked(
   method: string,
   glsl: Builder,
-  { name, type, shape }: Outside,
+  { name, type, shape }: External,
   declared: unknown,
 ): Expression {
   if (typeof declared === 'string')

@@ -5,7 +5,7 @@ import { isExpression } from '../checks/describe.js'
 import { frontEndKey } from '../checks/front-end.js'
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
-import { bindOutsides } from './bind.js'
+import { bindExternals } from './bind.js'
 import { type FunctionHead, type Named, withSource } from './listing.js'
 import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
 import { pack, replay } from './replay.js'
@@ -31,8 +31,8 @@ function readSource(glsl: Builder, source: unknown, options: GlslSourceOptions =
     checkCallable(head)
     return text.list(head, readIterations('source', options.maxIterations))
   })
-  const { head, outsides } = listing
-  const outside = bindOutsides('source', glsl, outsides, { uniforms: uniforms as never })
+  const { head, externals } = listing
+  const outside = bindExternals('source', glsl, externals, { uniforms: uniforms as never })
   const call: SourceFunction = (...operands) => {
     const { name, parameters } = head
     if (operands.length !== parameters.length)

@@ -6,7 +6,7 @@ import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import { type Target, checkTarget } from '../module/kept-module.js'
 import type { Vector } from '../types/types.js'
-import { bindOutsides, parameterOf } from './bind.js'
+import { bindExternals, parameterOf } from './bind.js'
 import { functionText } from './function-text.js'
 import { type FunctionHead, type Listing, withSource } from './listing.js'
 import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
@@ -59,8 +59,8 @@ export function differentiate(source: string, options: DifferentiateOptions = {}
 }
 
 /** For the output: of no parameter and no uniform. */
-function freeName({ head, outsides }: Listing): string {
-  const taken = new Set([...head.parameters, ...outsides].map((each) => each.name))
+function freeName({ head, externals }: Listing): string {
+  const taken = new Set([...head.parameters, ...externals].map((each) => each.name))
   const name = ['result', 'outcome', 'derivatives'].find((each) => !taken.has(each))
   if (name) return name
   let number = 2
@@ -80,9 +80,9 @@ function derivativesOf(
   by: string,
   { isValue }: ResultShape,
 ): Expression {
-  const { head, outsides } = listing
+  const { head, externals } = listing
   const operands = head.parameters.map((each) => parameterOf('differentiate', glsl, each))
-  const outside = bindOutsides('differentiate', glsl, outsides, {})
+  const outside = bindExternals('differentiate', glsl, externals, {})
   const value = pack(glsl, head.type, replay(glsl, listing, { arguments: operands, ...outside }))
   const place = head.parameters.findIndex(({ name }) => name === by)
   const input = operands[place]!

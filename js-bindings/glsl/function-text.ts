@@ -1,4 +1,4 @@
-// A whole function as each language writes it, around statements that the compiler wrote.
+// What each language writes around statements that the compiler wrote: a whole function, and the size of an image.
 import type { Target } from '../module/kept-module.js'
 import type { Named } from './listing.js'
 
@@ -28,3 +28,12 @@ export function functionText(target: Target, parts: FunctionParts): string {
   const body = `${code.trimEnd()}\nreturn ${result};`.replace(/^(?=.)/gm, '  ')
   return `${declarations}${head} {\n${body}\n}\n`
 }
+
+/** As each language asks for it; WebGL 1 has it told by a uniform. */
+const imageSizes: Record<Target, (image: string) => string> = {
+  glsl300: (image) => `vec2(textureSize(${image}, 0))`,
+  glsl100: (image) => `${image}Size`,
+  wgsl: (image) => `vec2f(textureDimensions(${image}))`,
+}
+
+export const imageSizeText = (target: Target, image: string) => imageSizes[target](image)

@@ -10,7 +10,7 @@ export interface Named {
   type: string
 }
 
-export interface Outside extends Named {
+export interface External extends Named {
   isAttribute: boolean
   /** Whether the function reads it. */
   isRead: boolean
@@ -28,7 +28,7 @@ export interface Listing {
   words: Uint32Array
   constants: Float64Array
   results: Uint32Array
-  outsides: Outside[]
+  externals: External[]
 }
 
 /** Does some work with a text that was read, and closes it whatever happens. Throws a `WarpError` with line, column and a caret. */
@@ -87,7 +87,7 @@ export class OpenSource {
       words: words(glsl._words(handle), glsl._wordCount(handle)),
       constants: glsl.HEAPF64.slice(constants, constants + glsl._constantCount(handle)),
       results: words(glsl._results(handle), glsl._resultCount(handle)),
-      outsides: lines(glsl.nameLines(handle)).map(readOutside),
+      externals: lines(glsl.nameLines(handle)).map(readExternal),
     }
   }
 }
@@ -112,7 +112,7 @@ const readParameters = (text: string) =>
     isOut: mark === '&',
   }))
 
-function readOutside(line: string): Outside {
+function readExternal(line: string): External {
   const [kind, columns, rows, type, ...name] = line.split(' ')
   return {
     name: name.join(' '),

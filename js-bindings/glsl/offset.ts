@@ -4,7 +4,7 @@ import { nearest } from '../checks/nearest.js'
 import { checkOptions } from '../checks/options.js'
 import type { Builder } from '../expression/builder.js'
 import type { OffsetFunction, UniformValues, WarpInputs } from '../types/types.js'
-import { bindOutsides, inputNamed, inputTypes } from './bind.js'
+import { bindExternals, inputNamed, inputTypes } from './bind.js'
 import { type FunctionHead, withSource } from './listing.js'
 import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
 import { pack, replay } from './replay.js'
@@ -45,8 +45,8 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
     const operands = head.parameters.map(({ name }) =>
       inputNamed(given, isInput(name) ? name : 'position')!,
     )
-    const outsides = bindOutsides('glslOffset', glsl, listing.outsides, given)
-    const numbers = replay(glsl, listing, { arguments: operands, ...outsides })
+    const externals = bindExternals('glslOffset', glsl, listing.externals, given)
+    const numbers = replay(glsl, listing, { arguments: operands, ...externals })
     const result = pack(glsl, head.type, numbers) as unknown as WarpInputs['position']
     return returns === 'position' ? result.sub(inputs.position) : result
   }

@@ -5,19 +5,18 @@ import type { Expression } from '../expression/expression.js'
 import { getGlsl } from '../wasm/glsl.js'
 import type { Listing } from './listing.js'
 
-/** Of codes.hpp, those that are no operations of the builder. */
-const leaves = { constant: 0, argument: 2, uniform: 3, component: 4, texel: 6 }
-
-/** By code, the builder's names of operations. */
+/** By code, the builder's names of operations, and codes.hpp's of leaves. */
 let operations: string[] | undefined
 
 export interface Given {
   /** The arguments of the function, in order. */
   arguments: readonly Expression[]
-  /** The uniform or attribute of that place among the outsides. */
-  outside: (place: number) => Expression
-  /** The texel at a vec2 of the image of that place. */
-  texture: (place: number, uv: Expression) => Expression
+  /** The uniform or attribute of that place among the externals. */
+  external: (place: number) => Expression
+  /** The texel at a vec2 of the image of that place: between the texels, or that with these numbers. */
+  texture: (place: number, at: Expression, isFetched: boolean) => Expression
+  /** Its width and height. */
+  imageSize: (place: number) => Expression
 }
 
 /** The numbers that the function gives. */
@@ -26,31 +25,46 @@ export function replay(glsl: Builder, listing: Listing, given: Given): Expressio
   const { words, constants } = listing
   const made: Expression[] = []
   for (let at = 0; at < words.length;) {
-    const code = words[at++]!
-    switch (code) {
-      case leaves.constant:
+    const name = operations[words[at++]!]!
+    switch (name) {
+      case 'constant':
         made.push(glsl.val!(constants[words[at++]!]!))
         break
-      case leaves.argument:
+      case 'whole':
+        made.push(wholeOf(glsl, constants[words[at++]!]!))
+        break
+      case 'argument':
         made.push(componentOf(given.arguments[words[at++]!]!, words[at++]!, words[at++]!))
         break
-      case leaves.uniform:
-        made.push(componentOf(given.outside(words[at++]!), words[at++]!, words[at++]!))
+      case 'uniform':
+        made.push(componentOf(given.external(words[at++]!), words[at++]!, words[at++]!))
         break
-      case leaves.component:
+      case 'component':
         made.push(componentOf(made[words[at++]!]!, words[at++]!, words[at++]!))
         break
-      case leaves.texel:
-        made.push(given.texture(words[at++]!, made[words[at++]!]!))
+      case 'texel':
+      case 'fetchedTexel':
+        made.push(given.texture(words[at++]!, made[words[at++]!]!, name === 'fetchedTexel'))
+        break
+      case 'imageSize':
+        made.push(given.imageSize(words[at++]!))
         break
       default: {
         const operands: Expression[] = []
         for (let count = words[at++]!; count > 0; count--) operands.push(made[words[at++]!]!)
-        made.push(glsl[operations[code]!]!(...operands))
+        made.push(glsl[name]!(...operands))
       }
     }
   }
   return Array.from(listing.results, (place) => made[place]!)
+}
+
+/** A whole number of 32 bits; a float tells only the first 24 of them. */
+function wholeOf(glsl: Builder, value: number): Expression {
+  const int = (part: number) => glsl.int!(glsl.val!(part))
+  if (Math.abs(value) <= 2 ** 24) return int(value)
+  const bits = value | 0
+  return glsl.bitOr!(glsl.shiftLeft!(int(bits >> 16), int(16)), int(bits & 0xffff))
 }
 
 type Methods = Record<string, (...operands: unknown[]) => Expression>

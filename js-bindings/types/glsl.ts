@@ -155,8 +155,9 @@ export interface TextureOptions {
    * - `'bspline'`, of 16 texels: smooths the image by about a texel, and is smooth up to its second derivatives; for
    *   heights of 8 bits and for light that shows no texels (the uniform cubic B-spline; Sigg and Hadwiger, "Fast
    *   Third-Order Texture Filtering", GPU Gems 2, chapter 20, 2005).
+   * - `'nearest'`: the texel itself, for images that hold data. Its derivative is 0.
    */
-  filter?: 'bilinear' | 'bicubic' | 'bspline'
+  filter?: 'bilinear' | 'bicubic' | 'bspline' | 'nearest'
   /** Beyond 0 and 1: the colour of the edge (`'clamp'` unless given), the image again, or its mirror image. */
   wrap?: 'clamp' | 'repeat' | 'mirror'
 }

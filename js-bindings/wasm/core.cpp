@@ -66,12 +66,13 @@ EMSCRIPTEN_KEEPALIVE int textSize(const std::string* text) {
 
 EMSCRIPTEN_KEEPALIVE void releaseText(const std::string* text) { delete text; }
 
-// The names of all operations in the order of their numbers; of constructors with a `+` before it.
+// The names of all operations in the order of their numbers; with a `+` before
+// it of what is no method.
 EMSCRIPTEN_KEEPALIVE const std::string* operationNames() {
   std::string names;
   for (const Operation& operation : operations) {
     if (!names.empty()) names += ' ';
-    if (operation.isConstructor()) names += '+';
+    if (operation.isConstructor() || operation.isForText) names += '+';
     names += operation.name;
   }
   return told(names);

@@ -16,7 +16,7 @@ export const noises = {
 } as const
 
 /** Of `glsl.texture`. */
-export const filters = ['bilinear', 'bicubic', 'bspline'] as const
+export const filters = ['bilinear', 'bicubic', 'bspline', 'nearest'] as const
 export const wraps = ['clamp', 'repeat', 'mirror'] as const
 
 export const mostSeed = 8388608

@@ -26,6 +26,8 @@ struct Operation {
   Source source;
   // Of the row or composition; of a constructor the size; of a part, 1 for a row.
   std::uint8_t index;
+  // Only what reads shader text calls it, and no method does.
+  bool isForText = false;
 
   // Vectors and matrices are not made by a method.
   constexpr bool isConstructor() const {
@@ -73,7 +75,9 @@ inline constexpr auto operations = [] {
   std::size_t n = 0;
   const auto number = [](std::size_t i) { return static_cast<std::uint8_t>(i); };
   for (std::size_t i = 0; i < ops::count; ++i) {
-    if (!detail::isHidden(ops::infos[i])) all[n++] = {ops::infos[i].name, Source::Row, number(i)};
+    if (!detail::isHidden(ops::infos[i]))
+      all[n++] = {ops::infos[i].name, Source::Row, number(i),
+                  ops::infos[i].traits.has(ops::Trait::ForText)};
   }
   for (const auto& alias : detail::aliases) {
     for (std::size_t i = 0; i < ops::count; ++i) {

@@ -30,10 +30,10 @@ struct Dialect {
   std::string_view functions;     // of the language
   std::size_t longestName;
 
-  // Types, by float and bool; of vectors from two components up, of matrices by columns and rows
-  // from two up. What it lacks is empty, and `lacks` says what to do then.
-  std::array<std::string_view, 2> numbers;
-  std::array<std::array<std::string_view, 3>, 2> vectors;
+  // Types, by float, bool and int; of vectors from two components up, of matrices by columns and
+  // rows from two up. What it lacks is empty, and `lacks` says what to do then.
+  std::array<std::string_view, ops::typeCount> numbers;
+  std::array<std::array<std::string_view, 3>, ops::typeCount> vectors;
   std::array<std::array<std::string_view, 3>, 3> matrices;
   std::string_view image;
   std::string_view lacks;

@@ -5,9 +5,10 @@
 
 namespace warpjet::glsl {
 
-inline constexpr std::array<std::string_view, 2> numbers{"float", "bool"};
-inline constexpr std::array<std::array<std::string_view, 3>, 2> vectors{
-    {{"vec2", "vec3", "vec4"}, {"bvec2", "bvec3", "bvec4"}}};
+// Whole numbers of a fragment shader have 16 bits unless told otherwise.
+inline constexpr std::array<std::string_view, ops::typeCount> numbers{"float", "bool", "highp int"};
+inline constexpr std::array<std::array<std::string_view, 3>, ops::typeCount> vectors{
+    {{"vec2", "vec3", "vec4"}, {"bvec2", "bvec3", "bvec4"}, {"ivec2", "ivec3", "ivec4"}}};
 // Images have low precision unless told otherwise, which cuts heights off.
 inline constexpr std::string_view image = "highp sampler2D";
 

@@ -29,7 +29,7 @@ constexpr Formula formulaOf() {
   constexpr auto& spellings = ops::infos[Row].spellings.byLanguage;
   constexpr bool isMissing = std::any_of(spellings.begin(), spellings.end(),
                                          [](const auto& spelling) { return spelling.isMissing(); });
-  static_assert(hasFormula<Row> || !isMissing,
+  static_assert(hasFormula<Row> || !isMissing || ops::infos[Row].signature.hasWhole(),
                 "a row that a language lacks must say what it is lowered to");
   if constexpr (hasFormula<Row>) {
     return &applyFormula<Row>;
@@ -38,7 +38,7 @@ constexpr Formula formulaOf() {
   }
 }
 
-// Null where every language has the operation.
+// Null where every language has the operation, or what lacks it refuses it.
 constexpr auto formulas =
     ops::numbered<ops::count>([](auto... row) { return std::array{formulaOf<row>()...}; });
 
@@ -90,7 +90,7 @@ class Lowering {
       changed |= operands[i] != graph_.operand(id, i);
     }
     const Op op = graph_.node(id).op;
-    if (lacks(language_, op)) return formulas[index(op)](graph_, operands);
+    if (lacks(language_, op) && formulas[index(op)]) return formulas[index(op)](graph_, operands);
     return changed ? graph_.apply(op, operands) : id;
   }
 
@@ -109,6 +109,17 @@ class Lowering {
 };
 
 }  // namespace
+
+std::string_view refused(const Graph& graph, std::span<const NodeId> roots,
+                         ops::Language language) {
+  if (!lacksAny(graph, language)) return {};
+  for (const NodeId id : reachable(graph, roots)) {
+    if (!graph.isOperation(id)) continue;
+    const Op op = graph.node(id).op;
+    if (lacks(language, op) && !formulas[index(op)]) return ops::info(op).name;
+  }
+  return {};
+}
 
 bool lacksAny(const Graph& graph, ops::Language language) {
   for (std::size_t row = 0; row < ops::count; ++row) {

@@ -130,9 +130,9 @@ class Maker {
     if (isShared || it.output || it.depth >= options_.maxDepth) makeStatement(id);
   }
 
-  // Not worth a temporary: the negative of a variable, and one of several results.
+  // Not worth a temporary: a known int, the negative of a variable, and one of several results.
   bool isCheap(NodeId id) const {
-    if (graph_.isResult(id) || graph_.isOutcome(id)) return true;
+    if (graph_.isResult(id) || graph_.isOutcome(id) || graph_.isKnownInt(id)) return true;
     return graph_.is(id, ops::find("neg")) && graph_.isLeaf(graph_.operand(id, 0));
   }
 

@@ -31,7 +31,7 @@ class TextWriter {
   }
 
   Written run() {
-    const bool isFine = checkInputs() && checkFunctions() && checkOutputs();
+    const bool isFine = checkInputs() && checkFunctions() && checkOutputs() && checkOperations();
     if (!isFine) return {{}, problem_};
     Text text = compose();
     if (isFull_) refuse("A result", {tooLarge});
@@ -131,6 +131,18 @@ class TextWriter {
       if (dialect_.typeName(ops::Type::Float, shape).empty())
         return refuse(method, {"the result ", quotedShort(name), " is ", shapeName(shape), ", but ",
                                dialect_.lacks, "."});
+    }
+    return true;
+  }
+
+  // Of whole numbers, a language may have less than others.
+  bool checkOperations() {
+    for (const Output& output : outputs_) {
+      const std::string_view missing = refused(graph_, output.components, dialect_.language);
+      if (!missing.empty())
+        return refuse(output.method, {dialect_.name, " has no ", missing,
+                                      ", which is an operation on the bits of whole numbers; take ",
+                                      glsl300.name, " or ", wgsl.name, "."});
     }
     return true;
   }

@@ -66,8 +66,10 @@ const Dialect wgsl{
         "subgroupShuffleUp subgroupShuffleXor subgroupXor quadBroadcast quadSwapDiagonal "
         "quadSwapX quadSwapY ",
     .longestName = 256,
-    .numbers = {"f32", "bool"},
-    .vectors = {{{"vec2f", "vec3f", "vec4f"}, {"vec2<bool>", "vec3<bool>", "vec4<bool>"}}},
+    .numbers = {"f32", "bool", "i32"},
+    .vectors = {{{"vec2f", "vec3f", "vec4f"},
+                 {"vec2<bool>", "vec3<bool>", "vec4<bool>"},
+                 {"vec2i", "vec3i", "vec4i"}}},
     .matrices = {{{"mat2x2f", "mat2x3f", "mat2x4f"},
                   {"mat3x2f", "mat3x3f", "mat3x4f"},
                   {"mat4x2f", "mat4x3f", "mat4x4f"}}},

@@ -77,6 +77,17 @@ void Writer::writeLeaf(std::string& text, NodeId id) {
   if (shape.size() > 1) text += {'.', "xyzw"[component % shape.rows]};
 }
 
+// With a sign, never as it would read after a minus: GLSL has no literal of -2^31.
+void Writer::writeInt(std::string& text, double value) {
+  const auto whole = static_cast<std::int32_t>(value);
+  if (whole == INT32_MIN)
+    text += "(-2147483647 - 1)";
+  else if (whole < 0)
+    text += '(' + std::to_string(whole) + ')';
+  else
+    text += std::to_string(whole);
+}
+
 void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
   if (isNamed(id)) {
     text += nameOf(id);
@@ -84,6 +95,8 @@ void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
     text += nameOf(graph_.operand(id, 1));
   } else if (graph_.isLeaf(id)) {
     writeLeaf(text, id);
+  } else if (graph_.isKnownInt(id)) {
+    writeInt(text, graph_.value(graph_.operand(id, 0)));
   } else if (graph_.isResult(id)) {
     writeResult(text, id);
   } else {
@@ -123,6 +136,7 @@ void Writer::writeOperation(std::string& text, NodeId id) {
     text += nameOf(graph_.operand(id, 1));
     return;
   }
+  if (graph_.isKnownInt(id)) return writeInt(text, graph_.value(graph_.operand(id, 0)));
   frames_.push_back({id, textOf(id), false});
   finish(text);
 }

@@ -50,6 +50,7 @@ class Writer {
   void write(std::string& text, NodeId id);
   void open(std::string& text, NodeId id, ops::Precedence loosest);
   void writeLeaf(std::string& text, NodeId id);
+  static void writeInt(std::string& text, double value);
   void finish(std::string& text);
   const ops::Spelling& spellingOf(NodeId id) const;
   std::string_view textOf(NodeId id);

@@ -45,6 +45,37 @@ auto valueOf(const X&... x) {
   }
 }
 
+// A lane of a register as a number: of an int it holds the bits.
+double numberIn(const Lanes& lanes, std::size_t i, ops::Type type) {
+  const double bits = asMask(lanes).bits[i];
+  return type == ops::Type::Float ? double{lanes[i]} : type == ops::Type::Int ? bits : -bits;
+}
+
+float numberAs(ops::Type type, double value) {
+  if (type == ops::Type::Float) return static_cast<float>(value);
+  const auto whole = static_cast<std::int32_t>(value);
+  return __builtin_bit_cast(float, type == ops::Type::Int ? whole : -whole);
+}
+
+constexpr auto signatures =
+    ops::numbered<ops::count>([](auto... row) { return std::array{ops::infos[row].signature...}; });
+
+// Of whole numbers, lane by lane; there are few of them.
+[[gnu::noinline]] void applyEach(Op op, Lanes* result, const Operands<Place>& operands,
+                                 std::size_t count) {
+  const ops::Signature& signature = signatures[index(op)];
+  for (std::size_t i = 0; i < count; ++i) {
+    Lanes all;
+    for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+      Operands<double> x{};
+      for (int k = 0; k < arities[index(op)]; ++k)
+        x[k] = numberIn(operands[k].lanes[i * operands[k].step], lane, signature.operands[k]);
+      all.set(lane, numberAs(signature.result, ops::valueOf(op, x)));
+    }
+    result[i] = all;
+  }
+}
+
 template <std::size_t Row>
 void applyRow(Lanes* result, const Operands<Place>& operands, std::size_t count) {
   constexpr auto types = ops::infos[Row].signature.operands;
@@ -55,8 +86,20 @@ void applyRow(Lanes* result, const Operands<Place>& operands, std::size_t count)
   });
 }
 
+using Kernel = void (*)(Lanes*, const Operands<Place>&, std::size_t);
+
+template <std::size_t Row>
+constexpr Kernel kernelOf() {
+  if constexpr (ops::infos[Row].signature.hasWhole()) {
+    return nullptr;
+  } else {
+    return &applyRow<Row>;
+  }
+}
+
+// Null for whole numbers.
 constexpr auto kernels =
-    ops::numbered<ops::count>([](auto... row) { return std::array{&applyRow<row>...}; });
+    ops::numbered<ops::count>([](auto... row) { return std::array{kernelOf<row>()...}; });
 
 }  // namespace
 
@@ -90,7 +133,9 @@ void BlockEvaluator::execute(const RegisterInstruction& instruction, std::size_t
     const Register r = instruction.operands[i];
     operands[i] = {lanesOf(r), r.isUniform ? std::size_t{0} : std::size_t{1}};
   }
-  kernels[index(instruction.op)](lanesOf(instruction.result), operands, lanes);
+  Lanes* const result = lanesOf(instruction.result);
+  if (const Kernel kernel = kernels[index(instruction.op)]) return kernel(result, operands, lanes);
+  applyEach(instruction.op, result, operands, lanes);
 }
 
 void BlockEvaluator::run(std::size_t vertices, std::span<const Stream> inputs,

@@ -27,13 +27,13 @@ class Allocator {
   RegisterProgram run() {
     findNeeded();
     for (std::uint32_t i = 0; i < program_.count(); ++i) {
-      if (fates_[i].isNeeded && program_.op(i) == constantOp) {
-        made_.constants.push_back(static_cast<float>(program_.constant(i)));
+      if (fates_[i].isNeeded && isConstant(i)) {
+        made_.constants.push_back(constant(i));
         fates_[i].result = {made_.uniformRegisters++, true};
       }
     }
     for (std::uint32_t i = 0; i < program_.count(); ++i) {
-      if (!fates_[i].isNeeded || program_.op(i) == constantOp) continue;
+      if (!fates_[i].isNeeded || isConstant(i)) continue;
       fates_[i].isUniform = isUniform(i);
       if (fates_[i].isUniform) {
         made_.prologue.push_back(translate(i, {made_.uniformRegisters++, true}));
@@ -54,6 +54,17 @@ class Allocator {
   }
 
  private:
+  // A float has not all of the known whole numbers: `int(constant)` is kept by its bits.
+  bool isKnownInt(std::uint32_t i) const {
+    return program_.op(i) == ops::find("int") && program_.op(program_.operands(i)[0]) == constantOp;
+  }
+  bool isConstant(std::uint32_t i) const { return program_.op(i) == constantOp || isKnownInt(i); }
+  float constant(std::uint32_t i) const {
+    if (!isKnownInt(i)) return static_cast<float>(program_.constant(i));
+    const double value = program_.constant(program_.operands(i)[0]);
+    return __builtin_bit_cast(float, static_cast<std::int32_t>(value));
+  }
+
   void findNeeded() {
     for (const std::uint32_t i : wanted_) {
       fates_[program_.result(i)].isNeeded = true;

@@ -76,6 +76,18 @@ constexpr std::array table{
     BuiltIn{"isnan", "BG", IsNan},
     BuiltIn{"isinf", "BG", IsInf},
 
+    // bits
+    BuiltIn{"floatBitsToInt", "IG", Each, Code::FloatBits},
+    BuiltIn{"floatBitsToUint", "UG", Each, Code::FloatBits},
+    BuiltIn{"intBitsToFloat", "GI", Each, Code::FloatOfBits},
+    BuiltIn{"uintBitsToFloat", "GU", Each, Code::FloatOfBits},
+    BuiltIn{"packSnorm2x16", "u2", PackSigned},
+    BuiltIn{"unpackSnorm2x16", "2u", UnpackSigned},
+    BuiltIn{"packUnorm2x16", "u2", PackUnsigned},
+    BuiltIn{"unpackUnorm2x16", "2u", UnpackUnsigned},
+    BuiltIn{"packHalf2x16", "u2", Refused},
+    BuiltIn{"unpackHalf2x16", "2u", Refused},
+
     // vectors
     BuiltIn{"length", "FG", Grouped, Code::Length},
     BuiltIn{"distance", "FGG", Grouped, Code::Distance},
@@ -130,16 +142,6 @@ constexpr std::array table{
     BuiltIn{"dFdx", "GG", Refused},
     BuiltIn{"dFdy", "GG", Refused},
     BuiltIn{"fwidth", "GG", Refused},
-    BuiltIn{"floatBitsToInt", "IG", Refused},
-    BuiltIn{"floatBitsToUint", "UG", Refused},
-    BuiltIn{"intBitsToFloat", "GI", Refused},
-    BuiltIn{"uintBitsToFloat", "GU", Refused},
-    BuiltIn{"packSnorm2x16", "u2", Refused},
-    BuiltIn{"unpackSnorm2x16", "2u", Refused},
-    BuiltIn{"packUnorm2x16", "u2", Refused},
-    BuiltIn{"unpackUnorm2x16", "2u", Refused},
-    BuiltIn{"packHalf2x16", "u2", Refused},
-    BuiltIn{"unpackHalf2x16", "2u", Refused},
 };
 
 // Whether an operand fits a letter. What a generic letter stands for is settled by the first.

@@ -1,5 +1,5 @@
-// The operations that a lowered text is made of. Those with a name are the builder's, by its names;
-// those from IntOf on are only computed where their operands are known, see wholes.cpp.
+// The operations that a lowered text is made of, with the names that they go by outside: those of
+// the builder, but for leaves and what stands between groups of numbers and these.
 #pragma once
 
 #include <array>
@@ -8,198 +8,117 @@
 
 namespace warpjet::glsl {
 
-enum class Code : std::uint8_t {
-  Constant,
-  Undefined,
-  Argument,
-  Uniform,
-  Component,
-  Image,
-  Texel,
-  Neg,
-  Add,
-  Sub,
-  Mult,
-  Div,
-  Pow,
-  Sqrt,
-  InverseSqrt,
-  Exp,
-  Exp2,
-  Log,
-  Log2,
-  Sin,
-  Cos,
-  Tan,
-  Asin,
-  Acos,
-  Atan,
-  Sinh,
-  Cosh,
-  Tanh,
-  Asinh,
-  Acosh,
-  Atanh,
-  Abs,
-  Sign,
-  Floor,
-  Ceil,
-  Round,
-  Trunc,
-  Fract,
-  Mod,
-  Min,
-  Max,
-  Clamp,
-  Mix,
-  Step,
-  Smoothstep,
-  Radians,
-  Degrees,
-  Lt,
-  Le,
-  Gt,
-  Ge,
-  Eq,
-  Ne,
-  And,
-  Or,
-  Not,
-  IfElse,
-  Length,
-  Distance,
-  Normalize,
-  Reflect,
-  Refract,
-  Faceforward,
-  Determinant,
-  Inverse,
-  Vec2,
-  Vec3,
-  Vec4,
-  Mat2,
-  Mat3,
-  Mat4,
-  IntOf,
-  FloatOf,
-  UintOf,
-  FloatOfUint,
-  IntAdd,
-  IntSub,
-  IntMult,
-  IntDiv,
-  IntMod,
-  UintDiv,
-  UintMod,
-  BitAnd,
-  BitOr,
-  BitXor,
-  BitNot,
-  ShiftLeft,
-  ShiftRight,
-  UintShiftRight,
-  IntLt,
-  UintLt,
-  IntEq,
-  IntIfElse,
-};
+// clang-format off
+#define WARPJET_CODES(CODE) \
+  CODE(Constant, "constant") \
+  CODE(Whole, "whole") \
+  CODE(Undefined, "undefined") \
+  CODE(Argument, "argument") \
+  CODE(Uniform, "uniform") \
+  CODE(Component, "component") \
+  CODE(Image, "image") \
+  CODE(Texel, "texel") \
+  CODE(FetchedTexel, "fetchedTexel") \
+  CODE(ImageSize, "imageSize") \
+  CODE(Neg, "neg") \
+  CODE(Add, "add") \
+  CODE(Sub, "sub") \
+  CODE(Mult, "mult") \
+  CODE(Div, "div") \
+  CODE(Pow, "pow") \
+  CODE(Sqrt, "sqrt") \
+  CODE(InverseSqrt, "inversesqrt") \
+  CODE(Exp, "exp") \
+  CODE(Exp2, "exp2") \
+  CODE(Log, "log") \
+  CODE(Log2, "log2") \
+  CODE(Sin, "sin") \
+  CODE(Cos, "cos") \
+  CODE(Tan, "tan") \
+  CODE(Asin, "asin") \
+  CODE(Acos, "acos") \
+  CODE(Atan, "atan") \
+  CODE(Sinh, "sinh") \
+  CODE(Cosh, "cosh") \
+  CODE(Tanh, "tanh") \
+  CODE(Asinh, "asinh") \
+  CODE(Acosh, "acosh") \
+  CODE(Atanh, "atanh") \
+  CODE(Abs, "abs") \
+  CODE(Sign, "sign") \
+  CODE(Floor, "floor") \
+  CODE(Ceil, "ceil") \
+  CODE(Round, "round") \
+  CODE(Trunc, "trunc") \
+  CODE(Fract, "fract") \
+  CODE(Mod, "mod") \
+  CODE(Min, "min") \
+  CODE(Max, "max") \
+  CODE(Clamp, "clamp") \
+  CODE(Mix, "mix") \
+  CODE(Step, "step") \
+  CODE(Smoothstep, "smoothstep") \
+  CODE(Radians, "radians") \
+  CODE(Degrees, "degrees") \
+  CODE(Lt, "lt") \
+  CODE(Le, "le") \
+  CODE(Gt, "gt") \
+  CODE(Ge, "ge") \
+  CODE(Eq, "eq") \
+  CODE(Ne, "ne") \
+  CODE(And, "and") \
+  CODE(Or, "or") \
+  CODE(Not, "not") \
+  CODE(IfElse, "ifElse") \
+  CODE(Length, "length") \
+  CODE(Distance, "distance") \
+  CODE(Normalize, "normalize") \
+  CODE(Reflect, "reflect") \
+  CODE(Refract, "refract") \
+  CODE(Faceforward, "faceforward") \
+  CODE(Determinant, "determinant") \
+  CODE(Inverse, "inverse") \
+  CODE(Vec2, "vec2") \
+  CODE(Vec3, "vec3") \
+  CODE(Vec4, "vec4") \
+  CODE(Mat2, "mat2") \
+  CODE(Mat3, "mat3") \
+  CODE(Mat4, "mat4") \
+  CODE(IntOf, "int") \
+  CODE(FloatOf, "intToFloat") \
+  CODE(UintOf, "bitsOf") \
+  CODE(FloatOfUint, "bitsToFloat") \
+  CODE(IntAdd, "intAdd") \
+  CODE(IntSub, "intSub") \
+  CODE(IntMult, "intMult") \
+  CODE(IntDiv, "intDiv") \
+  CODE(IntMod, "intMod") \
+  CODE(UintDiv, "bitsDiv") \
+  CODE(UintMod, "bitsMod") \
+  CODE(BitAnd, "bitAnd") \
+  CODE(BitOr, "bitOr") \
+  CODE(BitXor, "bitXor") \
+  CODE(BitNot, "bitNot") \
+  CODE(ShiftLeft, "shiftLeft") \
+  CODE(ShiftRight, "shiftRight") \
+  CODE(UintShiftRight, "bitsShiftRight") \
+  CODE(IntLt, "intLt") \
+  CODE(UintLt, "bitsLt") \
+  CODE(IntEq, "intEq") \
+  CODE(IntIfElse, "intIfElse") \
+  CODE(FloatBits, "floatBitsToInt") \
+  CODE(FloatOfBits, "intBitsToFloat") \
+  CODE(SameBits, "")
+// clang-format on
 
-inline constexpr std::array codeNames{
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "neg",
-    "add",
-    "sub",
-    "mult",
-    "div",
-    "pow",
-    "sqrt",
-    "inversesqrt",
-    "exp",
-    "exp2",
-    "log",
-    "log2",
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan",
-    "sinh",
-    "cosh",
-    "tanh",
-    "asinh",
-    "acosh",
-    "atanh",
-    "abs",
-    "sign",
-    "floor",
-    "ceil",
-    "round",
-    "trunc",
-    "fract",
-    "mod",
-    "min",
-    "max",
-    "clamp",
-    "mix",
-    "step",
-    "smoothstep",
-    "radians",
-    "degrees",
-    "lt",
-    "le",
-    "gt",
-    "ge",
-    "eq",
-    "ne",
-    "and",
-    "or",
-    "not",
-    "ifElse",
-    "length",
-    "distance",
-    "normalize",
-    "reflect",
-    "refract",
-    "faceforward",
-    "determinant",
-    "inverse",
-    "vec2",
-    "vec3",
-    "vec4",
-    "mat2",
-    "mat3",
-    "mat4",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-    "",
-};
+#define WARPJET_CODE(code, name) code,
+enum class Code : std::uint8_t { WARPJET_CODES(WARPJET_CODE) };
+#undef WARPJET_CODE
 
-static_assert(codeNames.size() == static_cast<std::size_t>(Code::IntIfElse) + 1);
+#define WARPJET_CODE(code, name) name,
+inline constexpr std::array codeNames{WARPJET_CODES(WARPJET_CODE)};
+#undef WARPJET_CODE
+
+#undef WARPJET_CODES
 
 }  // namespace warpjet::glsl

@@ -7,7 +7,7 @@ namespace warpjet::glsl {
 namespace {
 
 // All as doubles, which hold every int and uint; a result is wrapped to 32 bits.
-std::optional<double> evaluate(const Tree& tree, Number number, int depth);
+std::optional<double> evaluate(const Tree& tree, ExpressionId number, int depth);
 
 double wrapped(Base base, double value) {
   if (base == Base::Float) return static_cast<float>(value);
@@ -103,7 +103,7 @@ std::optional<double> computed(const Tree& tree, const Expression& node, int dep
   }
 }
 
-std::optional<double> evaluate(const Tree& tree, Number number, int depth) {
+std::optional<double> evaluate(const Tree& tree, ExpressionId number, int depth) {
   const Expression& node = tree.expressions[number];
   if (!node.type.isScalar() || depth > 100) return std::nullopt;
   const auto value = computed(tree, node, depth);
@@ -113,11 +113,11 @@ std::optional<double> evaluate(const Tree& tree, Number number, int depth) {
 
 }  // namespace
 
-std::optional<double> constantNumber(const Tree& tree, Number expression) {
+std::optional<double> constantNumber(const Tree& tree, ExpressionId expression) {
   return evaluate(tree, expression, 0);
 }
 
-std::optional<std::int32_t> constantInt(const Tree& tree, Number expression) {
+std::optional<std::int32_t> constantInt(const Tree& tree, ExpressionId expression) {
   if (!tree.expressions[expression].type.isWhole()) return std::nullopt;
   const auto value = evaluate(tree, expression, 0);
   if (!value) return std::nullopt;

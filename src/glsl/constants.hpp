@@ -8,8 +8,8 @@
 namespace warpjet::glsl {
 
 // Of a scalar; a condition is 1 or 0. Nothing where it is not known, or needs a built-in function.
-std::optional<double> constantNumber(const Tree& tree, Number expression);
+std::optional<double> constantNumber(const Tree& tree, ExpressionId expression);
 
-std::optional<std::int32_t> constantInt(const Tree& tree, Number expression);
+std::optional<std::int32_t> constantInt(const Tree& tree, ExpressionId expression);
 
 }  // namespace warpjet::glsl

@@ -55,7 +55,12 @@ std::optional<double> foldWhole(Code code, std::span<const double> x) {
       return std::trunc(x[0]);
     case FloatOf:
     case FloatOfUint:
+    case SameBits:
       return x[0];
+    case FloatBits:
+      return static_cast<double>(__builtin_bit_cast(std::int32_t, static_cast<float>(x[0])));
+    case FloatOfBits:
+      return static_cast<double>(__builtin_bit_cast(float, bits(x[0])));
     default:
       return std::nullopt;
   }

@@ -14,11 +14,12 @@
 namespace warpjet::glsl {
 
 // Each operation is its code, then:
-//   Constant     the number of its value
+//   Constant     the number of its value; of an int or uint that is Whole
 //   Argument     number, component, layout
 //   Uniform      number among the names, component, layout
 //   Component    operand, component, layout: columns and rows of what it is of, four bits each
-//   Texel        number of the image's name, operand
+//   Texel        number of the image's name, operand; so has FetchedTexel
+//   ImageSize    number of the image's name
 //   any other    how many operands there are, and these
 // An operand is the number of an operation before it.
 struct Listing {

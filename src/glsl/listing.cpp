@@ -11,6 +11,14 @@ struct Leaf {
   std::uint32_t number, part, layout;
 };
 
+Code codeOfConstant(Base base) {
+  return base == Base::Int || base == Base::Uint ? Code::Whole : Code::Constant;
+}
+
+bool isOfImage(Code code) {
+  return code == Code::Texel || code == Code::FetchedTexel || code == Code::ImageSize;
+}
+
 std::vector<bool> needed(const Recorder& recorder, std::span<const Id> results) {
   std::vector<bool> all(recorder.size());
   for (const Id result : results) all[index(result)] = true;
@@ -28,7 +36,7 @@ Listing list(const Lowered& lowered, const Types& types) {
   const std::vector<bool> wanted = needed(recorder, lowered.results);
   Listing listing;
   std::vector<std::uint32_t> numbers(recorder.size());
-  std::vector<bool> isNamed(lowered.outsides.size());
+  std::vector<bool> isNamed(lowered.externals.size());
   std::uint32_t next = 0;
   const auto say = [&](std::uint32_t word) { listing.words.push_back(word); };
   const auto leafOf = [&](const Operation& operation) {
@@ -39,6 +47,10 @@ Listing list(const Lowered& lowered, const Types& types) {
     if (!wanted[i]) continue;
     const Id id{static_cast<std::uint32_t>(i)};
     const Operation& operation = recorder.at(id);
+    if (operation.code == Code::SameBits) {
+      numbers[i] = numbers[index(recorder.operands(id)[0])];
+      continue;
+    }
     // Names of images are no operations.
     if (operation.code == Code::Image) {
       numbers[i] = leafOf(operation).number;
@@ -48,15 +60,11 @@ Listing list(const Lowered& lowered, const Types& types) {
     numbers[i] = next++;
     say(static_cast<std::uint32_t>(operation.code));
     switch (operation.code) {
-      case Code::Constant: {
+      case Code::Constant:
+      case Code::Undefined:
+        listing.words.back() = static_cast<std::uint32_t>(codeOfConstant(operation.base));
         say(static_cast<std::uint32_t>(listing.constants.size()));
         listing.constants.push_back(operation.value);
-        break;
-      }
-      case Code::Undefined:
-        listing.words.back() = static_cast<std::uint32_t>(Code::Constant);
-        say(static_cast<std::uint32_t>(listing.constants.size()));
-        listing.constants.push_back(0);
         break;
       case Code::Argument:
       case Code::Uniform: {
@@ -73,13 +81,13 @@ Listing list(const Lowered& lowered, const Types& types) {
         say(leafOf(operation).layout);
         break;
       default:
-        if (operation.code != Code::Texel) say(operation.count);
+        if (!isOfImage(operation.code)) say(operation.count);
         for (const Id operand : recorder.operands(id)) say(numbers[index(operand)]);
     }
   }
   for (const Id result : lowered.results) listing.results.push_back(numbers[index(result)]);
-  for (std::size_t i = 0; i < lowered.outsides.size(); ++i) {
-    const auto& [name, type, isAttribute] = lowered.outsides[i];
+  for (std::size_t i = 0; i < lowered.externals.size(); ++i) {
+    const auto& [name, type, isAttribute] = lowered.externals[i];
     listing.names += std::string(isNamed[i] ? "" : "-") + (isAttribute ? "in " : "uniform ") +
                      std::to_string(type.columns) + ' ' + std::to_string(type.rows) + ' ' +
                      types.name(type) + ' ' + name + '\n';

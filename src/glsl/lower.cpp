@@ -16,7 +16,7 @@ constexpr int deepest = 600;
 Lowering::Lowering(const Tree& tree, Problems& problems, int maxIterations)
     : tree_(tree), problems_(problems), maxIterations_(maxIterations) {}
 
-Lowered Lowering::lower(Number number) {
+Lowered Lowering::lower(FunctionId number) {
   start();
   const Function& function = tree_.functions[number];
   std::vector<Value> arguments;
@@ -35,7 +35,7 @@ Lowered Lowering::lower(Number number) {
     result = recorder_.convert(result, Base::Float);
   }
   if (!problems_.any()) isTooMuch(function.place);
-  return {std::move(recorder_), std::move(results), function.type, std::move(outsides_)};
+  return {std::move(recorder_), std::move(results), function.type, std::move(externals_)};
 }
 
 // Every variable has its slots for good, since no function calls itself.
@@ -45,32 +45,32 @@ void Lowering::start() {
     slots_.push_back(store_.allocate(size, recorder_.undefined(Base::Float)));
     using enum Variable::Kind;
     if (variable.kind == Uniform || variable.kind == Attribute) {
-      declareOutside(variable, slots_.back());
+      declareExternal(variable, slots_.back());
     } else {
       set(slots_.back(), undefined(variable.type));
     }
   }
-  for (const Number statement : tree_.globals) execute(statement);
+  for (const StatementId statement : tree_.globals) execute(statement);
 }
 
-void Lowering::declareOutside(const Variable& variable, Slot first) {
+void Lowering::declareExternal(const Variable& variable, Slot first) {
   std::vector<Id> leaves;
-  addOutside(std::string(variable.name), variable.type, variable.kind == Variable::Kind::Attribute,
-             leaves);
+  addExternal(std::string(variable.name), variable.type, variable.kind == Variable::Kind::Attribute,
+              leaves);
   set(first, leaves);
 }
 
-void Lowering::addOutside(const std::string& name, Type type, bool isAttribute,
-                          std::vector<Id>& leaves) {
+void Lowering::addExternal(const std::string& name, Type type, bool isAttribute,
+                           std::vector<Id>& leaves) {
   if (type.isArray()) {
     for (int i = 0; i < type.length; ++i)
-      addOutside(name + '[' + std::to_string(i) + ']', type.element(), isAttribute, leaves);
+      addExternal(name + '[' + std::to_string(i) + ']', type.element(), isAttribute, leaves);
   } else if (type.isStruct()) {
     for (const Field& field : tree_.types.structure(type).fields)
-      addOutside(name + '.' + std::string(field.name), field.type, isAttribute, leaves);
+      addExternal(name + '.' + std::string(field.name), field.type, isAttribute, leaves);
   } else {
-    const auto number = static_cast<int>(outsides_.size());
-    outsides_.push_back({name, type, isAttribute});
+    const auto number = static_cast<int>(externals_.size());
+    externals_.push_back({name, type, isAttribute});
     if (type == samplerType) {
       leaves.push_back(recorder_.leaf(Code::Image, number));
       return;
@@ -119,21 +119,19 @@ void Lowering::merge(Id condition, Store::Changes yes, Store::Changes no) {
   }
 }
 
-bool Lowering::isTooMuch(Place place) {
+bool Lowering::isTooMuch(Location place) {
   if (problems_.any()) return true;
   if (++steps_ > mostSteps || recorder_.isFull()) {
     problems_.add(place, "this takes more than 250,000 steps once its loops are unrolled");
   } else if (depth_ > deepest) {
     problems_.add(place, "calls and expressions are nested too deep here");
-  } else if (!recorder_.refusal().empty()) {
-    problems_.add(place, std::string(recorder_.refusal()));
   }
   return problems_.any();
 }
 
-// `homes` are where the values of `out` and `inout` parameters go, in the order of parameters.
-Lowering::Value Lowering::call(Number number, std::vector<Value> arguments,
-                               const std::vector<Home>& homes, Place place) {
+// `targets` are where the values of `out` and `inout` parameters go, in the order of parameters.
+Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
+                               const std::vector<LValue>& targets, Location place) {
   const Function& function = tree_.functions[number];
   if (function.body == nothing) {
     problems_.add(place, quoted(function.name) + " is declared, but has no body");
@@ -152,14 +150,14 @@ Lowering::Value Lowering::call(Number number, std::vector<Value> arguments,
   const Slot result = store_.allocate(static_cast<std::size_t>(size), no);
   set(result, undefined(function.type));
   frames_.push_back({returned, result, number});
-  const std::vector<Round> outer = std::exchange(rounds_, {});
+  const std::vector<Breakable> outer = std::exchange(breakables_, {});
   execute(function.body);
-  rounds_ = outer;
+  breakables_ = outer;
   frames_.pop_back();
   std::size_t next = 0;
   for (const Parameter& parameter : function.parameters)
-    if (parameter.direction != Parameter::Direction::In && next < homes.size())
-      store(homes[next++], get(slotOf(parameter.variable), sizeOf(parameter.type)));
+    if (parameter.direction != Parameter::Direction::In && next < targets.size())
+      store(targets[next++], get(slotOf(parameter.variable), sizeOf(parameter.type)));
   return get(result, size);
 }
 

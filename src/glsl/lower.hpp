@@ -7,6 +7,7 @@
 // one would record its body once there, between the slots that it changes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@
 namespace warpjet::glsl {
 
 // What the host gives by name: a uniform or an attribute, or a part of one such as `light.color`.
-struct Outside {
+struct External {
   std::string name;
   Type type;
   bool isAttribute;
@@ -28,7 +29,7 @@ struct Lowered {
   Recorder recorder;
   std::vector<Id> results;
   Type type;
-  std::vector<Outside> outsides;
+  std::vector<External> externals;
 };
 
 class Lowering {
@@ -36,42 +37,47 @@ class Lowering {
   // A loop whose end depends on what is not known runs `maxIterations` times, or is refused for 0.
   Lowering(const Tree& tree, Problems& problems, int maxIterations);
 
-  Lowered lower(Number function);
+  Lowered lower(FunctionId function);
 
  private:
   using Value = std::vector<Id>;
   using Slot = Store::Slot;
 
-  // Where a value is kept: slots, and for an index that is not known one list of them for each
-  // that it may be.
-  struct Home {
+  // What is assigned to: slots in a row from the first of each choice on, one choice for each that
+  // an index may be; of a swizzle only some of them.
+  struct LValue {
     struct Choice {
       Id condition;
-      std::vector<Slot> slots;
+      Slot first;
     };
     std::vector<Choice> choices;
     Type type;
+    std::vector<std::uint8_t> picked{};
+
+    Slot slot(const Choice& choice, std::size_t i) const {
+      return static_cast<Slot>(choice.first + (picked.empty() ? i : picked[i]));
+    }
   };
 
   // A call that has not returned, and what it gives.
   struct Frame {
     Slot returned, result;
-    Number function;
+    FunctionId function;
   };
   // A loop or switch that is running; nothing goes on with a switch, whose slots are one.
-  struct Round {
+  struct Breakable {
     Slot broken, continued;
     bool isSwitch;
   };
 
   // lower.cpp
   void start();
-  void declareOutside(const Variable& variable, Slot first);
-  void addOutside(const std::string& name, Type type, bool isAttribute, std::vector<Id>& leaves);
-  Value call(Number function, std::vector<Value> arguments, const std::vector<Home>& homes,
-             Place place);
-  bool isTooMuch(Place place);
-  Slot slotOf(Number variable) const { return slots_[variable]; }
+  void declareExternal(const Variable& variable, Slot first);
+  void addExternal(const std::string& name, Type type, bool isAttribute, std::vector<Id>& leaves);
+  Value call(FunctionId function, std::vector<Value> arguments, const std::vector<LValue>& targets,
+             Location place);
+  bool isTooMuch(Location place);
+  Slot slotOf(VariableId variable) const { return slots_[variable]; }
   int sizeOf(Type type) const { return tree_.types.size(type); }
   Value get(Slot first, int count) const;
   void set(Slot first, const Value& value);
@@ -83,22 +89,22 @@ class Lowering {
   void merge(Id condition, Store::Changes yes, Store::Changes no);
 
   // lower_statements.cpp
-  void execute(Number statement);
-  void executeAll(const std::vector<Number>& statements, std::size_t from);
+  void execute(StatementId statement);
+  void executeAll(const std::vector<StatementId>& statements, std::size_t from);
   void declare(const Statement& statement);
   void initialize(const Statement& statement);
-  std::vector<const Statement*> declarationsOf(Number child) const;
+  std::vector<const Statement*> declarationsOf(StatementId child) const;
   void choose(const Statement& statement);
   void loop(const Statement& statement);
   void select(const Statement& statement);
-  void goBack(const Statement& statement);
+  void returnFrom(const Statement& statement);
   Id stopped();
-  void goOn();
+  void resume();
 
   // lower_expressions.cpp
-  Value evaluate(Number expression);
+  Value evaluate(ExpressionId expression);
   Value evaluateInner(const Expression& node);
-  Id condition(Number expression) { return evaluate(expression)[0]; }
+  Id condition(ExpressionId expression) { return evaluate(expression)[0]; }
   Value chain(const Expression& node);
   Value logical(const Expression& node);
   Value choice(const Expression& node);
@@ -114,12 +120,15 @@ class Lowering {
   Id equal(const Value& x, const Value& y);
   Value pick(const std::vector<Value>& elements, Id index);
 
-  // lower_places.cpp
-  Home home(Number expression);
-  Home partOf(Home home, int offset, Type type) const;
-  Home elementOf(Home home, Number index);
-  Value load(const Home& home);
-  void store(const Home& home, const Value& value);
+  // lower_lvalues.cpp
+  LValue lvalue(ExpressionId expression);
+  LValue elementOf(LValue whole, ExpressionId index);
+  Value load(const LValue& from);
+  void store(const LValue& to, const Value& value);
+  // Of a variable, a field or an element whose index is known, so that an array is not copied to
+  // read one of its numbers. Nothing of what cannot be told without side effects.
+  std::optional<Slot> knownSlot(const Expression& node);
+  bool isPlain(ExpressionId expression) const;
 
   // lower_builtins.cpp
   Value builtIn(const Expression& node);
@@ -129,7 +138,10 @@ class Lowering {
   Value unpacked(Id group, Type type);
   Id number(Base base, double value) { return recorder_.constant(base, value); }
   Id compare(Code code, Base base, Id x, Id y);
-  Value texture(const Value& image, const Value& uv);
+  Value pack(const Value& numbers, bool isSigned);
+  Value unpack(Id bits, bool isSigned);
+  Value texture(Code code, const Value& image, const Value& at);
+  Value imageSize(const Value& image);
 
   const Tree& tree_;
   Problems& problems_;
@@ -137,9 +149,9 @@ class Lowering {
   Recorder recorder_;
   Store store_;
   std::vector<Slot> slots_;  // by variable
-  std::vector<Outside> outsides_;
+  std::vector<External> externals_;
   std::vector<Frame> frames_;
-  std::vector<Round> rounds_;
+  std::vector<Breakable> breakables_;
   std::size_t steps_ = 0;
   int depth_ = 0;
 };

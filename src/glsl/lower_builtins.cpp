@@ -54,10 +54,16 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
       return forEach([&](std::size_t i) { return least(most(at(0, i), at(1, i)), at(2, i)); });
     case MixBool:
       return forEach([&](std::size_t i) { return recorder_.choose(at(2, i), x[1][i], x[0][i]); });
+    case PackSigned:
+    case PackUnsigned:
+      return pack(x[0], row.way == PackSigned);
+    case UnpackSigned:
+    case UnpackUnsigned:
+      return unpack(x[0][0], row.way == UnpackSigned);
     case Modf: {
       const Value whole =
           forEach([&](std::size_t i) { return recorder_.apply(Code::Trunc, base, {x[0][i]}); });
-      store(home(node.operands[1]), whole);
+      store(lvalue(node.operands[1]), whole);
       return forEach(
           [&](std::size_t i) { return scalar(Operator::Subtract, base, x[0][i], whole[i]); });
     }
@@ -106,9 +112,20 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
         return recorder_.apply(Code::Gt, base, {size, number(Base::Float, 3.4028234663852886e38)});
       });
     case Texture:
-      return texture(x[0], x[1]);
+      return texture(Code::Texel, x[0], x[1]);
     case TextureSize:
-    case TexelFetch:
+    case TexelFetch: {
+      const Id level = x.back()[0];
+      if (!recorder_.isConstant(level) || recorder_.value(level) != 0) {
+        problems_.add(node.place, "only level 0 of an image is read here; write " +
+                                      std::string(row.name) + "(…, 0)");
+        return undefined(node.type);
+      }
+      if (row.way == TextureSize) return imageSize(x[0]);
+      Value numbers;
+      for (const Id each : x[1]) numbers.push_back(recorder_.convert(each, Base::Float));
+      return texture(Code::FetchedTexel, x[0], numbers);
+    }
     case Refused:
       break;
   }
@@ -148,6 +165,43 @@ Id Lowering::compare(Code code, Base base, Id x, Id y) {
     default:
       return scalar(Operator::Unequal, base, x, y);
   }
+}
+
+// Two numbers from 0 or -1 to 1 as halves of a uint, the first one the lower.
+Lowering::Value Lowering::pack(const Value& numbers, bool isSigned) {
+  const auto constant = [&](double value) { return number(Base::Float, value); };
+  Id all = number(Base::Uint, 0);
+  for (int i = 0; i < 2; ++i) {
+    const Id clamped = recorder_.apply(
+        Code::Clamp, Base::Float,
+        {numbers[static_cast<std::size_t>(i)], constant(isSigned ? -1 : 0), constant(1)});
+    const Id scaled =
+        scalar(Operator::Multiply, Base::Float, clamped, constant(isSigned ? 32767 : 65535));
+    const Id whole =
+        recorder_.convert(recorder_.apply(Code::Round, Base::Float, {scaled}), Base::Int);
+    const Id half = scalar(Operator::BitAnd, Base::Uint, recorder_.convert(whole, Base::Uint),
+                           number(Base::Uint, 65535));
+    all = scalar(Operator::BitOr, Base::Uint, all,
+                 scalar(Operator::ShiftLeft, Base::Uint, half, number(Base::Int, 16.0 * i)));
+  }
+  return {all};
+}
+
+Lowering::Value Lowering::unpack(Id bits, bool isSigned) {
+  Value value;
+  const Base base = isSigned ? Base::Int : Base::Uint;
+  for (int i = 0; i < 2; ++i) {
+    // To the upper end and back, which carries the sign along.
+    const Id up = scalar(Operator::ShiftLeft, base, recorder_.convert(bits, base),
+                         number(Base::Int, 16.0 - 16.0 * i));
+    const Id half = scalar(Operator::ShiftRight, base, up, number(Base::Int, 16));
+    const Id scaled = scalar(Operator::Divide, Base::Float, recorder_.convert(half, Base::Float),
+                             number(Base::Float, isSigned ? 32767 : 65535));
+    value.push_back(isSigned
+                        ? recorder_.apply(Code::Max, Base::Float, {scaled, number(Base::Float, -1)})
+                        : scaled);
+  }
+  return value;
 }
 
 Id Lowering::packed(Type type, const Value& value) {
@@ -203,9 +257,15 @@ Lowering::Value Lowering::grouped(const BuiltIn& row, const std::vector<Value>& 
   return unpacked(recorder_.group(row.code, operands), node.type);
 }
 
-Lowering::Value Lowering::texture(const Value& image, const Value& uv) {
-  const std::vector<Id> operands{image[0], packed(vectorType(Base::Float, 2), uv)};
-  return unpacked(recorder_.group(Code::Texel, operands), vectorType(Base::Float, 4));
+Lowering::Value Lowering::texture(Code code, const Value& image, const Value& at) {
+  const std::vector<Id> operands{image[0], packed(vectorType(Base::Float, 2), at)};
+  return unpacked(recorder_.group(code, operands), vectorType(Base::Float, 4));
+}
+
+Lowering::Value Lowering::imageSize(const Value& image) {
+  Value size = unpacked(recorder_.group(Code::ImageSize, image), vectorType(Base::Float, 2));
+  for (Id& each : size) each = recorder_.convert(each, Base::Int);
+  return size;
 }
 
 }  // namespace warpjet::glsl

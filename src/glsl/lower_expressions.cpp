@@ -3,7 +3,7 @@
 
 namespace warpjet::glsl {
 
-Lowering::Value Lowering::evaluate(Number number) {
+Lowering::Value Lowering::evaluate(ExpressionId number) {
   const Expression& node = tree_.expressions[number];
   if (isTooMuch(node.place)) return undefined(node.type);
   ++depth_;
@@ -11,7 +11,6 @@ Lowering::Value Lowering::evaluate(Number number) {
   --depth_;
   // So that calls which give thousands of numbers end too.
   steps_ += value.size() / 64;
-  if (!recorder_.refusal().empty()) problems_.add(node.place, std::string(recorder_.refusal()));
   return problems_.any() ? undefined(node.type) : value;
 }
 
@@ -104,7 +103,7 @@ Lowering::Value Lowering::logical(const Expression& node) {
   const bool isAnd = node.op == Operator::And;
   Id value = condition(way.back()->operands[0]);
   for (std::size_t i = way.size(); i-- > 0 && !problems_.any();) {
-    const Number right = way[i]->operands[1];
+    const ExpressionId right = way[i]->operands[1];
     Id other = number(Base::Bool, 0);
     const auto run = [&] { other = condition(right); };
     const auto leave = [&] {};
@@ -132,7 +131,7 @@ Lowering::Value Lowering::choice(const Expression& node) {
 Lowering::Value Lowering::assign(const Expression& node) {
   const Expression& target = tree_.expressions[node.operands[0]];
   const Type type = tree_.expressions[node.operands[1]].type;
-  const Home place = home(node.operands[0]);
+  const LValue place = lvalue(node.operands[0]);
   Value value = evaluate(node.operands[1]);
   if (node.isCombined) value = binary(node.op, target.type, load(place), type, value);
   if (!problems_.any()) store(place, value);
@@ -140,7 +139,7 @@ Lowering::Value Lowering::assign(const Expression& node) {
 }
 
 Lowering::Value Lowering::increment(const Expression& node) {
-  const Home place = home(node.operands[0]);
+  const LValue place = lvalue(node.operands[0]);
   const Value before = load(place);
   Value after = before;
   for (Id& x : after) x = scalar(node.op, node.type.base, x, number(node.type.base, 1));
@@ -151,7 +150,7 @@ Lowering::Value Lowering::increment(const Expression& node) {
 Lowering::Value Lowering::construct(const Expression& node) {
   const Type type = node.type;
   std::vector<Value> operands;
-  for (const Number operand : node.operands) operands.push_back(evaluate(operand));
+  for (const ExpressionId operand : node.operands) operands.push_back(evaluate(operand));
   const auto join = [&] {
     Value all;
     for (const Value& operand : operands) all.insert(all.end(), operand.begin(), operand.end());
@@ -182,26 +181,28 @@ Lowering::Value Lowering::construct(const Expression& node) {
 Lowering::Value Lowering::callOf(const Expression& node) {
   const Function& function = tree_.functions[node.index];
   std::vector<Value> arguments;
-  std::vector<Home> homes;
+  std::vector<LValue> targets;
   for (std::size_t i = 0; i < node.operands.size(); ++i) {
     if (function.parameters[i].direction == Parameter::Direction::In) {
       arguments.push_back(evaluate(node.operands[i]));
     } else {
-      homes.push_back(home(node.operands[i]));
-      arguments.push_back(load(homes.back()));
+      targets.push_back(lvalue(node.operands[i]));
+      arguments.push_back(load(targets.back()));
     }
   }
   if (problems_.any()) return undefined(node.type);
-  return call(node.index, std::move(arguments), homes, node.place);
+  return call(node.index, std::move(arguments), targets, node.place);
 }
 
 Lowering::Value Lowering::part(const Expression& node) {
+  if (const auto slot = knownSlot(node)) return get(*slot, sizeOf(node.type));
   const Value whole = evaluate(node.operands[0]);
   const auto first = whole.begin() + node.index;
   return {first, first + sizeOf(node.type)};
 }
 
 Lowering::Value Lowering::element(const Expression& node) {
+  if (const auto slot = knownSlot(node)) return get(*slot, sizeOf(node.type));
   const Value whole = evaluate(node.operands[0]);
   const Id at = evaluate(node.operands[1])[0];
   const int size = sizeOf(node.type);

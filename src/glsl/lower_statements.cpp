@@ -13,7 +13,7 @@ constexpr int mostIterations = 20'000;
 
 }  // namespace
 
-void Lowering::execute(Number child) {
+void Lowering::execute(StatementId child) {
   if (child == nothing) return;
   const Statement& statement = tree_.statements[child];
   if (isTooMuch(statement.place)) return;
@@ -41,15 +41,15 @@ void Lowering::execute(Number child) {
     case Case:
       break;
     case Return:
-      goBack(statement);
+      returnFrom(statement);
       break;
     case Break:
-      store_.set(rounds_.back().broken, number(Base::Bool, 1));
+      store_.set(breakables_.back().broken, number(Base::Bool, 1));
       break;
     case Continue: {
-      std::size_t i = rounds_.size();
-      while (rounds_[i - 1].isSwitch) --i;
-      store_.set(rounds_[i - 1].continued, number(Base::Bool, 1));
+      std::size_t i = breakables_.size();
+      while (breakables_[i - 1].isSwitch) --i;
+      store_.set(breakables_[i - 1].continued, number(Base::Bool, 1));
       break;
     }
   }
@@ -59,23 +59,23 @@ void Lowering::execute(Number child) {
 // Whether the rest of what runs now is left out.
 Id Lowering::stopped() {
   Id any = frames_.empty() ? number(Base::Bool, 0) : store_.get(frames_.back().returned);
-  for (const Round& round : rounds_)
-    any = recorder_.either(recorder_.either(any, store_.get(round.broken)),
-                           store_.get(round.continued));
+  for (const Breakable& each : breakables_)
+    any = recorder_.either(recorder_.either(any, store_.get(each.broken)),
+                           store_.get(each.continued));
   return any;
 }
 
 // In a branch that only runs where nothing was stopped.
-void Lowering::goOn() {
+void Lowering::resume() {
   const Id no = number(Base::Bool, 0);
   if (!frames_.empty()) store_.set(frames_.back().returned, no);
-  for (const Round& round : rounds_) {
-    store_.set(round.broken, no);
-    store_.set(round.continued, no);
+  for (const Breakable& each : breakables_) {
+    store_.set(each.broken, no);
+    store_.set(each.continued, no);
   }
 }
 
-void Lowering::executeAll(const std::vector<Number>& statements, std::size_t from) {
+void Lowering::executeAll(const std::vector<StatementId>& statements, std::size_t from) {
   for (std::size_t i = from; i < statements.size() && !problems_.any(); ++i) {
     execute(statements[i]);
     const Id isOver = stopped();
@@ -85,7 +85,7 @@ void Lowering::executeAll(const std::vector<Number>& statements, std::size_t fro
     return branch(
         isOver, [] {},
         [&] {
-          goOn();
+          resume();
           ++depth_;
           executeAll(statements, i + 1);
           --depth_;
@@ -118,7 +118,7 @@ void Lowering::choose(const Statement& statement) {
       });
 }
 
-void Lowering::goBack(const Statement& statement) {
+void Lowering::returnFrom(const Statement& statement) {
   if (statement.expression != nothing) set(frames_.back().result, evaluate(statement.expression));
   store_.set(frames_.back().returned, number(Base::Bool, 1));
 }
@@ -129,7 +129,7 @@ void Lowering::loop(const Statement& statement) {
   execute(statement.children[0]);
   const Id no = number(Base::Bool, 0);
   const Slot broken = store_.allocate(1, no), continued = store_.allocate(1, no);
-  rounds_.push_back({broken, continued, false});
+  breakables_.push_back({broken, continued, false});
   std::vector<Id> conditions;
   const auto enter = [&](Id condition) {
     conditions.push_back(condition);
@@ -162,25 +162,25 @@ void Lowering::loop(const Statement& statement) {
     if (recorder_.isTrue(isOver)) break;
     if (!recorder_.isConstant(isOver)) {
       enter(recorder_.negated(isOver));
-      goOn();
+      resume();
     }
     execute(statement.children[1]);
   }
   for (std::size_t i = conditions.size(); i-- > 0;) merge(conditions[i], store_.close(), {});
-  rounds_.pop_back();
+  breakables_.pop_back();
 }
 
 // `float x = 1.0, y;` is a block of two.
-std::vector<const Statement*> Lowering::declarationsOf(Number child) const {
+std::vector<const Statement*> Lowering::declarationsOf(StatementId child) const {
   const Statement& statement = tree_.statements[child];
-  const auto isDeclaration = [&](Number each) {
+  const auto isDeclaration = [&](StatementId each) {
     return tree_.statements[each].kind == Statement::Kind::Declare;
   };
   if (isDeclaration(child)) return {&statement};
   std::vector<const Statement*> all;
   if (statement.kind == Statement::Kind::Block &&
       std::all_of(statement.children.begin(), statement.children.end(), isDeclaration))
-    for (const Number each : statement.children) all.push_back(&tree_.statements[each]);
+    for (const StatementId each : statement.children) all.push_back(&tree_.statements[each]);
   return all;
 }
 
@@ -196,7 +196,7 @@ void Lowering::select(const Statement& statement) {
                   recorder_.constant(recorder_.base(value), *known));
   };
   Id fitsAny = no;
-  for (const Number child : statement.children) {
+  for (const StatementId child : statement.children) {
     const Statement& label = tree_.statements[child];
     if (label.kind == Statement::Kind::Case && label.expression != nothing)
       fitsAny = recorder_.either(fitsAny, fits(label));
@@ -206,9 +206,9 @@ void Lowering::select(const Statement& statement) {
       set(slotOf(each->index), undefined(type));
     }
   }
-  rounds_.push_back({broken, broken, true});
+  breakables_.push_back({broken, broken, true});
   Id reached = no;
-  for (const Number child : statement.children) {
+  for (const StatementId child : statement.children) {
     const Statement& label = tree_.statements[child];
     if (label.kind == Statement::Kind::Case) {
       reached = recorder_.either(
@@ -218,14 +218,14 @@ void Lowering::select(const Statement& statement) {
     branch(
         recorder_.both(reached, recorder_.negated(stopped())),
         [&] {
-          goOn();
+          resume();
           const auto declarations = declarationsOf(child);
           for (const Statement* each : declarations) initialize(*each);
           if (declarations.empty()) execute(child);
         },
         [] {});
   }
-  rounds_.pop_back();
+  breakables_.pop_back();
 }
 
 }  // namespace warpjet::glsl

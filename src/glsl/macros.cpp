@@ -138,8 +138,9 @@ bool Macros::readArguments(std::span<const Token> tokens, std::size_t& at, std::
   return false;
 }
 
-void Macros::substitute(const Macro& macro, Place place, std::vector<std::vector<Token>>& arguments,
-                        std::vector<Token>& result, Within& within) {
+void Macros::substitute(const Macro& macro, Location place,
+                        std::vector<std::vector<Token>>& arguments, std::vector<Token>& result,
+                        Within& within) {
   std::vector<Token> body;
   const std::string_view self = within.back();
   for (std::vector<Token>& argument : arguments) {

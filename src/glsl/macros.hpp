@@ -43,7 +43,7 @@ class Macros {
   // Arguments come after the token number `at`.
   bool expandLast(std::span<const Token> tokens, std::size_t& at, std::vector<Token>& result,
                   Within& within);
-  void substitute(const Macro& macro, Place place, std::vector<std::vector<Token>>& arguments,
+  void substitute(const Macro& macro, Location place, std::vector<std::vector<Token>>& arguments,
                   std::vector<Token>& result, Within& within);
   Token number(std::uint32_t value, const Token& like);
 

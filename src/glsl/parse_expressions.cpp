@@ -13,7 +13,7 @@ constexpr int deepestTree = 300;
 
 }  // namespace
 
-Number Parser::add(Expression made) {
+ExpressionId Parser::add(Expression made) {
   if (problems_.any()) return failed(made.place, "");
   int depth = 0;
   for (std::size_t i = 0; i < made.operands.size(); ++i) {
@@ -25,33 +25,33 @@ Number Parser::add(Expression made) {
     return failed(made.place, "this expression is nested too deep; split it");
   made.depth = static_cast<std::uint16_t>(depth);
   tree_.expressions.push_back(std::move(made));
-  return static_cast<Number>(tree_.expressions.size() - 1);
+  return static_cast<ExpressionId>(tree_.expressions.size() - 1);
 }
 
 // A number that stands for what could not be read.
-Number Parser::failed(Place place, std::string sentence) {
+ExpressionId Parser::failed(Location place, std::string sentence) {
   fail(place, std::move(sentence));
   tree_.expressions.push_back(
       Expression{.kind = Code::Constant, .type = floatType, .place = place});
-  return static_cast<Number>(tree_.expressions.size() - 1);
+  return static_cast<ExpressionId>(tree_.expressions.size() - 1);
 }
 
-Number Parser::expression() {
-  Number left = assignment();
+ExpressionId Parser::expression() {
+  ExpressionId left = assignment();
   while (peek().is(",")) {
-    const Place place = take().place;
-    const Number right = assignment();
+    const Location place = take().place;
+    const ExpressionId right = assignment();
     left = add(Expression{
         .kind = Code::Sequence, .type = typeOf(right), .place = place, .operands = {left, right}});
   }
   return left;
 }
 
-Number Parser::assignment() {
+ExpressionId Parser::assignment() {
   if (!goDeeper()) return failed(peek().place, "");
   ++depth_;
-  const Number made = [&] {
-    const Number left = choice();
+  const ExpressionId made = [&] {
+    const ExpressionId left = choice();
     const Token token = peek();
     const std::string_view text = token.text;
     const bool isPlain = token.is("=");
@@ -60,15 +60,15 @@ Number Parser::assignment() {
     const OperatorRow* row = isPlain ? nullptr : findOperator(text.substr(0, text.size() - 1));
     if (!isPlain && (!row || row->level == 7 || row->level == 8 || findOperator(text))) return left;
     take();
-    const Number place = makePlace(left, token.place, text);
-    const Number right = assignment();
+    const ExpressionId place = makeAssignable(left, token.place, text);
+    const ExpressionId right = assignment();
     if (problems_.any()) return left;
     const Type wanted = typeOf(place), came = typeOf(right);
     if (tree_.types.hasSampler(wanted))
       return failed(token.place, "an image cannot be assigned; read it here by texture()");
     if (isPlain ? wanted != came : typeOfBinary(row->op, wanted, came, tree_.types) != wanted)
-      return failed(token.place, "" + tree_.types.a(came) + " cannot be assigned by " +
-                                     std::string(text) + " to " + tree_.types.a(wanted) +
+      return failed(token.place, "" + tree_.types.withArticle(came) + " cannot be assigned by " +
+                                     std::string(text) + " to " + tree_.types.withArticle(wanted) +
                                      "; GLSL converts nothing by itself");
     return add(Expression{.kind = Code::Assign,
                           .op = row ? row->op : Operator{},
@@ -81,39 +81,41 @@ Number Parser::assignment() {
   return made;
 }
 
-Number Parser::choice() {
-  const Number test = binary(1);
+ExpressionId Parser::choice() {
+  const ExpressionId test = binary(1);
   if (!peek().is("?")) return test;
-  const Place place = take().place;
-  const Number yes = expression();
+  const Location place = take().place;
+  const ExpressionId yes = expression();
   expect(":", "the first value of ? :");
-  const Number no = assignment();
+  const ExpressionId no = assignment();
   if (problems_.any()) return test;
   if (!typeOf(test).isBool())
-    return failed(place,
-                  "a bool must stand before ?, but " + tree_.types.a(typeOf(test)) + " does");
+    return failed(place, "a bool must stand before ?, but " +
+                             tree_.types.withArticle(typeOf(test)) + " does");
   if (typeOf(yes) != typeOf(no) || typeOf(yes) == voidType)
     return failed(place, "both values of ? : must be of one type, but are " +
-                             tree_.types.a(typeOf(yes)) + " and " + tree_.types.a(typeOf(no)));
+                             tree_.types.withArticle(typeOf(yes)) + " and " +
+                             tree_.types.withArticle(typeOf(no)));
   if (tree_.types.hasSampler(typeOf(yes)))
     return failed(place, "an image cannot be chosen by ? :; choose between what texture() gives");
   return add(Expression{
       .kind = Code::Choose, .type = typeOf(yes), .place = place, .operands = {test, yes, no}});
 }
 
-Number Parser::binary(int level) {
-  Number left = unary();
+ExpressionId Parser::binary(int level) {
+  ExpressionId left = unary();
   for (;;) {
     const OperatorRow* row = peek().kind == Kind::Symbol ? findOperator(peek().text) : nullptr;
     if (!row || row->level < level) return left;
-    const Place place = take().place;
-    const Number right = binary(row->level + 1);
+    const Location place = take().place;
+    const ExpressionId right = binary(row->level + 1);
     if (problems_.any()) return left;
     left = makeBinary(row->op, left, right, place);
   }
 }
 
-Number Parser::makeBinary(Operator op, Number left, Number right, Place place) {
+ExpressionId Parser::makeBinary(Operator op, ExpressionId left, ExpressionId right,
+                                Location place) {
   const Type a = typeOf(left), b = typeOf(right);
   const auto type = typeOfBinary(op, a, b, tree_.types);
   if (!type) {
@@ -121,17 +123,18 @@ Number Parser::makeBinary(Operator op, Number left, Number right, Place place) {
                        b.base != Base::Bool;
     return failed(
         place,
-        quoted(textOf(op)) + " does not take " + tree_.types.a(a) + " and " + tree_.types.a(b) +
+        quoted(textOf(op)) + " does not take " + tree_.types.withArticle(a) + " and " +
+            tree_.types.withArticle(b) +
             (mixes ? "; GLSL converts nothing by itself: write 1.0 for 1, or float(x)" : ""));
   }
   return add(Expression{
       .kind = Code::Binary, .op = op, .type = *type, .place = place, .operands = {left, right}});
 }
 
-Number Parser::unary() {
+ExpressionId Parser::unary() {
   if (!goDeeper()) return failed(peek().place, "");
   ++depth_;
-  const Number made = [&] {
+  const ExpressionId made = [&] {
     const Token token = peek();
     if (token.kind != Kind::Symbol) return postfix();
     if (token.is("++") || token.is("--")) {
@@ -152,14 +155,15 @@ Number Parser::unary() {
       return postfix();
     }
     take();
-    const Number operand = unary();
+    const ExpressionId operand = unary();
     if (problems_.any()) return operand;
     const Type type = typeOf(operand);
     const bool fits = kind == Code::Not          ? type.isBool()
                       : kind == Code::Complement ? type.isWhole()
                                                  : type.isNumeric() && type.base != Base::Bool;
     if (!fits)
-      return failed(token.place, quoted(token.text) + " does not take " + tree_.types.a(type));
+      return failed(token.place,
+                    quoted(token.text) + " does not take " + tree_.types.withArticle(type));
     return add(Expression{.kind = kind, .type = type, .place = token.place, .operands = {operand}});
   }();
   --depth_;
@@ -167,10 +171,10 @@ Number Parser::unary() {
 }
 
 // What is assigned to; `what` does it.
-Number Parser::makePlace(Number operand, Place place, std::string_view what) {
+ExpressionId Parser::makeAssignable(ExpressionId operand, Location place, std::string_view what) {
   if (problems_.any()) return operand;
   const Expression* root = &tree_.expressions[operand];
-  while (root->kind != Code::Variable && !root->operands.empty() && root->isPlace)
+  while (root->kind != Code::Variable && !root->operands.empty() && root->isAssignable)
     root = &tree_.expressions[root->operands[0]];
   if (root->kind == Code::Variable) {
     const Variable& variable = tree_.variables[root->index];
@@ -180,7 +184,7 @@ Number Parser::makePlace(Number operand, Place place, std::string_view what) {
       return failed(place, quoted(variable.name) + " is given by the host and cannot be changed");
   }
   const Expression& node = tree_.expressions[operand];
-  if (!node.isPlace || root->kind != Code::Variable)
+  if (!node.isAssignable || root->kind != Code::Variable)
     return failed(place, "what stands before " + std::string(what) +
                              " is a value, nothing that can be changed");
   // The same component twice has two values.
@@ -196,13 +200,13 @@ Number Parser::makePlace(Number operand, Place place, std::string_view what) {
   return operand;
 }
 
-Number Parser::increment(Number operand, Operator op, Place place, bool isPostfix) {
+ExpressionId Parser::increment(ExpressionId operand, Operator op, Location place, bool isPostfix) {
   if (problems_.any()) return operand;
   const std::string_view text = op == Operator::Add ? "++" : "--";
-  const Number changed = makePlace(operand, place, text);
+  const ExpressionId changed = makeAssignable(operand, place, text);
   const Type type = typeOf(changed);
   if (!problems_.any() && (!type.isNumeric() || type.base == Base::Bool))
-    return failed(place, quoted(text) + " does not take " + tree_.types.a(type));
+    return failed(place, quoted(text) + " does not take " + tree_.types.withArticle(type));
   return add(Expression{.kind = Code::Increment,
                         .op = op,
                         .type = type,

@@ -19,10 +19,10 @@ void Parser::function(Type result, const Token& name) {
   Function made{name.text, result, parameters(), name.place};
   expect(")", "the parameters of a function");
   if (!problems_.any()) {
-    const Number number = declareFunction(made);
+    const FunctionId number = declareFunction(made);
     if (!problems_.any() && !accept(";")) {
       current_ = number;
-      const Number body = block();
+      const StatementId body = block();
       if (number != nothing && !problems_.any()) tree_.functions[number].body = body;
       current_ = nothing;
     }
@@ -39,7 +39,7 @@ std::vector<Parameter> Parser::parameters() {
   }
   do {
     const Qualifiers given = qualifiers();
-    const Place place = peek().place;
+    const Location place = peek().place;
     Type each = type();
     Token name = peek();
     if (name.kind == Kind::Name) {
@@ -63,14 +63,14 @@ std::vector<Parameter> Parser::parameters() {
                       std::string(given.direction == Parameter::Direction::Out ? "out" : "inout"));
       break;
     }
-    const Number variable = addVariable(
+    const VariableId variable = addVariable(
         name, each, given.isConst ? Variable::Kind::Constant : Variable::Kind::Parameter);
     all.push_back({given.direction, variable, each});
   } while (accept(","));
   return all;
 }
 
-Number Parser::declareFunction(const Function& made) {
+FunctionId Parser::declareFunction(const Function& made) {
   const auto isSame = [&](const Function& other) {
     return other.name == made.name && other.parameters.size() == made.parameters.size() &&
            std::equal(other.parameters.begin(), other.parameters.end(), made.parameters.begin(),
@@ -91,10 +91,10 @@ Number Parser::declareFunction(const Function& made) {
     } else if (isDefinition) {
       other = made;
     }
-    return static_cast<Number>(i);
+    return static_cast<FunctionId>(i);
   }
   tree_.functions.push_back(made);
-  const auto index = static_cast<Number>(tree_.functions.size() - 1);
+  const auto index = static_cast<FunctionId>(tree_.functions.size() - 1);
   // Of the scope outside of its parameters.
   scope_.close();
   if (scope_.find(made.name).kind != Meaning::Kind::Function)

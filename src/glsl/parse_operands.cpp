@@ -13,8 +13,8 @@ std::string Parser::typesOf(const std::vector<Type>& types) const {
   return text;
 }
 
-Number Parser::postfix() {
-  Number operand = primary();
+ExpressionId Parser::postfix() {
+  ExpressionId operand = primary();
   for (;;) {
     const Token& token = peek();
     if (token.is(".")) {
@@ -31,8 +31,8 @@ Number Parser::postfix() {
   }
 }
 
-Number Parser::member(Number operand) {
-  const Place place = take().place;
+ExpressionId Parser::member(ExpressionId operand) {
+  const Location place = take().place;
   const Token name = peek();
   if (name.kind != Kind::Name) {
     return failed(name.place, "a component or field is missing after the point; " + found());
@@ -40,7 +40,7 @@ Number Parser::member(Number operand) {
   take();
   if (problems_.any()) return operand;
   const Type type = typeOf(operand);
-  const bool isPlace = tree_.expressions[operand].isPlace;
+  const bool isAssignable = tree_.expressions[operand].isAssignable;
   if (type.isArray() && name.is("length")) {
     expect("(", "length");
     expect(")", "length(");
@@ -52,9 +52,10 @@ Number Parser::member(Number operand) {
   if (type.isStruct()) {
     const Field* field = tree_.types.structure(type).find(name.text);
     if (!field)
-      return failed(name.place, "" + tree_.types.a(type) + " has no field " + quoted(name.text));
+      return failed(name.place,
+                    "" + tree_.types.withArticle(type) + " has no field " + quoted(name.text));
     return add(Expression{.kind = Code::Part,
-                          .isPlace = isPlace,
+                          .isAssignable = isAssignable,
                           .type = field->type,
                           .index = field->offset,
                           .place = place,
@@ -62,25 +63,27 @@ Number Parser::member(Number operand) {
   }
   const auto packed = type.isVector() ? readSwizzle(name.text, type.rows) : std::nullopt;
   if (!packed)
-    return failed(name.place, "" + tree_.types.a(type) + " has no component " + quoted(name.text));
+    return failed(name.place,
+                  "" + tree_.types.withArticle(type) + " has no component " + quoted(name.text));
   return add(Expression{.kind = Code::Swizzle,
-                        .isPlace = isPlace,
+                        .isAssignable = isAssignable,
                         .type = vectorType(type.base, static_cast<int>(name.text.size())),
                         .index = *packed,
                         .place = place,
                         .operands = {operand}});
 }
 
-Number Parser::element(Number operand) {
-  const Place place = take().place;
-  const Number index = expression();
+ExpressionId Parser::element(ExpressionId operand) {
+  const Location place = take().place;
+  const ExpressionId index = expression();
   expect("]", "an index");
   if (problems_.any()) return operand;
   const Type type = typeOf(operand);
   if (!type.isArray() && !type.isVector() && !type.isMatrix())
-    return failed(place, "" + tree_.types.a(type) + " has no elements");
+    return failed(place, "" + tree_.types.withArticle(type) + " has no elements");
   if (!typeOf(index).isWhole() || !typeOf(index).isScalar())
-    return failed(place, "an index must be an int or uint, but is " + tree_.types.a(typeOf(index)));
+    return failed(
+        place, "an index must be an int or uint, but is " + tree_.types.withArticle(typeOf(index)));
   const int count = type.isArray() ? type.length : type.isMatrix() ? type.columns : type.rows;
   if (const auto known = constantInt(tree_, index); known && (*known < 0 || *known >= count))
     return failed(place, "the index " + std::to_string(*known) + " is not one of 0 to " +
@@ -89,17 +92,17 @@ Number Parser::element(Number operand) {
                        : type.isMatrix() ? vectorType(type.base, type.rows)
                                          : scalarOf(type.base);
   return add(Expression{.kind = Code::Element,
-                        .isPlace = tree_.expressions[operand].isPlace,
+                        .isAssignable = tree_.expressions[operand].isAssignable,
                         .type = element,
                         .place = place,
                         .operands = {operand, index}});
 }
 
-Number Parser::primary() {
+ExpressionId Parser::primary() {
   const Token token = peek();
   if (token.is("(")) {
     take();
-    const Number inner = expression();
+    const ExpressionId inner = expression();
     expect(")", "an expression");
     return inner;
   }
@@ -109,7 +112,7 @@ Number Parser::primary() {
   return failed(token.place, "a value is missing; " + found());
 }
 
-Number Parser::number() {
+ExpressionId Parser::number() {
   const Token token = take();
   Expression made{.kind = Code::Constant, .place = token.place};
   if (token.kind == Kind::Float) {
@@ -124,7 +127,7 @@ Number Parser::number() {
   return add(std::move(made));
 }
 
-Number Parser::named() {
+ExpressionId Parser::named() {
   const Token name = peek();
   if (name.is("true") || name.is("false")) {
     take();
@@ -152,15 +155,15 @@ Number Parser::named() {
   }
   take();
   return add(Expression{.kind = Code::Variable,
-                        .isPlace = true,
+                        .isAssignable = true,
                         .type = tree_.variables[meaning.index].type,
                         .index = meaning.index,
                         .place = name.place});
 }
 
 // From the parenthesis on to the one that closes it.
-std::vector<Number> Parser::arguments() {
-  std::vector<Number> all;
+std::vector<ExpressionId> Parser::arguments() {
+  std::vector<ExpressionId> all;
   expect("(", "this");
   if (accept(")")) return all;
   if (peek().is("void") && peek(1).is(")")) {
@@ -175,13 +178,13 @@ std::vector<Number> Parser::arguments() {
   return all;
 }
 
-Number Parser::construct(Type type, Place place) {
+ExpressionId Parser::construct(Type type, Location place) {
   if (!problems_.any() && !peek().is("("))
     return failed(place, "a value is missing; a type stands here");
-  std::vector<Number> operands = arguments();
+  std::vector<ExpressionId> operands = arguments();
   if (problems_.any()) return failed(place, "");
   std::vector<Type> types;
-  for (const Number operand : operands) types.push_back(typeOf(operand));
+  for (const ExpressionId operand : operands) types.push_back(typeOf(operand));
   if (type.length == 0) type.length = static_cast<std::int32_t>(operands.size());
   std::string why = constructorProblem(type, types, tree_.types);
   if (!why.empty()) return failed(place, std::move(why));
@@ -189,14 +192,14 @@ Number Parser::construct(Type type, Place place) {
       .kind = Code::Construct, .type = type, .place = place, .operands = std::move(operands)});
 }
 
-Number Parser::call(const Token& name) {
+ExpressionId Parser::call(const Token& name) {
   const Meaning meaning = scope_.find(name.text);
-  std::vector<Number> operands = arguments();
+  std::vector<ExpressionId> operands = arguments();
   if (problems_.any()) return failed(name.place, "");
   std::vector<Type> types;
-  for (const Number operand : operands) types.push_back(typeOf(operand));
+  for (const ExpressionId operand : operands) types.push_back(typeOf(operand));
   if (meaning.kind == Meaning::Kind::Function) {
-    const Number made = callFunction(name, operands, types);
+    const ExpressionId made = callFunction(name, operands, types);
     if (problems_.any()) return failed(name.place, "");
     if (made != nothing) return made;
   }
@@ -215,7 +218,7 @@ Number Parser::call(const Token& name) {
   }
   const BuiltIn& row = builtIns[found->row];
   for (std::size_t i = 0; i < operands.size(); ++i)
-    if (isOut(row, i)) makePlace(operands[i], name.place, "this call");
+    if (isOut(row, i)) makeAssignable(operands[i], name.place, "this call");
   if (row.way == Way::Refused)
     return failed(name.place,
                   quoted(name.text) +
@@ -228,8 +231,8 @@ Number Parser::call(const Token& name) {
 }
 
 // One of the text's own; nothing where none of that name fits, for a built-in one may.
-Number Parser::callFunction(const Token& name, std::vector<Number> operands,
-                            const std::vector<Type>& types) {
+ExpressionId Parser::callFunction(const Token& name, std::vector<ExpressionId> operands,
+                                  const std::vector<Type>& types) {
   std::string known;
   for (std::size_t i = 0; i < tree_.functions.size(); ++i) {
     const Function& function = tree_.functions[i];
@@ -240,12 +243,12 @@ Number Parser::callFunction(const Token& name, std::vector<Number> operands,
     if (wanted != types) continue;
     for (std::size_t k = 0; k < operands.size(); ++k)
       if (function.parameters[k].direction != Parameter::Direction::In)
-        makePlace(operands[k], name.place, "this call");
-    if (current_ != nothing) calls_.push_back({current_, static_cast<Number>(i), name.place});
+        makeAssignable(operands[k], name.place, "this call");
+    if (current_ != nothing) calls_.push_back({current_, static_cast<ExpressionId>(i), name.place});
     if (problems_.any()) return nothing;
     return add(Expression{.kind = Code::Call,
                           .type = function.type,
-                          .index = static_cast<Number>(i),
+                          .index = static_cast<ExpressionId>(i),
                           .place = name.place,
                           .operands = std::move(operands)});
   }

@@ -6,21 +6,21 @@
 
 namespace warpjet::glsl {
 
-Number Parser::add(Statement statement) {
+StatementId Parser::add(Statement statement) {
   tree_.statements.push_back(std::move(statement));
-  return static_cast<Number>(tree_.statements.size() - 1);
+  return static_cast<StatementId>(tree_.statements.size() - 1);
 }
 
-Number Parser::makeBlock(Place place, std::vector<Number> children) {
+StatementId Parser::makeBlock(Location place, std::vector<StatementId> children) {
   return add(
       Statement{.kind = Statement::Kind::Block, .place = place, .children = std::move(children)});
 }
 
 // From its brace to the one that closes it. Its scope is the caller's.
-Number Parser::block() {
-  const Place place = peek().place;
+StatementId Parser::block() {
+  const Location place = peek().place;
   if (!expect("{", "the head of this function")) return nothing;
-  std::vector<Number> children;
+  std::vector<StatementId> children;
   while (!peek().is("}")) {
     if (peek().kind == Kind::End) {
       fail(place, "this { has no }");
@@ -32,14 +32,14 @@ Number Parser::block() {
   return makeBlock(place, std::move(children));
 }
 
-Number Parser::statement(bool opensScope) {
+StatementId Parser::statement(bool opensScope) {
   if (!goDeeper()) return nothing;
   ++depth_;
   const Token& token = peek();
-  const Number made = [&] {
+  const StatementId made = [&] {
     if (token.is("{")) {
       if (opensScope) scope_.open();
-      const Number inner = block();
+      const StatementId inner = block();
       if (opensScope) scope_.close();
       return inner;
     }
@@ -61,7 +61,7 @@ Number Parser::statement(bool opensScope) {
 }
 
 // A declaration or an expression, up to its semicolon.
-Number Parser::simpleStatement() {
+StatementId Parser::simpleStatement() {
   const Token& token = peek();
   if (accept(";")) return makeBlock(token.place, {});
   if (token.is("precision")) {
@@ -80,16 +80,16 @@ Number Parser::simpleStatement() {
     if (base == voidType) fail(token.place, "a variable cannot be void");
     return problems_.any() ? nothing : declarations(given, base);
   }
-  const Number value = expression();
+  const ExpressionId value = expression();
   expect(";", "an expression");
   return add(
       Statement{.kind = Statement::Kind::Evaluate, .expression = value, .place = token.place});
 }
 
 // `float x = 1.0, y;` from its first name on.
-Number Parser::declarations(Qualifiers given, Type base) {
-  const Place place = peek().place;
-  std::vector<Number> all;
+StatementId Parser::declarations(Qualifiers given, Type base) {
+  const Location place = peek().place;
+  std::vector<StatementId> all;
   do {
     const Token name = peek();
     if (!checkFree(name)) return nothing;
@@ -109,7 +109,7 @@ Number Parser::declarations(Qualifiers given, Type base) {
   return all.size() == 1 ? all[0] : makeBlock(place, std::move(all));
 }
 
-Number Parser::declaration(Qualifiers given, Type type, const Token& name) {
+StatementId Parser::declaration(Qualifiers given, Type type, const Token& name) {
   using enum Variable::Kind;
   Variable::Kind kind = given.isConst ? Constant : given.kind;
   if (kind == Local && current_ == nothing) kind = Global;
@@ -117,7 +117,7 @@ Number Parser::declaration(Qualifiers given, Type type, const Token& name) {
     fail(name.place, "only constants and plain variables can be declared in a function");
     return nothing;
   }
-  Number start = nothing;
+  ExpressionId start = nothing;
   if (accept("=")) {
     // A variable is known from here on, not in its own value.
     start = assignment();
@@ -127,8 +127,9 @@ Number Parser::declaration(Qualifiers given, Type type, const Token& name) {
     if (kind == Uniform || kind == Attribute) {
       fail(name.place, "the host gives " + quoted(name.text) + " its value; leave = out");
     } else if (typeOf(start) != type) {
-      fail(name.place, quoted(name.text) + " is " + tree_.types.a(type) + ", but " +
-                           tree_.types.a(typeOf(start)) + " came; GLSL converts nothing by itself");
+      fail(name.place, quoted(name.text) + " is " + tree_.types.withArticle(type) + ", but " +
+                           tree_.types.withArticle(typeOf(start)) +
+                           " came; GLSL converts nothing by itself");
     }
   } else if (given.isConst) {
     fail(name.place, "the constant " + quoted(name.text) + " needs a value");
@@ -137,7 +138,7 @@ Number Parser::declaration(Qualifiers given, Type type, const Token& name) {
   if (tree_.types.hasSampler(type) && (kind != Uniform || type != samplerType))
     fail(name.place, "an image can only be a uniform sampler2D by itself");
   if (problems_.any()) return nothing;
-  const Number variable = addVariable(name, type, kind);
+  const VariableId variable = addVariable(name, type, kind);
   tree_.variables[variable].start = start;
   if (kind == Constant && start != nothing)
     tree_.variables[variable].known = constantNumber(tree_, start);
@@ -147,31 +148,31 @@ Number Parser::declaration(Qualifiers given, Type type, const Token& name) {
                        .place = name.place});
 }
 
-Number Parser::condition(std::string_view after) {
+ExpressionId Parser::condition(std::string_view after) {
   expect("(", after);
   if (startsType() && !peek(1).is("(")) {
     fail(peek().place, "declare this variable before the " + std::string(after));
     return nothing;
   }
-  const Place place = peek().place;
-  const Number value = expression();
+  const Location place = peek().place;
+  const ExpressionId value = expression();
   expect(")", "a condition");
   if (!problems_.any() && !typeOf(value).isBool())
     fail(place, "the condition of this " + std::string(after) + " must be a bool, but is " +
-                    tree_.types.a(typeOf(value)));
+                    tree_.types.withArticle(typeOf(value)));
   return value;
 }
 
-Number Parser::ifStatement() {
-  const Place place = take().place;
-  const Number test = condition("if");
+StatementId Parser::ifStatement() {
+  const Location place = take().place;
+  const ExpressionId test = condition("if");
   const auto branch = [&] {
     scope_.open();
-    const Number made = statement(false);
+    const StatementId made = statement(false);
     scope_.close();
     return made;
   };
-  std::vector<Number> children{branch()};
+  std::vector<StatementId> children{branch()};
   if (accept("else")) children.push_back(branch());
   return add(Statement{.kind = Statement::Kind::If,
                        .expression = test,
@@ -179,28 +180,29 @@ Number Parser::ifStatement() {
                        .children = std::move(children)});
 }
 
-Number Parser::forStatement() {
-  const Place place = take().place;
+StatementId Parser::forStatement() {
+  const Location place = take().place;
   scope_.open();
   expect("(", "for");
-  const Number start = simpleStatement();
-  Number test = nothing, step = nothing;
-  const Place testPlace = peek().place;
+  const StatementId start = simpleStatement();
+  ExpressionId test = nothing;
+  StatementId step = nothing;
+  const Location testPlace = peek().place;
   if (!peek().is(";")) {
     test = expression();
     if (!problems_.any() && !typeOf(test).isBool())
-      fail(testPlace,
-           "the condition of this for must be a bool, but is " + tree_.types.a(typeOf(test)));
+      fail(testPlace, "the condition of this for must be a bool, but is " +
+                          tree_.types.withArticle(typeOf(test)));
   }
   expect(";", "the condition of a for");
   if (!peek().is(")")) {
-    const Place stepPlace = peek().place;
+    const Location stepPlace = peek().place;
     step = add(Statement{
         .kind = Statement::Kind::Evaluate, .expression = expression(), .place = stepPlace});
   }
   expect(")", "the head of a for");
   ++loops_;
-  const Number body = statement(false);
+  const StatementId body = statement(false);
   --loops_;
   scope_.close();
   return add(Statement{.kind = Statement::Kind::Loop,
@@ -209,12 +211,12 @@ Number Parser::forStatement() {
                        .children = {start, step, body}});
 }
 
-Number Parser::whileStatement() {
-  const Place place = take().place;
-  const Number test = condition("while");
+StatementId Parser::whileStatement() {
+  const Location place = take().place;
+  const ExpressionId test = condition("while");
   scope_.open();
   ++loops_;
-  const Number body = statement(false);
+  const StatementId body = statement(false);
   --loops_;
   scope_.close();
   return add(Statement{.kind = Statement::Kind::Loop,
@@ -223,15 +225,15 @@ Number Parser::whileStatement() {
                        .children = {nothing, nothing, body}});
 }
 
-Number Parser::doStatement() {
-  const Place place = take().place;
+StatementId Parser::doStatement() {
+  const Location place = take().place;
   scope_.open();
   ++loops_;
-  const Number body = statement(false);
+  const StatementId body = statement(false);
   --loops_;
   scope_.close();
   if (!accept("while")) fail(peek().place, "a while is missing after the body of do; " + found());
-  const Number test = condition("while");
+  const ExpressionId test = condition("while");
   expect(";", "do … while ( )");
   return add(Statement{.kind = Statement::Kind::Loop,
                        .isLate = true,
@@ -240,23 +242,24 @@ Number Parser::doStatement() {
                        .children = {nothing, nothing, body}});
 }
 
-Number Parser::switchStatement() {
-  const Place place = take().place;
+StatementId Parser::switchStatement() {
+  const Location place = take().place;
   expect("(", "switch");
-  const Number value = expression();
+  const ExpressionId value = expression();
   expect(")", "the value of a switch");
   if (!problems_.any() && !(typeOf(value).isWhole() && typeOf(value).isScalar()))
-    fail(place, "a switch goes by an int or uint, but " + tree_.types.a(typeOf(value)) + " came");
+    fail(place, "a switch goes by an int or uint, but " + tree_.types.withArticle(typeOf(value)) +
+                    " came");
   expect("{", "switch ( )");
   scope_.open();
   ++switches_;
-  std::vector<Number> children;
+  std::vector<StatementId> children;
   bool hasDefault = false;
   while (!peek().is("}") && peek().kind != Kind::End) {
     const Token& token = peek();
     if (token.is("case") || token.is("default")) {
       take();
-      Number label = nothing;
+      ExpressionId label = nothing;
       if (token.is("case")) {
         label = expression();
         if (problems_.any()) break;
@@ -283,27 +286,27 @@ Number Parser::switchStatement() {
                        .children = std::move(children)});
 }
 
-Number Parser::returnStatement() {
-  const Place place = take().place;
+StatementId Parser::returnStatement() {
+  const Location place = take().place;
   const Type wanted = current_ == nothing ? voidType : tree_.functions[current_].type;
-  Number value = nothing;
+  ExpressionId value = nothing;
   if (!peek().is(";")) {
     value = expression();
     if (problems_.any()) return nothing;
     if (wanted == voidType) {
       fail(place, "this function is void and gives nothing back; write return;");
     } else if (typeOf(value) != wanted) {
-      fail(place, "this function gives " + tree_.types.a(wanted) + ", but returns " +
-                      tree_.types.a(typeOf(value)));
+      fail(place, "this function gives " + tree_.types.withArticle(wanted) + ", but returns " +
+                      tree_.types.withArticle(typeOf(value)));
     }
   } else if (wanted != voidType) {
-    fail(place, "this function gives " + tree_.types.a(wanted) + ", but returns nothing");
+    fail(place, "this function gives " + tree_.types.withArticle(wanted) + ", but returns nothing");
   }
   expect(";", "return");
   return add(Statement{.kind = Statement::Kind::Return, .expression = value, .place = place});
 }
 
-Number Parser::jump() {
+StatementId Parser::jump() {
   const Token token = take();
   if (token.is("discard")) {
     fail(token.place, "discard is for fragments; a warp moves vertices and leaves out none");

@@ -159,7 +159,7 @@ void Parser::global() {
   }
   const Qualifiers given = qualifiers();
   if (given.any && accept(";")) return;
-  const Place place = peek().place;
+  const Location place = peek().place;
   const Type base = type();
   if (problems_.any()) return;
   if (base.isStruct() && accept(";")) return;
@@ -230,12 +230,12 @@ Type Parser::type() {
 }
 
 Type Parser::arrayOf(Type element) {
-  const Place place = take().place;
+  const Location place = take().place;
   if (element.isArray()) fail(place, "an array of arrays is not in the language");
   Type array = element;
   array.length = 0;
   if (!peek().is("]")) {
-    const Number size = expression();
+    const ExpressionId size = expression();
     if (problems_.any()) return element;
     const auto length = constantInt(tree_, size);
     if (!length || *length < 1 || *length > longestArray) {
@@ -262,7 +262,7 @@ Type Parser::structure() {
     qualifiers();
     const Type base = type();
     do {
-      const Place place = peek().place;
+      const Location place = peek().place;
       const std::string_view field = takeName("a field");
       const Type each = peek().is("[") ? arrayOf(base) : base;
       if (each == voidType || each.length == 0)
@@ -275,7 +275,7 @@ Type Parser::structure() {
     } while (accept(","));
     expect(";", "a field");
   }
-  const Place end = peek().place;
+  const Location end = peek().place;
   expect("}", "the fields of a structure");
   if (made.fields.empty()) fail(end, "a structure must have a field");
   if (problems_.any()) return voidType;
@@ -299,7 +299,7 @@ bool Parser::checkFree(const Token& name) {
   return !problems_.any();
 }
 
-Number Parser::addVariable(const Token& name, Type type, Variable::Kind kind) {
+VariableId Parser::addVariable(const Token& name, Type type, Variable::Kind kind) {
   const int size = tree_.types.size(type);
   if (size > largestValue) {
     fail(name.place, quoted(name.text) + " is too large");
@@ -310,7 +310,7 @@ Number Parser::addVariable(const Token& name, Type type, Variable::Kind kind) {
     if ((heldOutside_ += type.isNumeric() ? 1 : size) > largestValue)
       fail(name.place, "this text has too much from outside: more than 65,536 uniforms");
   }
-  const auto index = static_cast<Number>(tree_.variables.size());
+  const auto index = static_cast<VariableId>(tree_.variables.size());
   tree_.variables.push_back({name.text, type, name.place, kind});
   scope_.add(name.text, {Meaning::Kind::Variable, index});
   return index;

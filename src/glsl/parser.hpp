@@ -1,5 +1,5 @@
 // From tokens to the typed tree: a recursive descent, as deep as `deepest` and no deeper. Past the
-// first problem every token is the end of the text, so that it comes home at once.
+// first problem every token is the end of the text, so that it comes target at once.
 #pragma once
 
 #include <optional>
@@ -39,7 +39,7 @@ class Parser {
   const Token& take();
   bool accept(std::string_view text);
   bool expect(std::string_view text, std::string_view after);
-  void fail(Place place, std::string sentence) { problems_.add(place, std::move(sentence)); }
+  void fail(Location place, std::string sentence) { problems_.add(place, std::move(sentence)); }
   std::string found() const;
   std::string_view takeName(std::string_view what);
   bool goDeeper();
@@ -50,57 +50,57 @@ class Parser {
   Type structure();
   Type arrayOf(Type element);
   bool checkFree(const Token& name);
-  Number addVariable(const Token& name, Type type, Variable::Kind kind);
+  VariableId addVariable(const Token& name, Type type, Variable::Kind kind);
 
   // parse_functions.cpp
   void function(Type result, const Token& name);
   std::vector<Parameter> parameters();
-  Number declareFunction(const Function& function);
+  FunctionId declareFunction(const Function& function);
   void refuseRecursion();
 
   // parse_statements.cpp
-  Number statement(bool opensScope = true);
-  Number simpleStatement();
-  Number block();
-  Number declarations(Qualifiers qualifiers, Type base);
-  Number declaration(Qualifiers qualifiers, Type type, const Token& name);
-  Number ifStatement();
-  Number forStatement();
-  Number whileStatement();
-  Number doStatement();
-  Number switchStatement();
-  Number returnStatement();
-  Number jump();
-  Number condition(std::string_view after);
-  Number add(Statement statement);
-  Number makeBlock(Place place, std::vector<Number> children);
+  StatementId statement(bool opensScope = true);
+  StatementId simpleStatement();
+  StatementId block();
+  StatementId declarations(Qualifiers qualifiers, Type base);
+  StatementId declaration(Qualifiers qualifiers, Type type, const Token& name);
+  StatementId ifStatement();
+  StatementId forStatement();
+  StatementId whileStatement();
+  StatementId doStatement();
+  StatementId switchStatement();
+  StatementId returnStatement();
+  StatementId jump();
+  ExpressionId condition(std::string_view after);
+  StatementId add(Statement statement);
+  StatementId makeBlock(Location place, std::vector<StatementId> children);
 
   // parse_expressions.cpp
-  Number expression();
-  Number assignment();
-  Number choice();
-  Number binary(int level);
-  Number unary();
-  Number makeBinary(Operator op, Number left, Number right, Place place);
-  Number makePlace(Number operand, Place place, std::string_view what);
-  Number increment(Number operand, Operator op, Place place, bool isPostfix);
-  Number failed(Place place, std::string sentence);
-  Number add(Expression expression);
+  ExpressionId expression();
+  ExpressionId assignment();
+  ExpressionId choice();
+  ExpressionId binary(int level);
+  ExpressionId unary();
+  ExpressionId makeBinary(Operator op, ExpressionId left, ExpressionId right, Location place);
+  ExpressionId makeAssignable(ExpressionId operand, Location place, std::string_view what);
+  ExpressionId increment(ExpressionId operand, Operator op, Location place, bool isPostfix);
+  ExpressionId failed(Location place, std::string sentence);
+  ExpressionId add(Expression expression);
 
   // parse_operands.cpp
-  Number postfix();
-  Number primary();
-  Number number();
-  Number named();
-  Number construct(Type type, Place place);
-  Number call(const Token& name);
-  Number member(Number operand);
-  Number element(Number operand);
-  std::vector<Number> arguments();
-  Number callFunction(const Token& name, std::vector<Number> operands,
-                      const std::vector<Type>& types);
+  ExpressionId postfix();
+  ExpressionId primary();
+  ExpressionId number();
+  ExpressionId named();
+  ExpressionId construct(Type type, Location place);
+  ExpressionId call(const Token& name);
+  ExpressionId member(ExpressionId operand);
+  ExpressionId element(ExpressionId operand);
+  std::vector<ExpressionId> arguments();
+  ExpressionId callFunction(const Token& name, std::vector<ExpressionId> operands,
+                            const std::vector<Type>& types);
   std::string typesOf(const std::vector<Type>& types) const;
-  Type typeOf(Number expression) const {
+  Type typeOf(ExpressionId expression) const {
     return expression == nothing ? floatType : tree_.expressions[expression].type;
   }
 
@@ -114,10 +114,10 @@ class Parser {
   // Numbers of all variables, and of those from outside.
   int held_ = 0, heldOutside_ = 0;
   // The function that is being read, and who calls whom.
-  Number current_ = nothing;
+  FunctionId current_ = nothing;
   struct Call {
-    Number from, to;
-    Place place;
+    FunctionId from, to;
+    Location place;
   };
   std::vector<Call> calls_;
 };

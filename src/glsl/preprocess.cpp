@@ -52,7 +52,7 @@ class Preprocessor {
  private:
   // An #if with what follows it, until its #endif.
   struct Block {
-    Place place;
+    Location place;
     bool isLive, wasLive, isOuterLive, hasElse = false;
   };
 
@@ -68,7 +68,7 @@ class Preprocessor {
     const Token& word = line[1];
     const Line rest = line.subspan(2);
     if (word.is("if") || word.is("ifdef") || word.is("ifndef")) return open(word, rest);
-    if (word.is("elif") || word.is("else") || word.is("endif")) return goOn(word, rest);
+    if (word.is("elif") || word.is("else") || word.is("endif")) return resume(word, rest);
     if (!isLive()) return;
     if (word.is("define")) return macros_.define(word, rest);
     if (word.is("undef")) return macros_.undefine(word, rest);
@@ -99,7 +99,7 @@ class Preprocessor {
     blocks_.push_back({word.place, isOuterLive && holds, holds, isOuterLive});
   }
 
-  void goOn(const Token& word, Line rest) {
+  void resume(const Token& word, Line rest) {
     if (blocks_.empty())
       return problems_.add(word.place, "#" + std::string(word.text) + " has no #if before it");
     Block& block = blocks_.back();

@@ -66,7 +66,7 @@ Id Recorder::intern(Operation operation, std::span<const Id> operands) {
 
 Id Recorder::constant(Base base, double value) {
   const double known = held(base, value);
-  return intern({Code::Constant, base, 0, 0, known, std::abs(known)}, {});
+  return intern({Code::Constant, base, 0, 0, known}, {});
 }
 
 Id Recorder::undefined(Base base) { return intern({Code::Undefined, base}, {}); }
@@ -102,8 +102,29 @@ Id Recorder::apply(Code code, Base base, std::initializer_list<Id> given) {
     if (const auto result = fold(code, {values.data(), count}))
       if (base != Base::Float || std::abs(*result) <= 3.4028234663852886e38)
         return constant(base, *result);
-  if (code >= Code::IntOf) return whole(code, base, {operands.data(), count});
+  if (count == 2 && isConstant(operands[1])) return tamed(code, base, operands[0], operands[1]);
   return intern({code, base}, {operands.data(), count});
+}
+
+Id Recorder::tamed(Code code, Base base, Id x, Id y) {
+  switch (code) {
+    case Code::IntDiv:
+    case Code::UintDiv:
+      if (value(y) == 0) return x;
+      break;
+    case Code::IntMod:
+    case Code::UintMod:
+      if (value(y) == 0) return constant(base, 0);
+      break;
+    case Code::ShiftLeft:
+    case Code::ShiftRight:
+    case Code::UintShiftRight:
+      y = constant(Base::Int, static_cast<double>(static_cast<std::int64_t>(value(y)) & 31));
+      break;
+    default:
+      break;
+  }
+  return intern({code, base}, std::array{x, y});
 }
 
 Id Recorder::negated(Id condition) {
@@ -173,7 +194,7 @@ Id Recorder::convert(Id value, Base to) {
   if (to == Float) return apply(from == Int ? Code::FloatOf : Code::FloatOfUint, Float, {value});
   if (from == Float) return apply(to == Int ? Code::IntOf : Code::UintOf, to, {value});
   // Between int and uint the bits stay.
-  return apply(to == Int ? Code::IntAdd : Code::BitOr, to, {value, constant(to, 0)});
+  return apply(Code::SameBits, to, {value});
 }
 
 }  // namespace warpjet::glsl

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <initializer_list>
 #include <span>
-#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -28,8 +27,6 @@ struct Operation {
   std::uint32_t first = 0;
   // Of a constant; of a leaf or a component its number.
   double value = 0;
-  // How large an int or uint can be.
-  double bound = 0;
 };
 
 class Recorder {
@@ -42,7 +39,7 @@ class Recorder {
   // A leaf: component number `part` of an argument or a uniform of that layout, or an image.
   Id leaf(Code code, int number, int part = 0, int layout = 0);
 
-  // The operation, simplified. A result of int or uint wraps around.
+  // The operation, folded where all is known. A result of int or uint wraps around.
   Id apply(Code code, Base base, std::initializer_list<Id> operands);
   // Numbers together, for an operation on vectors; its results one by one.
   Id group(Code code, std::span<const Id> operands);
@@ -62,9 +59,6 @@ class Recorder {
   double value(Id constant) const { return at(constant).value; }
   bool isTrue(Id id) const { return isConstant(id) && value(id) != 0; }
   bool isFalse(Id id) const { return isConstant(id) && value(id) == 0; }
-  // Why what was asked for has no exact value in a shader; empty unless there was such.
-  std::string_view refusal() const { return refusal_; }
-
   bool isFull() const { return operations_.size() >= most; }
   std::size_t size() const { return operations_.size(); }
   const Operation& at(Id id) const { return operations_[index(id)]; }
@@ -73,15 +67,13 @@ class Recorder {
   }
 
  private:
-  Id whole(Code code, Base base, std::span<const Id> operands);
-  Id bounded(Code code, Base base, std::span<const Id> operands, double bound);
-  Id quotient(Base base, Id x, Id y);
+  // What a language refuses to compile: divisions by a zero and shifts by 32 that it can see.
+  Id tamed(Code code, Base base, Id x, Id y);
   Id intern(Operation operation, std::span<const Id> operands);
   bool isEqual(Id id, const Operation& operation, std::span<const Id> operands) const;
 
   std::vector<Operation> operations_;
   std::vector<Id> operands_;
-  std::string_view refusal_;
   std::unordered_multimap<std::uint64_t, Id> known_;
 };
 

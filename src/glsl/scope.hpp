@@ -12,7 +12,7 @@ namespace warpjet::glsl {
 struct Meaning {
   enum class Kind : std::uint8_t { None, Variable, Structure, Function } kind = Kind::None;
   // Of a variable or structure; functions have several.
-  Number index = nothing;
+  std::int32_t index = nothing;
 };
 
 class Scope {

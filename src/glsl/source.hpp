@@ -9,7 +9,7 @@
 namespace warpjet::glsl {
 
 // Lines and columns count from 1. `shown` is the line's number as `#line` has it.
-struct Place {
+struct Location {
   std::uint32_t line = 1, column = 1, shown = 1;
 };
 
@@ -17,7 +17,7 @@ struct Place {
 // needs to ask for it but loops.
 class Problems {
  public:
-  void add(Place place, std::string sentence) {
+  void add(Location place, std::string sentence) {
     if (!found_) found_ = {place, std::move(sentence)};
   }
 
@@ -28,7 +28,7 @@ class Problems {
 
  private:
   struct Found {
-    Place place;
+    Location place;
     std::string sentence;
   };
 

@@ -53,7 +53,9 @@ class Reader {
     return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0';
   }
 
-  Place place() const { return {line_, static_cast<std::uint32_t>(at_ - lineStart_ + 1), line_}; }
+  Location place() const {
+    return {line_, static_cast<std::uint32_t>(at_ - lineStart_ + 1), line_};
+  }
 
   void newLine() {
     ++line_;
@@ -84,7 +86,7 @@ class Reader {
   }
 
   void skipComment() {
-    const Place start = place();
+    const Location start = place();
     const auto end = source_.find("*/", at_ + 2);
     if (end == source_.npos) {
       problems_.add(start, "this comment never ends; close it by */");

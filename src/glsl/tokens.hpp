@@ -15,7 +15,7 @@ struct Token {
   Kind kind = Kind::End;
   bool startsLine = false, followsSpace = false;
   std::string_view text;
-  Place place;
+  Location place;
   // Whether it names a macro that was met within itself, and so names none any more.
   bool isPlain = false;
 

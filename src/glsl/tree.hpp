@@ -15,8 +15,12 @@
 
 namespace warpjet::glsl {
 
-using Number = std::int32_t;
-inline constexpr Number nothing = -1;
+// Places in the lists of a tree, or `nothing`.
+using ExpressionId = std::int32_t;
+using StatementId = std::int32_t;
+using VariableId = std::int32_t;
+using FunctionId = std::int32_t;
+inline constexpr std::int32_t nothing = -1;
 
 struct Expression {
   enum class Kind : std::uint8_t {
@@ -43,13 +47,13 @@ struct Expression {
   Operator op{};
   bool isCombined = false;
   // Whether it can be assigned to.
-  bool isPlace = false;
+  bool isAssignable = false;
   std::uint16_t depth = 0;
   Type type{};
-  Number index = 0;
+  std::int32_t index = 0;
   double value = 0;
-  Place place{};
-  std::vector<Number> operands{};
+  Location place{};
+  std::vector<ExpressionId> operands{};
 };
 
 struct Statement {
@@ -69,25 +73,26 @@ struct Statement {
   Kind kind;
   // Of a loop: whether its condition comes after the body.
   bool isLate = false;
-  Number index = nothing, expression = nothing;
-  Place place{};
-  std::vector<Number> children{};
+  VariableId index = nothing;
+  ExpressionId expression = nothing;
+  Location place{};
+  std::vector<StatementId> children{};
 };
 
 struct Variable {
   std::string_view name;
   Type type;
-  Place place{};
+  Location place{};
   enum class Kind : std::uint8_t { Local, Constant, Uniform, Attribute, Parameter, Global } kind;
   // Of a constant or a global, the expression that it starts with.
-  Number start = nothing;
+  ExpressionId start = nothing;
   // Of a constant number.
   std::optional<double> known{};
 };
 
 struct Parameter {
   enum class Direction : std::uint8_t { In, Out, InOut } direction = Direction::In;
-  Number variable = nothing;
+  VariableId variable = nothing;
   Type type;
 };
 
@@ -95,8 +100,8 @@ struct Function {
   std::string_view name;
   Type type;
   std::vector<Parameter> parameters;
-  Place place;
-  Number body = nothing;
+  Location place;
+  StatementId body = nothing;
 };
 
 struct Tree {
@@ -105,8 +110,8 @@ struct Tree {
   std::vector<Statement> statements;
   std::vector<Variable> variables;
   std::vector<Function> functions;
-  // Numbers of those above functions, in order.
-  std::vector<Number> globals;
+  // Those above functions, in order.
+  std::vector<StatementId> globals;
   // Texts of tokens that macros made.
   std::deque<std::string> made;
 };

@@ -71,7 +71,7 @@ std::string Types::name(Type type) const {
   return text + '[' + (type.length ? std::to_string(type.length) : "") + ']';
 }
 
-std::string Types::a(Type type) const {
+std::string Types::withArticle(Type type) const {
   const std::string text = name(type);
   const bool hasVowel = text[0] == 'a' || text[0] == 'e' || text[0] == 'i' || text[0] == 'o';
   return (hasVowel ? "an " : "a ") + text;

@@ -89,7 +89,7 @@ class Types {
   int size(Type type) const;
   // As the language writes it, and with an article.
   std::string name(Type type) const;
-  std::string a(Type type) const;
+  std::string withArticle(Type type) const;
   bool hasSampler(Type type) const;
 
  private:

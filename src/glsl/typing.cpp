@@ -74,8 +74,8 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
              " came";
     for (std::size_t i = 0; i < wanted; ++i)
       if (operands[i] != typeAt(i))
-        return what + (' ' + std::to_string(i + 1)) + " of " + name + " is " + types.a(typeAt(i)) +
-               ", but " + types.a(operands[i]) + " came";
+        return what + (' ' + std::to_string(i + 1)) + " of " + name + " is " +
+               types.withArticle(typeAt(i)) + ", but " + types.withArticle(operands[i]) + " came";
     return std::string();
   };
   if (types.hasSampler(type)) return "there is no constructor of " + name;
@@ -92,7 +92,7 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
   if (operands.empty()) return name + "() needs a value in its parentheses";
   for (const Type operand : operands)
     if (!operand.isNumeric())
-      return name + " is made of numbers and vectors, but " + types.a(operand) + " came";
+      return name + " is made of numbers and vectors, but " + types.withArticle(operand) + " came";
   if (operands.size() == 1) {
     const Type operand = operands[0];
     if (type.isScalar() || operand.isScalar()) return "";
@@ -100,7 +100,7 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
     if (!type.isMatrix() && operand.components() >= type.components()) return "";
     if (type == matrixType(2, 2) && operand.components() == 4) return "";
     if (operand == matrixType(2, 2) && type.isVector() && type.rows == 4) return "";
-    return "a " + name + " cannot be made of " + types.a(operand) + " alone";
+    return "a " + name + " cannot be made of " + types.withArticle(operand) + " alone";
   }
   int given = 0;
   for (std::size_t i = 0; i < operands.size(); ++i) {

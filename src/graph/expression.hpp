@@ -124,6 +124,18 @@ inline bool canBeInfinite(Expression x) {
   return range.canBeInfinite() || range.canBeNaN;
 }
 
+inline Expression wholeDifference(Expression x, Expression y) {
+  return build(ops::find("intSub"), x, y);
+}
+
+inline Expression wholeProduct(Expression x, Expression y) {
+  return build(ops::find("intMult"), x, y);
+}
+
+inline Expression wholeQuotient(Expression x, Expression y) {
+  return build(ops::find("intDiv"), x, y);
+}
+
 template <Operand Yes, Operand No>
 Expression ifElse(Expression condition, Yes yes, No no) {
   return build(ops::find("ifElse"), condition, yes, no);

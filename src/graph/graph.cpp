@@ -121,13 +121,20 @@ ops::Type Graph::type(NodeId id) const {
 
 NodeId Graph::convert(NodeId id, ops::Type wanted) {
   if (type(id) == wanted) return id;
-  const Op conversion = wanted == ops::Type::Float ? ops::find("float") : ops::find("bool");
+  if (type(id) == ops::Type::Int) {
+    const NodeId number = apply(ops::find("intToFloat"), {id});
+    return wanted == ops::Type::Float ? number : apply(ops::find("bool"), {number});
+  }
+  const Op conversion = wanted == ops::Type::Float  ? ops::find("float")
+                        : wanted == ops::Type::Bool ? ops::find("bool")
+                                                    : ops::find("int");
   return apply(conversion, {id});
 }
 
 std::optional<double> Graph::known(NodeId id) const {
   if (isConstant(id)) return value(id);
-  if (is(id, ops::find("bool")) && isConstant(operand(id, 0))) return value(operand(id, 0));
+  if ((is(id, ops::find("bool")) && isConstant(operand(id, 0))) || isKnownInt(id))
+    return value(operand(id, 0));
   return std::nullopt;
 }
 
@@ -137,13 +144,15 @@ std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
   for (int i = 0; i < info.arity; ++i) {
     const auto value = known(operands[i]);
     if (!value) return std::nullopt;
-    values[i] = info.isStep ? asFloat32(*value) : *value;
+    const bool isFloat = info.signature.operands[i] == ops::Type::Float;
+    values[i] = info.isStep && isFloat ? asFloat32(*value) : *value;
   }
   const double result = ops::valueOf(op, values);
   if (!fitsFloat32(result)) return std::nullopt;
   const NodeId folded = constant(result);
   if (info.signature.result == ops::Type::Float) return folded;
-  return intern(Node{{index(folded)}, ops::find("bool")});
+  const bool isBool = info.signature.result == ops::Type::Bool;
+  return intern(Node{{index(folded)}, isBool ? ops::find("bool") : ops::find("int")});
 }
 
 NodeId Graph::apply(Op op, Operands<NodeId> operands) {

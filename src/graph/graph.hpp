@@ -1,6 +1,6 @@
 // The expression graph: operations enter, interned and folded scalar nodes leave.
 //
-// Every node is one float or one bool, but for images, lists of arguments, and calls of functions
+// Every node is one float, bool or int, but for images, lists of arguments, and calls of functions
 // of ours, which only calls and results read, and what folds are made of; a vec3 is three ids, held
 // by whoever wants a vector.
 // Equal nodes are one node, so a value and its derivatives share their work. Operands always have
@@ -176,6 +176,9 @@ class Graph {
   bool isInput(NodeId id) const { return node(id).op == inputOp; }
   bool isLocal(NodeId id) const { return node(id).op == localOp; }
   bool isLeaf(NodeId id) const { return isConstant(id) || isInput(id) || isLocal(id); }
+  bool isKnownInt(NodeId id) const {
+    return is(id, ops::find("int")) && isConstant(operand(id, 0));
+  }
   bool isCall(NodeId id) const { return node(id).op == callOp; }
   bool isList(NodeId id) const { return node(id).op == listOp; }
   bool isResult(NodeId id) const { return node(id).op == resultOp; }
@@ -194,8 +197,8 @@ class Graph {
   bool isOperation(NodeId id) const { return index(node(id).op) < ops::count; }
   bool is(NodeId id, Op op) const { return node(id).op == op; }
   double value(NodeId constant) const;
-  // The value of a constant, or 1 or 0 for a condition that is always true or false, which is the
-  // node `bool(constant)`.
+  // The value of a constant, which of another type than float is the node `bool(constant)` or
+  // `int(constant)`; of a condition 1 or 0.
   std::optional<double> known(NodeId id) const;
   ops::Type type(NodeId id) const;
   // What a node can be where inputs, and what functions give, are numbers up to `usualSize`: what

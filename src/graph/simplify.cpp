@@ -13,7 +13,7 @@ using Simplified = std::optional<NodeId>;
 constexpr Op Neg = ops::find("neg"), Add = ops::find("add"), Sub = ops::find("sub"),
              Mult = ops::find("mult"), Div = ops::find("div"), Pow = ops::find("pow"),
              Min = ops::find("min"), Max = ops::find("max"), Not = ops::find("not"),
-             IfElse = ops::find("ifElse");
+             IfElse = ops::find("ifElse"), IntIfElse = ops::find("intIfElse");
 
 // The largest exponent whose power is written as products (exact for a negative base).
 constexpr double maxProductExponent = 16;
@@ -141,11 +141,11 @@ Simplified simplifyPow(Graph& graph, const Operands<NodeId>& operands) {
   return exponent < 0 ? graph.apply(Div, {graph.constant(1), result}) : result;
 }
 
-Simplified simplifyIfElse(Graph& graph, const Operands<NodeId>& operands) {
+Simplified simplifyIfElse(Graph& graph, Op op, const Operands<NodeId>& operands) {
   const auto [condition, yes, no] = operands;
   if (yes == no) return yes;
   if (const auto known = graph.known(condition)) return *known != 0 ? yes : no;
-  if (graph.is(condition, Not)) return graph.apply(IfElse, {graph.operand(condition, 0), no, yes});
+  if (graph.is(condition, Not)) return graph.apply(op, {graph.operand(condition, 0), no, yes});
   return {};
 }
 
@@ -183,7 +183,8 @@ Simplified simplify(Graph& graph, Op op, Operands<NodeId>& operands) {
     case Pow:
       return simplifyPow(graph, operands);
     case IfElse:
-      return simplifyIfElse(graph, operands);
+    case IntIfElse:
+      return simplifyIfElse(graph, op, operands);
     case ops::find("clamp"):
       return simplifyClamp(graph, operands);
     case ops::find("mix"):

@@ -29,8 +29,10 @@ Interval rangeOfRow(const Operands<Interval>& operands) {
       return asInterval(value(operandAs<types[i]>(operands[i])...));
     } else if constexpr (infos[Row].traits.has(Trait::Rising)) {
       return rising(value, operands[0]);
+    } else if constexpr (infos[Row].signature.result == Type::Int) {
+      return anyWhole();
     } else {
-      return Interval::anything(true);
+      return infos[Row].signature.result == Type::Bool ? Interval(0, 1) : Interval::anything(true);
     }
   });
 }

@@ -9,7 +9,10 @@
 
 namespace warpjet::ops {
 
-enum class Type : std::uint8_t { Float, Bool };
+// Int is 32 bits, which some rows take to have no sign; see whole.hpp.
+enum class Type : std::uint8_t { Float, Bool, Int };
+
+inline constexpr std::size_t typeCount = 3;
 
 inline constexpr int maxArity = 3;
 
@@ -21,6 +24,11 @@ using Operands = std::array<Each, maxArity>;
 struct Signature {
   Type result;
   Operands<Type> operands;
+
+  // Whether it has to do with whole numbers.
+  constexpr bool hasWhole() const {
+    return result == Type::Int || operands[0] == Type::Int || operands[1] == Type::Int;
+  }
 };
 
 inline constexpr Signature floats{Type::Float, {Type::Float, Type::Float, Type::Float}};
@@ -29,6 +37,11 @@ inline constexpr Signature logic{Type::Bool, {Type::Bool, Type::Bool, Type::Bool
 inline constexpr Signature choice{Type::Float, {Type::Bool, Type::Float, Type::Float}};
 inline constexpr Signature toFloat{Type::Float, {Type::Bool, Type::Bool, Type::Bool}};
 inline constexpr Signature toBool{Type::Bool, {Type::Float, Type::Float, Type::Float}};
+inline constexpr Signature wholes{Type::Int, {Type::Int, Type::Int, Type::Int}};
+inline constexpr Signature wholeComparison{Type::Bool, {Type::Int, Type::Int, Type::Int}};
+inline constexpr Signature wholeChoice{Type::Int, {Type::Bool, Type::Int, Type::Int}};
+inline constexpr Signature wholeToFloat{Type::Float, {Type::Int, Type::Int, Type::Int}};
+inline constexpr Signature toWhole{Type::Int, {Type::Float, Type::Float, Type::Float}};
 
 // From the loosest binding to the tightest, as in GLSL ES 3.00, section 5.1.
 enum class Precedence : std::uint8_t {
@@ -72,7 +85,14 @@ struct Spellings {
     return other;
   }
 
-  // A row with a missing spelling must say what it is lowered to.
+  // Otherwise, but as tightly bound.
+  constexpr Spellings withText(Language language, std::string_view text) const {
+    Spellings other = *this;
+    other.byLanguage[static_cast<std::size_t>(language)].text = text;
+    return other;
+  }
+
+  // A row with a missing spelling must say what it is lowered to, or is refused.
   constexpr Spellings missingIn(Language language) const { return with(language, ""); }
 };
 
@@ -96,6 +116,11 @@ constexpr Spellings logical(std::string_view text) {
 // `-x * y` is (-x) * y, which is exactly -(x * y), so a negated product needs no parentheses.
 inline constexpr Spellings negation =
     Spelling{"-$0", Precedence::Multiplicative, {Precedence::Multiplicative, {}, {}}};
+
+// On bits; with parentheses around whatever is no single value, as WGSL wants them.
+constexpr Spellings bits(std::string_view text) {
+  return Spelling{text, Precedence::Logical, {Precedence::Unary, Precedence::Unary, {}}};
+}
 
 inline constexpr Spellings logicalNegation =
     Spelling{"!$0", Precedence::Unary, {Precedence::Unary, {}, {}}};
@@ -138,6 +163,7 @@ enum class Trait : std::uint8_t {
   Divides,      // its second operand must not be 0
   Rising,       // of one operand, with which its value never falls
   Hidden,       // no sketch calls it by its name
+  ForText,      // only what reads shader text does
 };
 
 class Traits {
@@ -155,7 +181,7 @@ class Traits {
   unsigned bits_ = 0;
 };
 
-// In the place of a formula: every language has the operation.
+// In the place of a formula: every language has the operation, or what lacks it refuses it by name.
 struct NoFormula {};
 
 // Functions that an operation's spelling calls and that stand above it, by language.

@@ -29,6 +29,7 @@
 
 #include "ops/row.hpp"
 #include "ops/scalar.hpp"
+#include "ops/whole.hpp"
 
 namespace warpjet::ops {
 
@@ -339,6 +340,100 @@ inline constexpr std::tuple table{
     unary({"bool", "x", "Whether x is not 0."}, toBool, call("bool($0)"), everywhere,
           [](auto x) { return ne(x, 0.0); })
         .with(Hidden),
+
+    // whole numbers; with `bits` they are taken to have no sign
+    unary({"int", "x", "x without what follows its point."}, toWhole,
+          call("int($0)").with(Wgsl, "i32($0)"), everywhere, [](auto x) { return truncated(x); })
+        .with(ForText),
+    unary({"bitsOf", "x", "The same of what is not negative."}, toWhole,
+          call("int(uint($0))").with(Wgsl, "i32(u32($0))").missingIn(Glsl100), everywhere,
+          [](double x) { return truncatedBits(x); })
+        .with(ForText),
+    unary({"intToFloat", "x", "x as a float."}, wholeToFloat,
+          call("float($0)").with(Wgsl, "f32($0)"), everywhere, [](auto x) { return asFloat(x); })
+        .with(ForText),
+    unary({"bitsToFloat", "x", "x as a float."}, wholeToFloat,
+          call("float(uint($0))").with(Wgsl, "f32(u32($0))").missingIn(Glsl100), everywhere,
+          [](auto x) { return bitsAsFloat(x); })
+        .with(ForText),
+    unary({"floatBitsToInt", "x", "The bits of a float."}, toWhole,
+          call("floatBitsToInt($0)").with(Wgsl, "bitcast<i32>($0)").missingIn(Glsl100), everywhere,
+          [](double x) { return floatBits(x); })
+        .with(ForText),
+    unary({"intBitsToFloat", "x", "The float of these bits."}, wholeToFloat,
+          call("intBitsToFloat($0)").with(Wgsl, "bitcast<f32>($0)").missingIn(Glsl100), everywhere,
+          [](double x) { return floatOfBits(x); })
+        .with(ForText),
+    binary({"intAdd", "x, y", "x + y"}, wholes, infix("$0 + $1", Additive), everywhere,
+           [](auto x, auto y) { return wholeSum(x, y); })
+        .with(ForText, Commutative),
+    binary({"intSub", "x, y", "x - y"}, wholes, infix("$0 - $1", Additive), everywhere,
+           [](double x, double y) { return wholeDifference(x, y); })
+        .with(ForText),
+    binary({"intMult", "x, y", "x * y"}, wholes, infix("$0 * $1", Multiplicative), everywhere,
+           [](double x, double y) { return wholeProduct(x, y); })
+        .with(ForText, Commutative),
+    binary({"intDiv", "x, y", "x / y, towards 0"}, wholes, infix("$0 / $1", Multiplicative),
+           everywhere, [](double x, double y) { return wholeQuotient(x, y); })
+        .with(ForText),
+    binary({"intMod", "x, y", "What that leaves."}, wholes,
+           infix("$0 % $1", Multiplicative).missingIn(Glsl100), everywhere,
+           [](auto x, auto y) { return wholeRemainder(x, y); })
+        .with(ForText)
+        .loweredTo([](auto x, auto y) {
+          return wholeDifference(x, wholeProduct(wholeQuotient(x, y), y));
+        }),
+    binary({"bitsDiv", "x, y", "x / y"}, wholes,
+           call("int(uint($0) / uint($1))").with(Wgsl, "i32(u32($0) / u32($1))").missingIn(Glsl100),
+           everywhere, [](double x, double y) { return bitsQuotient(x, y); })
+        .with(ForText),
+    binary({"bitsMod", "x, y", "What that leaves."}, wholes,
+           call("int(uint($0) % uint($1))").with(Wgsl, "i32(u32($0) % u32($1))").missingIn(Glsl100),
+           everywhere, [](double x, double y) { return bitsRemainder(x, y); })
+        .with(ForText),
+    binary({"bitAnd", "x, y", "Bits that both have."}, wholes, bits("$0 & $1").missingIn(Glsl100),
+           everywhere, [](auto x, auto y) { return bitAnd(x, y); })
+        .with(ForText, Commutative),
+    binary({"bitOr", "x, y", "Bits that either has."}, wholes, bits("$0 | $1").missingIn(Glsl100),
+           everywhere, [](double x, double y) { return bitOr(x, y); })
+        .with(ForText, Commutative),
+    binary({"bitXor", "x, y", "Bits that one of both has."}, wholes,
+           bits("$0 ^ $1").missingIn(Glsl100), everywhere,
+           [](double x, double y) { return bitXor(x, y); })
+        .with(ForText, Commutative),
+    unary({"bitNot", "x", "Bits that x has not."}, wholes,
+          Spellings(Spelling{"~$0", Unary, {Unary, {}, {}}}).missingIn(Glsl100), everywhere,
+          [](double x) { return bitNot(x); })
+        .with(ForText),
+    binary({"shiftLeft", "x, count", "x with its bits that many places further up."}, wholes,
+           bits("$0 << $1").withText(Wgsl, "$0 << u32($1)").missingIn(Glsl100), everywhere,
+           [](double x, double y) { return shiftLeft(x, y); })
+        .with(ForText),
+    binary({"shiftRight", "x, count", "x with its bits down, the sign where they come from."},
+           wholes, bits("$0 >> $1").withText(Wgsl, "$0 >> u32($1)").missingIn(Glsl100), everywhere,
+           [](double x, double y) { return shiftRight(x, y); })
+        .with(ForText),
+    binary({"bitsShiftRight", "x, count", "x with its bits down, zeros where they come from."},
+           wholes,
+           call("int(uint($0) >> $1)").with(Wgsl, "i32(u32($0) >> u32($1))").missingIn(Glsl100),
+           everywhere, [](auto x, auto y) { return bitsShiftRight(x, y); })
+        .with(ForText),
+    binary({"intLt", "x, y", "x < y"}, wholeComparison, infix("$0 < $1", Relational), everywhere,
+           [](double x, double y) { return lt(x, y); })
+        .with(ForText),
+    binary({"bitsLt", "x, y", "x < y"}, wholeComparison,
+           Spellings(Spelling{"uint($0) < uint($1)", Relational})
+               .withText(Wgsl, "u32($0) < u32($1)")
+               .missingIn(Glsl100),
+           everywhere, [](double x, double y) { return bitsOf(x) < bitsOf(y); })
+        .with(ForText),
+    binary({"intEq", "x, y", "x == y"}, wholeComparison, infix("$0 == $1", Equality), everywhere,
+           [](double x, double y) { return eq(x, y); })
+        .with(ForText),
+    ternary({"intIfElse", "condition, yes, no", "One of two."}, wholeChoice, conditional,
+            everywhere,
+            [](auto condition, auto yes, auto no) { return ifElse(condition, yes, no); })
+        .with(ForText, Branches),
 };
 
 }  // namespace warpjet::ops

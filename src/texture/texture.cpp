@@ -10,11 +10,12 @@ constexpr int channels = 4, reach = 4;
 
 // By filter and texel, its weight times the divisor as a polynomial of where the point lies between
 // the middle two, from 0 to 1; the highest power first.
-constexpr std::int8_t weights[3][reach][4] = {
+constexpr std::int8_t weights[4][reach][4] = {
     {{}, {0, 0, -1, 1}, {0, 0, 1, 0}, {}},
     {{-1, 2, -1, 0}, {3, -5, 0, 2}, {-3, 4, 1, 0}, {1, -1, 0, 0}},
-    {{-1, 3, -3, 1}, {3, -6, 0, 4}, {-3, 3, 3, 1}, {1, 0, 0, 0}}};
-constexpr double divisors[] = {1, 2, 6};
+    {{-1, 3, -3, 1}, {3, -6, 0, 4}, {-3, 3, 3, 1}, {1, 0, 0, 0}},
+    {{}, {0, 0, 0, 1}, {}, {}}};
+constexpr double divisors[] = {1, 2, 6, 1};
 
 // Formulas in half as many bytes of wasm as the operators of Expression take.
 struct Calculation {
@@ -44,6 +45,7 @@ struct Axis {
   NodeId texels[reach], shares[reach];
 
   Axis(Calculation make, NodeId x, NodeId size, std::uint32_t filter, Wrap wrap) {
+    if (Filter(filter) == Filter::Nearest) x = make(add, x, 0.5);
     const NodeId first = make(ops::find("floor"), x), inside = make(ops::find("fract"), x);
     for (int i = 0; i < reach; ++i) {
       texels[i] = wrapped(make, make(add, first, i - 1.0), size, wrap);

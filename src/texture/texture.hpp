@@ -19,14 +19,16 @@ inline constexpr const char* texelName = "warpjetTexel";
 // (Keys, "Cubic Convolution Interpolation for Digital Image Processing", 1981, with a = -1/2: the
 // Catmull-Rom spline). Bspline is the uniform cubic B-spline with the texels as control points: it
 // smooths them and is twice continuously differentiable (Sigg, Hadwiger, "Fast Third-Order Texture
-// Filtering", GPU Gems 2, chapter 20, 2005).
-enum class Filter : std::uint8_t { Bilinear, Bicubic, Bspline };
+// Filtering", GPU Gems 2, chapter 20, 2005). Nearest is the texel itself, for images that hold
+// data.
+enum class Filter : std::uint8_t { Bilinear, Bicubic, Bspline, Nearest };
 
 // What is beyond the edges: the texels there, the image again, or its mirror image.
 enum class Wrap : std::uint8_t { Clamp, Repeat, Mirror };
 
 // What sketches call them, by number.
-inline constexpr std::array<std::string_view, 3> filterNames{"bilinear", "bicubic", "bspline"};
+inline constexpr std::array<std::string_view, 4> filterNames{"bilinear", "bicubic", "bspline",
+                                                             "nearest"};
 inline constexpr std::array<std::string_view, 3> wrapNames{"clamp", "repeat", "mirror"};
 
 struct Sampling {

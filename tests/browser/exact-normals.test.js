@@ -72,6 +72,102 @@ test('a hook in GLSL, a strands sketch with a loop and an if, and a text, each a
     )
 })
 
+test('p5.strands in world and in camera space, as its reference moves positions, beside the same by createWarp', async () => {
+  const moved = (isStrands) =>
+    isStrands
+      ? `exactNormals(baseMaterialShader().modify(() => {
+        getWorldInputs((inputs) => {
+          inputs.position.y += 12 * sin(inputs.position.x * 0.0625 + inputs.position.z * 0.03125)
+          return inputs
+        })
+      }))`
+      : `createWarp(({ glsl, position: p }) => {
+        const phase = p.x().mult(0.0625).add(p.z().mult(0.03125))
+        return glsl.vec3(0, phase.sin().mult(12), 0)
+      }, { space: 'world' })`
+  const pulled = (isStrands) =>
+    isStrands
+      ? `exactNormals(baseMaterialShader().modify(() => {
+        getCameraInputs((inputs) => {
+          const far = length(inputs.position.xy)
+          inputs.position.z += 20 * sin(far * 0.0625)
+          return inputs
+        })
+      }))`
+      : `createWarp(({ glsl, position: p }) => {
+        const far = p.xy().length()
+        return glsl.vec3(0, 0, far.mult(0.0625).sin().mult(20))
+      }, { space: 'camera' })`
+  const images = await drawScenes(browser, server, scripts, {
+    setup: `
+      warps.waves = ${moved(true)}
+      warps.wavesByHand = ${moved(false)}
+      warps.lens = ${pulled(true)}
+      warps.lensByHand = ${pulled(false)}`,
+    scenes: {
+      waves: scene('shader(warps.waves)'),
+      wavesByHand: scene('warps.wavesByHand()'),
+      lens: scene('shader(warps.lens)'),
+      lensByHand: scene('warps.lensByHand()'),
+    },
+  })
+  for (const name of ['waves', 'lens']) {
+    assert.ok(litPixels(images[name]).length > 5000, name)
+    const differing = differingPixels(images[name], images[`${name}ByHand`], 2)
+    assert.ok(differing < 20, `${name}: ${differing} pixels differ`)
+  }
+})
+
+test('p5 1.11: hooks in local and view space, beside the same by createWarp', async () => {
+  const old = [p5Versions['1.11'], ...scripts.slice(1)]
+  const images = await drawScenes(browser, server, old, {
+    setup: `
+      warps.byHand = ${wave}
+      warps.plain = baseMaterialShader().modify({
+        uniforms: { 'float amount': () => 0.25 },
+        'vec3 getLocalPosition': \`(vec3 position) {
+          return position + vec3(sin(position.y * 4.0) * amount, cos(position.z * 3.0) * 0.125, 0.0);
+        }\`,
+      })
+      warps.hook = exactNormals(warps.plain)
+      const bulge = 'position.z += 20.0 * sin(length(position.xy) * 0.0625); return position;'
+      warps.view = exactNormals(baseMaterialShader().modify({
+        'vec3 getWorldPosition': \`(vec3 position) { \${bulge} }\`,
+      }))
+      warps.viewByHand = createWarp(({ glsl, position: p }) =>
+        glsl.vec3(0, 0, p.xy().length().mult(0.0625).sin().mult(20)), { space: 'camera' })
+      warps.both = exactNormals(warps.plain.modify({
+        'vec3 getWorldPosition': \`(vec3 position) { \${bulge} }\`,
+      }))
+      const own = warps.plain.modify({ 'vec3 getLocalNormal': '(vec3 normal) { return normal.zyx; }' })
+      const warn = console.warn
+      console.warn = (message) => (window.told = message)
+      window.isLeft = exactNormals(own) === own
+      console.warn = warn
+      if (!window.isLeft || !/hook getLocalNormal of its own/.test(window.told))
+        throw new Error('not told: ' + window.told)`,
+    scenes: {
+      byHand: scene('warps.byHand()'),
+      plain: scene('shader(warps.plain)'),
+      hook: scene('shader(warps.hook)'),
+      view: scene('shader(warps.view)'),
+      viewByHand: scene('warps.viewByHand()'),
+      both: scene('shader(warps.both)'),
+    },
+  })
+  assert.ok(litPixels(images.byHand).length > 5000)
+  assert.ok(litPixels(images.both).length > 5000)
+  assert.ok(differingPixels(images.plain, images.byHand, 8) > 2000, 'wrong light would show')
+  assert.ok(differingPixels(images.both, images.byHand, 8) > 2000, 'both move')
+  for (const [name, wanted] of [
+    ['hook', 'byHand'],
+    ['view', 'viewByHand'],
+  ]) {
+    const differing = differingPixels(images[name], images[wanted], 2)
+    assert.ok(differing < 20, `${name}: ${differing} pixels differ`)
+  }
+})
+
 test('what cannot be is told, and the shader stays as it was', async () => {
   const { page, messages } = await runSketch(
     browser,

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
+import '../../dist/glsl.js'
 import { filters, randomImage, sample, wraps } from '../operations/textures.js'
 import { randomOf } from '../random/generate.js'
 import { openPipelines, targetsInThisRun as targets } from './support/pipelines.js'
@@ -92,6 +93,38 @@ for (const target of targets)
             assertClose(hessian, wanted.hessian, 5e-3, `second derivatives ${where}`)
           })
         })
+
+    test('the texel itself: nearest, and shader text by texelFetch and textureSize', async () => {
+      const text = `uniform sampler2D heights;
+        vec4 fetched(vec2 uv) {
+          ivec2 size = textureSize(heights, 0);
+          ivec2 ij = clamp(ivec2(floor(uv * vec2(size))), ivec2(0), size - 1);
+          return texelFetch(heights, ij, 0);
+        }`
+      const { width, height } = image
+      const inside = [0.1, 0.3, 0.6, 0.9].flatMap((part) =>
+        Array.from({ length: width + 2 }, (_, i) => [
+          (i - 1 + part) / width,
+          ((3 * i + 1) % height) / height + (1 - part) / height,
+        ]),
+      )
+      const results = await run(
+        target,
+        { nearest: 4, fetched: 4, slope: 2 },
+        (glsl, uv) => {
+          const nearest = glsl.texture('heights', uv, { filter: 'nearest' })
+          const fetched = glsl.source(text)(uv)
+          return { nearest, fetched, slope: glsl.gradient(fetched.r().add(nearest.g()), uv) }
+        },
+        inside,
+      )
+      results.forEach(({ nearest, fetched, slope }, i) => {
+        const wanted = sample(image, ...inside[i], { filter: 'nearest' })
+        assertClose(nearest, wanted, 1e-6, `nearest at ${inside[i]}`)
+        assertClose(fetched, wanted, 1e-6, `fetched at ${inside[i]}`)
+        assertClose(slope, [0, 0], 0, 'slope')
+      })
+    })
 
     // Just before and just behind a texel's row and column of centres.
     test('goes over texels without a jump, and without a kink if cubic', async () => {

@@ -46,6 +46,17 @@ class Sampler {
     return {low == 0 ? -0.0 : low, high == 0 ? 0.0 : high};
   }
 
+  // Of whole numbers, small and large.
+  Interval wholes() {
+    const double least = -2147483648.0, most = 2147483647.0;
+    const bool isSmall = below(2) != 0;
+    const auto number = [&] {
+      return isSmall ? below(81) - 40.0 : std::round(between(least, most));
+    };
+    const double a = number(), b = below(4) == 0 ? a : number();
+    return below(8) == 0 ? Interval(least, most) : Interval(std::min(a, b), std::max(a, b));
+  }
+
   double inside(const Interval& x) {
     switch (below(6)) {
       case 0:
@@ -83,7 +94,10 @@ void checkRow() {
     for (std::size_t i = 0; i < 3; ++i) {
       const bool isBool = ops::infos[Row].signature.operands[i] == ops::Type::Bool;
       const int truth = sample.below(3);
-      x[i] = isBool ? Interval(truth == 1, truth != 0) : sample.interval();
+      const bool isInt = ops::infos[Row].signature.operands[i] == ops::Type::Int;
+      x[i] = isBool  ? Interval(truth == 1, truth != 0)
+             : isInt ? sample.wholes()
+                     : sample.interval();
     }
     const Interval range = ops::rangeOf(Op(Row), x);
     for (int point = 0; point < 40; ++point) {
@@ -91,6 +105,7 @@ void checkRow() {
       for (std::size_t i = 0; i < 3; ++i) at[i] = sample.inside(x[i]);
       for (std::size_t i = 0; i < 3; ++i) {
         if (ops::infos[Row].signature.operands[i] == ops::Type::Bool) at[i] = at[i] >= 0.5;
+        if (ops::infos[Row].signature.operands[i] == ops::Type::Int) at[i] = std::round(at[i]);
         if (!x[i].has(at[i])) at[i] = x[i].low;
       }
       const double value = ops::valueOf(Op(Row), at);
@@ -120,7 +135,8 @@ void checkTightness() {
   const std::string_view name = info.name;
   if (info.signature.operands[0] == ops::Type::Bool || info.signature.result == ops::Type::Bool)
     return;
-  if (name == "hash") return;  // random: of more than one number it is anything
+  if (info.signature.hasWhole()) return;  // where they wrap around they are anything
+  if (name == "hash") return;             // random: of more than one number it is anything
   Sampler sample;
   for (int box = 0; box < 100; ++box) {
     ops::Operands<Interval> x;

@@ -56,10 +56,16 @@ TEST_F(LowerTest, EveryRowInEveryLanguageKeepsItsValueAndNeedsNothingThatIsMissi
   for (const ops::Info& info : ops::infos) {
     const Expression root = apply(info.name);
     for (const Language language : languages) {
+      // What has no text for bits says so; see tests/js/glsl.test.js.
+      if (!refused(graph, {&root.id, 1}, language).empty()) continue;
       const Expression low = lowered(root, language);
       expectWritable(low.id, language, info.name);
       for (int i = 0; i < 50; ++i) {
-        const Inputs at = point(random, domains[index(rowNamed(info.name))]);
+        Inputs at = point(random, domains[index(rowNamed(info.name))]);
+        // No language promises anything of whole numbers divided by zero.
+        if (info.name == "intMod" && std::abs(at[v[1].id]) < 1) continue;
+        // Few bits of a whole number make a float.
+        if (info.name == "intBitsToFloat" && std::isnan(evaluateNode(graph, root.id, at))) continue;
         EXPECT_NEAR(evaluateNode(graph, low.id, at), evaluateNode(graph, root.id, at), 1e-12)
             << info.name;
       }

@@ -457,7 +457,8 @@ Pair randomPair(Chance& chance, std::size_t percentRuled) {
     }
   };
   for (int i = 0; i < operations; ++i) {
-    const Op any{static_cast<std::uint8_t>(chance.below(ops::count))};
+    // Not of whole numbers, which conversions that stand in one graph only make of floats.
+    const Op any{static_cast<std::uint8_t>(chance.below(index(ops::find("int"))))};
     const Op op = chance.below(100) < percentRuled ? ruled[chance.below(ruled.size())] : any;
     const std::size_t x = pick(), y = pick(), z = pick();
     pair.apply(op, {x, y, z});

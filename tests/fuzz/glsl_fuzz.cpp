@@ -29,6 +29,7 @@ void requireOrder(const Listing& listing) {
     const auto code = static_cast<Code>(words[at++]);
     switch (code) {
       case Code::Constant:
+      case Code::Whole:
         require(words[at++] < listing.constants.size(), "a constant is there");
         break;
       case Code::Argument:
@@ -39,7 +40,11 @@ void requireOrder(const Listing& listing) {
         before(words[at]);
         at += 3;
         break;
+      case Code::ImageSize:
+        ++at;
+        break;
       case Code::Texel:
+      case Code::FetchedTexel:
         before(words[at + 1]);
         at += 2;
         break;

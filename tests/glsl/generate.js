@@ -19,6 +19,7 @@ export const library = {
       f(...x.map((each) => (Array.isArray(each) ? each[i] : each))),
     )
   },
+  bits: (x) => new Uint32Array(Float32Array.of(x).buffer)[0],
   dot: (x, y) => x.reduce((sum, each, i) => sum + each * y[i], 0),
   pick: (v, letters) => {
     const all = [...letters].map((letter) => v['xyzw'.indexOf(letter)])
@@ -154,7 +155,7 @@ class Generator {
       }
       kinds.whole = () => {
         const a = this.whole(depth - 1)
-        return { glsl: `(float(${a.glsl}) * 0.1)`, js: `(${a.js} * 0.1)` }
+        return { glsl: `(float(${a.glsl}) * 0.11)`, js: `(${a.js} * 0.11)` }
       }
       kinds.table = () => {
         const a = this.whole(depth - 1)
@@ -192,8 +193,29 @@ class Generator {
       const value = this.int(7) - 2
       return { glsl: `(${value})`, js: `(${value})` }
     }
-    const kind = this.int(4)
+    const kind = this.int(11)
     const [a, b] = [this.whole(depth - 2), this.whole(depth - 2)]
+    // Bits, with few of them in the end.
+    if (kind === 4) return { glsl: `(${a.glsl} / 3)`, js: `Math.trunc(${a.js} / 3)` }
+    if (kind === 5)
+      return { glsl: `((${a.glsl} ^ ${b.glsl}) & 15)`, js: `((${a.js} ^ ${b.js}) & 15)` }
+    if (kind === 6) return { glsl: `(~${a.glsl} >> 1)`, js: `(~${a.js} >> 1)` }
+    if (kind === 7)
+      return {
+        glsl: `int((uint(${a.glsl}) * 2654435761u) >> 28)`,
+        js: `(Math.imul(${a.js}, 2654435761) >>> 28)`,
+      }
+    if (kind === 8)
+      return {
+        glsl: `int((uint(${a.glsl}) | 5u) % 7u)`,
+        js: `(((${a.js} | 5) >>> 0) % 7)`,
+      }
+    if (kind === 9)
+      return { glsl: `max(${a.glsl} << 1, ${b.glsl})`, js: `Math.max(${a.js} << 1, ${b.js})` }
+    if (kind === 10) {
+      const x = this.expression('float', depth - 1)
+      return { glsl: `int(floatBitsToUint(${x.glsl}) >> 30)`, js: `(bits(${x.js}) >>> 30)` }
+    }
     if (kind === 0) return { glsl: `(${a.glsl} + ${b.glsl})`, js: `(${a.js} + ${b.js})` }
     if (kind === 1) return { glsl: `(${a.glsl} * 3)`, js: `(${a.js} * 3)` }
     if (kind === 2) return { glsl: `(abs(${a.glsl}) / 3)`, js: `Math.floor(Math.abs(${a.js}) / 3)` }

@@ -186,6 +186,37 @@ export const own = {
     int n = ~int(h & 255u) + (1 << 4);
     return x * float(h % 1000u) * 0.001 + float(n);
   }`,
+  'a hash of bits': `uint hash(uint x) {
+    x ^= x >> 16; x *= 0x7feb352du; x ^= x >> 15u; x *= 0x846ca68bu; x ^= x >> 16;
+    return x;
+  }
+  float own(vec3 p) {
+    uvec3 q = floatBitsToUint(p);
+    uint h = hash(q.x ^ hash(q.y ^ hash(q.z)));
+    return uintBitsToFloat((h & 0x007fffffu) | 0x3f800000u) - 1.0;
+  }`,
+  'a hash of cells': `uvec3 pcg3d(uvec3 v) {
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
+    return v;
+  }
+  vec3 own(vec3 p) {
+    return vec3(pcg3d(uvec3(ivec3(floor(p * 3.0)) + 8))) * (1.0 / float(0xffffffffu)) + fract(p * 3.0);
+  }`,
+  'bits of a whole number': `float own(vec2 p) {
+    int n = int(floor(p.x * 40.0)), m = int(floor(p.y * 9.0)) + 9;
+    uint u = uint(m);
+    int bits = (n & 0xff) ^ (m << 3) | (~n >> 2);
+    bool isOdd = (m & 1) == 1, isLess = u * 3000000000u < 7u + u;
+    return float(abs(bits) % 17) * 0.1 + float(u / 3u + u % 5u) + (isOdd ? p.x : p.y) + (isLess ? 2.0 : 0.0)
+      + float(-n / 7) + float(min(n, m) - max(n, -3) + clamp(n, -5, m) + abs(n) * sign(n));
+  }`,
+  'halves of a uint': `vec2 own(vec2 p) {
+    vec2 s = unpackSnorm2x16(packSnorm2x16(p * 1.2)), u = unpackUnorm2x16(packUnorm2x16(abs(p)));
+    return s * 3.0 + u;
+  }`,
   'a rotated octave sum': `float noise2(vec2 p) { return sin(p.x) * cos(p.y); }
   float own(vec2 p) {
     const mat2 turn = mat2(0.8, 0.6, -0.6, 0.8);

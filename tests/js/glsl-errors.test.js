@@ -160,8 +160,16 @@ const wrong = [
   [body('switch (1) { case 1.: break; } return p;'), 2, 'a case needs a constant int'],
   [body('switch (1) { default: break; default: break; } return p;'), 2, 'has a default already'],
   [body('discard; return p;'), 2, 'discard is for fragments'],
-  [body('int i = int(p.x) << 3; return vec3(float(i));'), 2, 'only the shader knows these'],
-  [body('int i = int(p.x); return vec3(float(i * i));'), 2, 'may pass 2^24'],
+  [
+    body('int i = int(p.x) << 3.; return vec3(float(i));'),
+    2,
+    '"<<" does not take an int and a float',
+  ],
+  [
+    body('uint i = uint(p.x) + 1; return vec3(float(i));'),
+    2,
+    '"+" does not take a uint and an int',
+  ],
   [body('return dFdx(p);'), 2, 'has no place in a warp'],
   // characters and numbers
   ['\0', 1, 'no shader can hold (number 0)'],

@@ -222,3 +222,43 @@ test('the text of a function with its derivatives, in each language', () => {
   assert.match(glsl, /float\(n\)/)
   assert.match(glsl, /vec3\(way\)/)
 })
+
+test('an array of thousands, written by a known index', () => {
+  near(
+    offsetOf(
+      'float a[4096]; for (int i = 0; i < 4096; i++) a[i] = 0.; for (int i = 0; i < 8000; i++) a[i % 4096] += p.x; return vec3(a[0], a[4095], a[2615]);',
+    ),
+    [2, 1, 2],
+  )
+  near(
+    offsetOf(
+      'vec3 a[3]; for (int i = 0; i < 3; i++) { a[i] = p; a[i].zx *= 2.; a[i][1] += float(i); } return a[1] + vec3(a[2].y, a[int(p.x)].x, a[1].zz[0]);',
+    ),
+    [6, 5, 12],
+  )
+})
+
+test('whole numbers by hand', () => {
+  near(offsetOf('int i = int(p.z) << 3; return vec3(i, i ^ 5, ~i);'), [24, 29, -25])
+  near(
+    offsetOf('int i = int(p.z) * 715827883; return vec3(i / 65536, i & 255, i + i);'),
+    [-32767, 1, 2],
+  )
+  near(
+    offsetOf('uint u = uint(p.x) - 2u; return vec3(u >> 31, u % 10u, u / 3000000000u);'),
+    [1, 5, 1],
+  )
+  near(offsetOf('return vec3(int(p.x) / 0, int(p.x) % 0, int(p.x) << 33);'), [1, 0, 2])
+  near(
+    offsetOf('uint h = floatBitsToUint(p.y); return vec3(h >> 23, h & 7u, uintBitsToFloat(h));'),
+    [128, 0, 2],
+  )
+})
+
+test('what looks at bits is refused by name in GLSL 1.00, and only that', () => {
+  const text = (value) => glslOffset(`vec3 offset(vec3 p) { return vec3(${value}); }`)
+  const write = (value) => compileWarp(text(value), { target: 'glsl100' }).code
+  assert.match(write('int(p.x) % 3'), /highp int/)
+  assert.throws(() => write('int(p.x) & 3'), /glsl100 has no bitAnd, .* take glsl300 or wgsl\.$/)
+  assert.throws(() => write('floatBitsToInt(p.x)'), /glsl100 has no floatBitsToInt/)
+})

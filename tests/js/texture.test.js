@@ -91,7 +91,7 @@ test('what is refused', () => {
   refuses(of('map', uv, 'bicubic'), /texture: the options must be an object/)
   refuses(
     of('map', uv, { filter: 'linear' }),
-    /texture: the option "filter" must be one of bilinear, bicubic, bspline, but is the text "linear"/,
+    /texture: the option "filter" must be one of bilinear, bicubic, bspline, nearest, but is the text "linear"/,
   )
   refuses(
     of('map', uv, { wrap: 3 }),

@@ -17,9 +17,11 @@ const kernels = {
     if (d < 1) return 2 / 3 - d ** 2 + cubed(d) / 2
     return d < 2 ? cubed(2 - d) / 6 : 0
   },
+  nearest: (d) => Number(d < 0.5),
 }
 
-export const filters = Object.keys(kernels)
+/** Those that are continuous. */
+export const filters = Object.keys(kernels).filter((name) => name !== 'nearest')
 
 /** From the number of a texel on an endless row to one of `size`. */
 const wrappers = {

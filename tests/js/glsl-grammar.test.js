@@ -1,0 +1,72 @@
+// The grammar of shader text beside an independent parser: what we accept it accepts, and what it refuses we refuse.
+import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
+import { test } from 'node:test'
+import { glslOffset } from 'warpjet/glsl'
+import { corpus } from '../glsl/corpus.js'
+import { above, randomFunction, randomOf } from '../glsl/generate.js'
+
+const require = createRequire(import.meta.url)
+const { parser } = require('@shaderfrog/glsl-parser')
+const { preprocess } = require('@shaderfrog/glsl-parser/preprocessor')
+
+/** What the independent parser says against a text, or nothing. */
+function refusedThere(text) {
+  try {
+    parser.parse(preprocess(text, { preserve: { version: () => true } }), { quiet: true })
+    return undefined
+  } catch (error) {
+    return error.message
+  }
+}
+
+function refusedHere(text) {
+  try {
+    glslOffset(text)
+    return undefined
+  } catch (error) {
+    assert.equal(error.name, 'WarpError', error.stack)
+    return error.message
+  }
+}
+
+test('it accepts every text of the corpus, and so do we', () => {
+  for (const { name, text } of corpus) {
+    assert.equal(refusedHere(text), undefined, name)
+    assert.equal(refusedThere(text), undefined, name)
+  }
+})
+
+test('it accepts random functions, and so do we', () => {
+  for (let seed = 1; seed <= 60; seed++) {
+    const text = above + randomFunction(seed).glsl
+    assert.equal(refusedHere(text), undefined, text)
+    assert.equal(refusedThere(text), undefined, text)
+  }
+})
+
+test('a text with a token too few, too many or in the wrong place: what it refuses we refuse', () => {
+  const random = randomOf(15)
+  const int = (count) => Math.floor(random() * count)
+  const refused = { there: 0, here: 0 }
+  for (const { name, text } of corpus.filter((each) => !/^\s*#/m.test(each.text)))
+    for (let i = 0; i < 12; i++) {
+      const tokens = text
+        .replace(/\/\/.*|\/\*[^]*?\*\//g, ' ')
+        .match(/[\w.]+|[-+*/<>=!&|^]=|&&|\|\||[+]{2}|--|\S/g)
+      const at = int(tokens.length)
+      const kind = int(3)
+      if (kind === 0) tokens.splice(at, 1)
+      else if (kind === 1) tokens.splice(at, 0, tokens[int(tokens.length)])
+      else tokens[at] = tokens[int(tokens.length)]
+      const changed = tokens.join(' ')
+      const why = refusedThere(changed)
+      const here = refusedHere(changed)
+      if (here !== undefined) refused.here++
+      // A ; by itself among functions, which desktop GLSL takes, and which people leave behind a }.
+      if (why === undefined || /function prototype.*but ";" found/.test(why)) continue
+      refused.there++
+      assert.notEqual(here, undefined, `${name}: we take what it refuses (${why})\n${changed}`)
+    }
+  assert.ok(refused.there > 100, `${refused.there} were refused there, ${refused.here} here`)
+})
