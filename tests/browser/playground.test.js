@@ -1,11 +1,20 @@
 // The playground: what one writes is what one sees, mistakes cost nothing, and a link brings a sketch back.
 import assert from 'node:assert/strict'
-import { mkdirSync } from 'node:fs'
+import { mkdirSync, readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
+import { pathToFileURL } from 'node:url'
 import { createServer } from 'vite'
-import { config, desktop, difference, path } from './support/bench.js'
+import { config, desktop, difference, path, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { canvasPixels, line, settled, text, write } from './support/playground.js'
+import {
+  canvasPixels,
+  dragNumber,
+  line,
+  settled,
+  shown,
+  text,
+  write,
+} from './support/playground.js'
 
 const screenshots = path('.build/screenshots')
 
@@ -79,6 +88,7 @@ describe('the playground', () => {
       [still('#00ff00', 'position.mlt(2)'), 5, /mlt/],
       [still('#00ff00', 'position + 1'), 5, /\+/],
       [still('#00ff00').replace('noStroke()', 'noStroke('), 4, /^SyntaxError: /, 5],
+      [still('#00ff00').replace('noStroke()', 'while (true) {}'), 4, /went on for five seconds/],
       [still('#00ff00').replace('warp()', 'wrap()'), 10, /^ReferenceError: wrap/],
       [
         still('#00ff00')
@@ -136,6 +146,151 @@ describe('the playground', () => {
     await other.page.close()
   })
 
+  test('drags a number in the text, in one step of the history', async () => {
+    await write(page, still('#00ffff', 'glsl.vec3(0.10, 0, 0)'))
+    const before = await canvasPixels(page)
+    await dragNumber(page, '0.10', 160)
+    await settled(page)
+    assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.50, 0, 0)'))
+    assert.ok(difference(before, await canvasPixels(page)) > 0.02)
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.10, 0, 0)'))
+    await page.locator('.cm-number').getByText('0.10', { exact: true }).click()
+    await page.keyboard.press('Alt+ArrowDown')
+    await settled(page)
+    assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.09, 0, 0)'))
+  })
+
+  test('gives a uniform that is a number its slider', async () => {
+    await write(
+      page,
+      still('#80ff00', 'glsl.vec3(uniforms.far, 0, 0)', ', { uniforms: { far: 0.5 } }'),
+    )
+    const before = await canvasPixels(page)
+    const slider = page.getByLabel('far', { exact: true })
+    await slider.press('End')
+    assert.equal(Number(await slider.inputValue()), 2)
+    assert.ok(difference(before, await canvasPixels(page)) > 0.05)
+  })
+
+  test('stands still, and moves where the time bar is put', async () => {
+    await write(
+      page,
+      still('#ffffff')
+        .replace('glsl.vec3(0, 0, 0)', 'glsl.vec3(millis.div(1000), 0, 0)')
+        .replace('uniforms', 'millis'),
+    )
+    const before = await canvasPixels(page)
+    assert.equal(difference(before, await canvasPixels(page)), 0)
+    await page.getByLabel('Time', { exact: true }).press('Home')
+    assert.ok(difference(before, await canvasPixels(page)) > 0.05)
+    await page.getByRole('button', { name: 'Play' }).click()
+    await page.waitForFunction(
+      () => parseFloat(document.querySelector('.time output').textContent) > 0.3,
+    )
+    await page.getByRole('button', { name: 'Stop' }).click()
+  })
+
+  test('shows normals as colours', async () => {
+    await write(page, still('#ffffff'))
+    await page.getByLabel('Normals as colours').check()
+    await settled(page)
+    const image = await canvasPixels(page)
+    // In the middle the sphere faces the eye, at the right the side.
+    const at = (x, y) => [...image.subarray(4 * (120 * y + x), 4 * (120 * y + x) + 3)]
+    const [middle, right] = [at(60, 45), at(87, 45)]
+    assert.ok(middle[2] > 240 && middle[0] < 40, `${middle}`)
+    assert.ok(right[0] > 220 && right[2] < 128, `${right}`)
+    await page.getByLabel('Normals as colours').uncheck()
+    await settled(page)
+  })
+
+  test('runs operators with their script, and says so without it', async () => {
+    await write(page, still('#ff00ff', '[position.y * 0.5, 0, 0]'))
+    assert.notEqual(await page.locator('.mistake').textContent(), '')
+    await page.getByLabel('Operators').check()
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.match(await page.locator('#panel').textContent(), /position\.y/)
+    await page.locator('.cm-content').focus()
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    assert.equal(await page.getByLabel('Operators').isChecked(), false)
+  })
+
+  test('runs in p5 1.11 and in three.js, and undo brings the host back', async () => {
+    await write(page, still('#ff4000', 'glsl.vec3(0.2, 0, 0)'))
+    const before = await canvasPixels(page)
+    const host = page.getByLabel('Runs in')
+    await host.selectOption('p5-1')
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.match(await (await shown(page)).evaluate('p5.VERSION || p5.prototype.VERSION'), /^1\.11/)
+    assert.ok(difference(before, await canvasPixels(page)) < 0.03)
+    await host.selectOption('three')
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.match(await text(page), /from 'three'/)
+    await page.locator('.cm-content').focus()
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    assert.equal(await host.inputValue(), 'p5-1')
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    assert.equal(await host.inputValue(), 'p5')
+    assert.equal(difference(before, await canvasPixels(page)), 0)
+  })
+
+  /** What the menu downloads → Playwright's download. */
+  const saved = async (title) => {
+    await page.getByText('Save', { exact: true }).click()
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: title }).click(),
+    ])
+    return download
+  }
+
+  test('saves the picture', async () => {
+    const bytes = readFileSync(await (await saved('Picture (PNG)')).path())
+    assert.equal(bytes.subarray(1, 4).toString(), 'PNG')
+    assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [120, 90])
+  })
+
+  test('downloads a page that opens from a disk, with its model in it', async () => {
+    const sketch = `// It ends no tag: '</script>'
+${still('#40ff40')
+  .replace('function setup', 'let bunny\nasync function setup')
+  .replace('noStroke()', "noStroke(); bunny = await loadModel('bunny.obj')")
+  .replace('sphere(30, 24, 16)', 'scale(0.4); model(bunny)')}`
+    await write(page, sketch)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.equal(await (await shown(page)).evaluate('typeof bunny'), 'object')
+    const before = await canvasPixels(page)
+    const download = await saved('Page that opens anywhere')
+    const file = `${screenshots}/warp.html`
+    await download.saveAs(file)
+    const other = await openPage(context, pathToFileURL(file).href)
+    await other.page.waitForFunction(() => window.frameCount > 1, null, { timeout: 120_000 })
+    assert.equal(difference(before, await canvasPixels(other.page)), 0)
+    assert.deepEqual(other.messages, [])
+    await other.page.close()
+  })
+
+  test('copies a page for the p5 editor', async () => {
+    await page.getByText('Save', { exact: true }).click()
+    await page.getByRole('button', { name: 'p5 editor' }).click()
+    await page.getByText('Copied: paste').waitFor()
+    const html = await page.evaluate(() => navigator.clipboard.readText())
+    assert.match(
+      html,
+      /<script src="https:\/\/cdn\.jsdelivr\.net\/npm\/p5@2[\d.]+\/lib\/p5\.min\.js"><\/script>/,
+    )
+    assert.match(html, /npm\/warpjet@[\d.]+\/dist\/p5\.warpjet\.min\.js/)
+    assert.match(html, /Upload beside this page: bunny\.obj/)
+  })
+
   test('says that a link is damaged, and keeps the sketch', async () => {
     const before = await text(page)
     await page.evaluate(() => (location.hash = '#sketch=brokenlink'))
@@ -144,4 +299,20 @@ describe('the playground', () => {
   })
 
   test('has printed nothing of its own', () => assert.deepEqual(messages, []))
+})
+
+test('fits a phone, and opens an example of the gallery', async () => {
+  const context = await browser.newContext({ ...phone, reducedMotion: 'reduce' })
+  const { page, messages } = await openPage(context, `${url}#example=deformer-bend`)
+  await settled(page)
+  assert.match(await text(page), /warpjet\.bend/)
+  assert.equal(await page.getByLabel('Deformers').isChecked(), true)
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  assert.equal(
+    await page.evaluate(() => document.documentElement.scrollWidth),
+    phone.viewport.width,
+  )
+  await page.screenshot({ path: `${screenshots}/playground-phone.png`, fullPage: true })
+  await context.close()
+  assert.deepEqual(messages, [])
 })

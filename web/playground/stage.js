@@ -3,12 +3,16 @@
  * before goes, and the last good picture stays.
  */
 import { pageOf, tag } from './document.js'
+import { guarded } from './guard.js'
 import { isThree } from './hosts.js'
 
 /** Where models and other files lie that a sketch asks for by name. */
 const files = new URL('files/', location.href)
-const frameScripts = (host) =>
-  ['start', 'clock', ...(isThree(host) ? [] : ['warps'])].map((name) => `../dist/${name}.js`)
+/** Whole, whatever the window leaves for it. */
+const fit =
+  '<style>canvas.p5Canvas { height: auto !important; max-height: 100vh; max-width: 100vw; width: auto !important }</style>'
+
+const frameScript = (name) => tag(`../dist/${name}.js`)
 
 /**
  * `listen` gets what the frames say, each with `isShown`: of the one that is seen, otherwise of the one that is coming.
@@ -19,18 +23,20 @@ export function makeStage(place, listen) {
 
   function run({ text, ...setting }, settings) {
     drop(coming)
-    const source = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }))
+    const source = URL.createObjectURL(
+      new Blob([guarded({ text, ...setting })], { type: 'text/javascript' }),
+    )
     const frame = document.createElement('iframe')
     frame.title = 'The running sketch'
     frame.className = 'coming'
     frame.playground = { ...settings, source, report: (message) => receive(frame, message) }
-    const tags = frameScripts(setting.host).map(tag)
+    const later = isThree(setting.host) ? ['clock'] : ['clock', 'warps']
     const kind = isThree(setting.host) ? 'type="module" ' : ''
     frame.srcdoc = pageOf(setting, {
       title: 'Sketch',
       base: `<base href="${files}" />`,
-      before: tags[0],
-      after: tags.slice(1).join('\n    '),
+      before: ['start', 'files'].map(frameScript).join('\n    '),
+      after: [...later.map(frameScript), fit].join('\n    '),
       sketch: `<script ${kind}src="${source}"></script>`,
     })
     coming = frame

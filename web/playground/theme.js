@@ -37,6 +37,8 @@ const look = EditorView.theme(
       maxWidth: 'min(90vw, 26rem)',
       padding: '0.5rem 0.75rem',
     },
+    '.about p': { margin: '0.25rem 0 0' },
+    '.about code': { color: 'var(--violet)', font: 'var(--code)' },
     '.cm-diagnostic-error': { borderLeftColor: 'var(--coral)' },
     '.cm-number': {
       cursor: 'ew-resize',

@@ -40,7 +40,7 @@ const fonts = {
 const recorders = ['recorder.js', 'three-recorder.js']
 /** In the frame of the playground; warpjet takes no file in a folder `dist` for the sketch, when it says where a mistake is. */
 const frameScripts = Object.fromEntries(
-  ['start', 'clock', 'warps'].map((name) => [
+  ['start', 'files', 'clock', 'warps'].map((name) => [
     `playground/dist/${name}.js`,
     `web/playground/frame/${name}.js`,
   ]),

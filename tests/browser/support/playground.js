@@ -22,11 +22,24 @@ export async function write(page, sketch) {
   await page.locator('.cm-content').focus()
   await page.keyboard.press('Control+a')
   await page.keyboard.insertText(sketch)
+  // The editor looks at its page a moment later.
+  for (let i = 0; (await text(page)) !== sketch && i < 100; i++) await page.waitForTimeout(50)
   await settled(page)
 }
 
 /** The line that the cursor is on. */
 export const line = (page) => page.locator('.cm-activeLine').textContent()
+
+/** Drags the first number that reads so by that many pixels to the right, in small ways. */
+export async function dragNumber(page, number, pixels) {
+  const place = page.locator('.cm-number').getByText(number, { exact: true }).first()
+  const { x, y, width, height } = await place.boundingBox()
+  const [from, at] = [x + width / 2, y + height / 2]
+  await page.mouse.move(from, at)
+  await page.mouse.down()
+  for (let moved = 20; moved <= pixels; moved += 20) await page.mouse.move(from + moved, at)
+  await page.mouse.up()
+}
 
 /** The frame with the picture that is shown. */
 export async function shown(page) {
@@ -34,5 +47,8 @@ export async function shown(page) {
   return element.contentFrame()
 }
 
+const isPlayground = (page) => page.locator('.playground').count()
+
 /** Of the canvas that is shown → RGBA. */
-export const canvasPixels = async (page) => pixels(await shown(page))
+export const canvasPixels = async (page) =>
+  pixels((await isPlayground(page)) ? await shown(page) : page)

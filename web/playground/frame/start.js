@@ -1,7 +1,8 @@
 // In the playground's frame, before everything else: what goes wrong, what is printed, and when the first picture is there
 // is told to the page around it.
 {
-  const { report, source, files } = (window.playground = frameElement.playground)
+  const { report, source } = (window.playground = frameElement.playground)
+  window.sketchFiles = window.playground.files
   const place = new RegExp(`${source.replaceAll(/[.*+?^${}()|[\]\\/]/g, '\\$&')}:(\\d+):(\\d+)`)
   const began = performance.now()
 
@@ -49,10 +50,6 @@
     }
   }
 
-  // Files that were dropped on the playground, by the names under which the sketch asks for them.
-  const { fetch } = window
-  window.fetch = (from, options) => fetch(files[String(from)] ?? from, options)
-
   // Frames are counted where both hosts ask for them.
   const { requestAnimationFrame } = window
   let frames = 0
@@ -64,7 +61,21 @@
       for (const take of waiting.splice(0)) take()
     })
 
+  // A page that stands still runs no timer.
+  const MOST = 5000
+  let alive = performance.now()
+  let rounds = 0
+  setInterval(() => (alive = performance.now()), 200)
+
   Object.assign(window.playground, {
+    /** Throws in a loop that seems to have no end. */
+    goOn() {
+      if (++rounds % 1024 || performance.now() - alive < MOST) return
+      alive = performance.now()
+      throw new Error(
+        'This loop went on for five seconds and was stopped: see that its condition becomes false.',
+      )
+    },
     /** Since the page began; of p5 those that it has drawn. */
     frames: () => window.frameCount ?? frames,
     canvas: () => document.querySelector('canvas.p5Canvas, canvas[data-engine], canvas'),
@@ -75,17 +86,21 @@
         const take = () => {
           if (isTaken) return
           isTaken = true
-          window.playground.canvas()?.toBlob(resolve) ?? resolve()
+          const canvas = window.playground.canvas()
+          if (canvas) canvas.toBlob(resolve)
+          else resolve()
         }
         waiting.push(take)
         setTimeout(take, 1000)
       }),
   })
 
-  // The sketch may have drawn nothing, as long as it has come to its end.
-  const drawn = () => {
-    if (window.playground.frames() < 1) return requestAnimationFrame(drawn)
+  // p5 counts a frame before it draws it, and says later what went wrong in it.
+  let seen = 0
+  const look = () => {
+    if (window.playground.frames() >= 1) seen++
+    if (seen < 3) return requestAnimationFrame(look)
     report({ kind: 'drawn', milliseconds: performance.now() - began })
   }
-  requestAnimationFrame(drawn)
+  requestAnimationFrame(look)
 }

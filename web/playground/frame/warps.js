@@ -7,11 +7,11 @@
   const { compile, compileWarp, gen, differentiate } = window.warpjet
 
   /** Each text once, as a sketch may make its warp again in every frame. */
-  function keep(maker, make) {
+  function keep(maker, make, more) {
     try {
       const made = make()
       const isKnown = warps.some(({ made: { code } }) => code === made.code)
-      if (!isKnown) warps.push({ maker, made })
+      if (!isKnown) warps.push({ maker, made, ...more })
     } catch {
       // The sketch's own call says what is wrong.
     }
@@ -30,10 +30,17 @@
   for (const methods of [p5.prototype, p5.Graphics.prototype]) {
     const { createWarp } = methods
     methods.createWarp = function (offset, options, ...rest) {
-      const warp = createWarp.call(this, offset, withView(withSliders(options)), ...rest)
-      const { uniforms, surfaceVariation = true } = options ?? {}
-      keep('createWarp', () =>
-        compileWarp(plainOffset(offset, options), { uniforms, surfaceVariation }),
+      const moved = withSliders(options)
+      const warp = createWarp.call(this, offset, withView(moved), ...rest)
+      const { surfaceVariation = true, space = 'local' } = options ?? {}
+      keep(
+        'createWarp',
+        () =>
+          compileWarp(plainOffset(offset, options), {
+            uniforms: moved?.uniforms,
+            surfaceVariation,
+          }),
+        { space, surfaceVariation },
       )
       return warp
     }

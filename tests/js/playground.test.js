@@ -1,0 +1,161 @@
+// The parts of the playground that need no browser.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { converted } from '../../web/playground/convert.js'
+import { guarded } from '../../web/playground/guard.js'
+import { insideScript } from '../../web/playground/document.js'
+import { fragmentOf, holdsSketch, sketchOf } from '../../web/playground/link.js'
+import { modulesAsData } from '../../web/playground/modules.js'
+import { across, down, normalErrors, spherePoints } from '../../web/playground/sphere.js'
+import { compileWarp } from '../../dist/warpjet.js'
+
+describe('a sketch for another p5', () => {
+  const sketch = `let hand, warp
+
+async function setup() {
+  createCanvas(640, 480, WEBGL)
+  hand = await loadModel('hand.obj')
+  warp = createWarp(() => 0)
+}
+
+function draw() {}
+`
+  test('awaits its canvas on WEBGPU', () => {
+    const plain = 'function setup() {\n  createCanvas(9, 9, WEBGL)\n}\n'
+    const there = converted(plain, 'p5-webgpu')
+    assert.equal(there, 'async function setup() {\n  await createCanvas(9, 9, WEBGPU)\n}\n')
+    assert.equal(converted(there, 'p5'), plain)
+  })
+
+  test('loads in preload in p5 1.11, and comes back', () => {
+    const there = converted(sketch, 'p5-1')
+    assert.match(there, /function preload\(\) \{\n  hand = loadModel\('hand\.obj'\)\n\}/)
+    assert.match(there, /\nfunction setup\(\) \{\n  createCanvas/)
+    assert.doesNotMatch(there, /await/)
+    const back = converted(there, 'p5')
+    assert.match(back, /async function setup\(\) \{\n  hand = await loadModel\('hand\.obj'\)\n/)
+    assert.doesNotMatch(back, /preload/)
+  })
+
+  test('declares for both what setup had for itself', () => {
+    const there = converted(sketch.replace('hand = await', 'const font = await'), 'p5-1')
+    assert.match(there, /^let font\nfunction preload\(\) \{\n  font = /m)
+  })
+
+  test('is left alone where it has nothing of that', () => {
+    for (const host of ['p5', 'p5-1', 'p5-webgpu']) assert.equal(converted('let x', host), 'let x')
+  })
+})
+
+describe('a link', () => {
+  test('brings back what went in, whatever the letters', async () => {
+    const sketch = { text: `sphere(${'9'.repeat(999)}) // ä ≠ 🌸 “”`, host: 'p5', chosen: ['glsl'] }
+    const fragment = await fragmentOf(sketch)
+    assert.match(fragment, /^#sketch=[\w-]+$/)
+    assert.ok(fragment.length < 300)
+    assert.ok(holdsSketch(fragment))
+    assert.deepEqual(await sketchOf(fragment), sketch)
+  })
+
+  test('that is cut off or of something else gets a sentence', async () => {
+    const fragment = await fragmentOf({ text: 'sphere()' })
+    for (const broken of [fragment.slice(0, -4), '#sketch=%%%', '#sketch='])
+      await assert.rejects(sketchOf(broken), /damaged: copy the whole link once more\.$/)
+    const other = await fragmentOf([1])
+    await assert.rejects(sketchOf(other), /no sketch in this link/)
+  })
+})
+
+describe('a loop in a sketch', () => {
+  const rounds = (text) => {
+    const playground = {
+      count: 0,
+      goOn() {
+        if (++this.count === 50) throw new Error('stopped')
+      },
+    }
+    new Function('playground', guarded({ text }))(playground)
+    return playground.count
+  }
+
+  test('that does not end is stopped, however it is written', () => {
+    for (const text of [
+      'while (true) {}',
+      'for (;;);',
+      'do ; while (1)',
+      'let i = 0; while (1) i++',
+      'for (;;) if (0) 1; else 2',
+      'const run = () => { for (;;) {} }\nrun()',
+    ])
+      assert.throws(() => rounds(text), /stopped/, text)
+  })
+
+  test('that ends does what it did', () => {
+    const text =
+      'let sum = 0; for (let i = 0; i < 4; i++) if (i % 2) sum += i; else for (const j of [1, 2]) sum += j'
+    assert.equal(rounds(`${text}; if (sum !== 10) throw new Error(sum)`), 8)
+  })
+
+  test('stays in its line, and where its text is read it stays as it is', () => {
+    const text = 'while (a) {\n  b()\n}\nfor (;;) c()\n'
+    assert.equal(guarded({ text }).split('\n').length, text.split('\n').length)
+    for (const read of ['createWarp(() => { for (;;) {} })', 'while (', 'for (;;'])
+      assert.equal(guarded({ text: read }), read)
+    assert.equal(guarded({ text, chosen: ['operators'] }), text)
+  })
+})
+
+test('text in a script tag cannot end it', () => {
+  const text = "const a = '</script><!-- <script>', b = 1 < 2"
+  const inside = insideScript(text)
+  assert.doesNotMatch(inside, /<\/script|<!--|<script/i)
+  assert.equal(new Function(`${inside}; return a`)(), new Function(`${text}; return a`)())
+})
+
+test('modules as data import each other by names', async () => {
+  const files = {
+    '../../a/one.js': 'import { two } from "./b/two.js"; export const one = two + 1',
+    '../../a/b/two.js': "import { far } from 'far/away.js'\nexport const two = far",
+    '../../c/away.js': 'export const far = 5',
+  }
+  const read = async (path) => files[path] ?? assert.fail(path)
+  const modules = { one: '../../a/one.js', 'far/': '../../c/' }
+  const imports = await modulesAsData("import { one } from 'one'", modules, read)
+  assert.deepEqual(Object.keys(imports).sort(), ['data/a/b/two.js', 'data/c/away.js', 'one'].sort())
+  const text = decodeURIComponent(imports['data/a/b/two.js'].split(',')[1])
+  assert.match(text, /from 'data\/c\/away\.js'/)
+  assert.match(decodeURIComponent(imports.one), /from "data\/a\/b\/two\.js"/)
+})
+
+describe('the check of normals', () => {
+  const largest = (errors) => Math.max(...[...errors].filter((error) => !Number.isNaN(error)))
+  const bumps = ({ normal, uv, position }) =>
+    normal.mult(
+      position
+        .y()
+        .mult(3)
+        .sin()
+        .add(
+          uv
+            .x()
+            .mult(4 * Math.PI)
+            .sin(),
+        )
+        .mult(0.1),
+    )
+
+  test('finds those of a warp right, along the normal and by uv too', () => {
+    const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
+    const errors = normalErrors(evaluate(spherePoints(1)))
+    assert.equal(errors.length, across * down)
+    assert.ok(largest(errors) < 1e-3, `${largest(errors)}`)
+  })
+
+  test('finds wrong ones wrong', () => {
+    const points = spherePoints(1)
+    const { evaluate } = compileWarp(bumps, { surfaceVariation: true })
+    const { positions } = evaluate(points)
+    // As if nothing had moved.
+    assert.ok(largest(normalErrors({ positions, normals: points.normals })) > 0.2)
+  })
+})

@@ -1,0 +1,110 @@
+/** The tab that checks the normals of a warp against differences, and shows where it turns the surface inside out. */
+import { make } from '../bench/dom.js'
+import { across, down, normalErrors, spherePoints } from './sphere.js'
+
+const radii = {
+  1: 'radius 1, as sphere() has in its own space',
+  100: 'radius 100, as models have',
+  150: 'radius 150, in pixels',
+}
+const whole = new Intl.NumberFormat('en')
+const degrees = new Intl.NumberFormat('en', { maximumSignificantDigits: 2 })
+/** The map's lightest color, in degrees. */
+const MOST = 1
+
+/** `uniforms()` has what the warp may read at this moment. → { title, fill(panel, sketch) } for output.js. */
+export function makeChecks(uniforms) {
+  let radius
+  const fill = (panel, { warps }) => {
+    const checked = warps.filter(({ made }) => made.evaluate)
+    if (!checked.length)
+      return panel.replaceChildren(
+        make('p', {
+          className: 'none',
+          textContent: 'The sketch has made no warp that can be checked.',
+        }),
+      )
+    const select = make(
+      'select',
+      {},
+      ...Object.entries(radii).map(([value, textContent]) =>
+        make('option', { value, textContent }),
+      ),
+    )
+    select.value = radius ?? (checked[0].space && checked[0].space !== 'local' ? 150 : 1)
+    select.addEventListener('change', () => {
+      radius = select.value
+      fill(panel, { warps })
+    })
+    const label = make('label', { className: 'chooser' }, 'On a sphere of ', select)
+    const points = spherePoints(Number(select.value))
+    panel.replaceChildren(label, ...checked.map((warp) => check(warp, points, uniforms())))
+  }
+  return { title: 'Checks', fill }
+}
+
+function check({ maker, made, surfaceVariation }, points, all) {
+  const title = make('h3', { textContent: maker })
+  try {
+    const read = made.uniforms.map(({ name }) => name).filter((name) => name in all)
+    const uniforms = Object.fromEntries(read.map((name) => [name, all[name]]))
+    const { positions, normals, uvs, colors } = points
+    // Without, the shader takes normal and uv for constant, and so does this.
+    const mesh = surfaceVariation === false ? { positions, normals, uvs, colors } : points
+    const errors = normalErrors(made.evaluate(mesh, { uniforms }))
+    const { mask } = made.foldover(mesh, { uniforms })
+    const folded = errors.map((_, i) => mask[5 * i])
+    return make('div', { className: 'check' }, title, ...report(errors, folded))
+  } catch (error) {
+    return make(
+      'div',
+      { className: 'check' },
+      title,
+      make('p', { className: 'none', textContent: error.message }),
+    )
+  }
+}
+
+function report(errors, folded) {
+  const known = [...errors].filter((error) => !Number.isNaN(error)).sort((a, b) => a - b)
+  const at = (share) =>
+    `${degrees.format((180 / Math.PI) * (known[Math.floor(share * (known.length - 1))] ?? 0))}°`
+  const count = folded.reduce((sum, each) => sum + each, 0)
+  const figures = {
+    'Normals beside differences, at most': at(1),
+    'Nine in ten at most': at(0.9),
+    'Turned inside out': `${whole.format(count)} of ${whole.format(errors.length)} points`,
+  }
+  const list = make(
+    'dl',
+    { className: 'read-outs' },
+    ...Object.entries(figures).map(([term, textContent]) =>
+      make('div', {}, make('dt', { textContent: term }), make('dd', { textContent })),
+    ),
+  )
+  return [
+    list,
+    map(errors, folded),
+    make('p', {
+      className: 'none',
+      textContent: `The sphere unrolled: the redder, the more a normal leaves that of differences, ${MOST}° or more at the reddest; violet is inside out.`,
+    }),
+  ]
+}
+
+const mixed = (a, b, amount) => a.map((value, i) => value + (b[i] - value) * amount)
+
+function map(errors, folded) {
+  const canvas = make('canvas', { className: 'map', width: across, height: down })
+  canvas.role = 'img'
+  canvas.ariaLabel = 'Map of the errors and of what is inside out'
+  const context = canvas.getContext('2d')
+  const image = context.createImageData(across, down)
+  for (const [i, error] of errors.entries()) {
+    const amount = Math.min(1, ((180 / Math.PI) * error) / MOST || 0)
+    const color = folded[i] ? [169, 156, 255] : mixed([45, 51, 71], [255, 90, 60], amount)
+    image.data.set([...color, 255], 4 * i)
+  }
+  context.putImageData(image, 0, 0)
+  return canvas
+}

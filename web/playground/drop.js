@@ -1,0 +1,29 @@
+/** Files that fall onto the page: the sketch may load them by their names. */
+
+/** `take` gets the name of each file, and its address. */
+export function takeFiles(take) {
+  let depth = 0
+  const drag = (change) => (event) => {
+    // Text that is dragged is the editor's.
+    if (!event.dataTransfer?.types.includes('Files')) return
+    event.preventDefault()
+    depth = change === 0 ? 0 : depth + change
+    document.body.classList.toggle('dragging', depth > 0)
+  }
+  addEventListener('dragenter', drag(1), true)
+  addEventListener('dragleave', drag(-1), true)
+  addEventListener('dragover', (event) => {
+    if (event.dataTransfer?.types.includes('Files')) event.preventDefault()
+  })
+  addEventListener(
+    'drop',
+    (event) => {
+      if (!event.dataTransfer?.types.includes('Files')) return
+      drag(0)(event)
+      // The editor would take in a file's text.
+      event.stopPropagation()
+      for (const file of event.dataTransfer.files) take(file.name, URL.createObjectURL(file))
+    },
+    true,
+  )
+}

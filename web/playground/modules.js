@@ -1,0 +1,57 @@
+/**
+ * Modules as data in an import map, for a page that stands alone: what one asks of its neighbours by a relative path gets a
+ * name, since data lies in no folder.
+ */
+const asked = /(\bfrom\s*|\bimport\s*\(?\s*)(["'])([^"'\n]+)\2/g
+
+/**
+ * All that `text` imports, and what that imports. `modules` maps names, or beginnings of names with a slash, to paths; `read`
+ * gives the text of a path → { name: data }.
+ */
+export async function modulesAsData(text, modules, read) {
+  const imports = {}
+
+  /** The path that is meant, from the module at `path`; nothing for what is no module's name. */
+  function resolve(name, path) {
+    if (/^\.\.?\//.test(name)) return path && join(path, name)
+    const key = Object.keys(modules).find((key) =>
+      key.endsWith('/') ? name.startsWith(key) : name === key,
+    )
+    return key && modules[key] + name.slice(key.length)
+  }
+  const nameOf = (path) =>
+    Object.keys(modules).find((key) => modules[key] === path) ??
+    `data/${path.replace(/^[./]+/, '')}`
+
+  /** The text with names alone, once all that it imports is in the map. */
+  async function named(text, path) {
+    const names = {}
+    for (const [, , , name] of text.matchAll(asked)) {
+      const found = resolve(name, path)
+      if (!found || name in names) continue
+      const known = nameOf(found)
+      names[name] = path ? known : name
+      if (names[name] in imports) continue
+      // Before it is read: modules may ask for each other.
+      imports[names[name]] = ''
+      const source = await named(await read(found), found)
+      imports[names[name]] = `data:text/javascript;charset=utf-8,${encodeURIComponent(source)}`
+    }
+    return text.replaceAll(asked, (whole, head, quote, name) =>
+      name in names ? head + quote + names[name] + quote : whole,
+    )
+  }
+  await named(text)
+  return imports
+}
+
+/** `path` is relative, so that it cannot be a URL's. */
+function join(path, name) {
+  const parts = path.split('/').slice(0, -1)
+  for (const part of name.split('/')) {
+    const isUp = part === '..' && parts.length && parts.at(-1) !== '..'
+    if (isUp) parts.pop()
+    else if (part !== '.') parts.push(part)
+  }
+  return parts.join('/')
+}

@@ -1,0 +1,133 @@
+/** Numbers in the text that can be dragged sideways, or changed by Alt and an arrow key. */
+import { syntaxTree } from '@codemirror/language'
+import { Prec } from '@codemirror/state'
+import { Decoration, EditorView, ViewPlugin, keymap } from '@codemirror/view'
+
+/** Pixels of the pointer for one step, and before a press counts as dragging. */
+const PER_STEP = 4
+
+/** The plain number at a place of the text → { from, to, value, decimals, mayBeNegative }, or nothing. */
+export function numberAt(state, at) {
+  let node
+  for (const side of [1, -1]) {
+    const found = syntaxTree(state).resolveInner(at, side)
+    if (found.name === 'Number') node = found
+  }
+  if (!node) return
+  const text = state.sliceDoc(node.from, node.to)
+  const [isPlain, , fraction = ''] = /^(\d+|(?=\.))(?:\.(\d*))?$/.exec(text) ?? []
+  if (isPlain === undefined) return
+  const before = state.sliceDoc(Math.max(0, node.from - 1), node.from)
+  const isNegated = before === '-' && node.parent?.name === 'UnaryExpression'
+  return {
+    from: isNegated ? node.from - 1 : node.from,
+    to: node.to,
+    value: isNegated ? -Number(text) : Number(text),
+    decimals: fraction.length,
+    // Behind a minus that subtracts, a second one would be another operator.
+    mayBeNegative: isNegated || before !== '-',
+  }
+}
+
+/** The last digit; of large whole numbers the last but one, as nobody drags a thousand steps. */
+const stepOf = ({ value, decimals }) =>
+  decimals
+    ? 10 ** -decimals
+    : Math.max(1, 10 ** (Math.trunc(Math.abs(value)).toString().length - 2))
+
+export function moved(number, steps) {
+  const value = number.value + steps * stepOf(number)
+  const bounded = number.mayBeNegative ? value : Math.max(0, value)
+  // Never -0.
+  return (bounded === 0 ? 0 : bounded).toFixed(number.decimals).replace(/^-(0(\.0*)?)$/, '$1')
+}
+
+/** One way of the pointer is one step of the history: what is composed joins what was before, whatever time has passed. */
+function write(view, { from, to }, insert, isFirst) {
+  view.dispatch({
+    changes: { from, to, insert },
+    userEvent: isFirst ? 'input.number' : 'input.type.compose',
+  })
+  return { from, to: from + insert.length }
+}
+
+function drag(event, view) {
+  if (event.button !== 0 || event.shiftKey) return false
+  if (!event.target.closest?.('.cm-number')) return false
+  const at = view.posAtCoords({ x: event.clientX, y: event.clientY })
+  const number = at === null ? undefined : numberAt(view.state, at)
+  if (!number) return false
+
+  let place
+  let shown = view.state.sliceDoc(number.from, number.to)
+  const move = ({ clientX }) => {
+    const steps = Math.trunc((clientX - event.clientX) / PER_STEP)
+    const text = moved(number, steps)
+    if ((!place && !steps) || text === shown) return
+    place = write(view, place ?? number, text, !place)
+    shown = text
+  }
+  const end = () => {
+    removeEventListener('pointermove', move)
+    removeEventListener('pointerup', end)
+    removeEventListener('pointercancel', end)
+    document.body.classList.remove('drags-number')
+    if (!place) view.dispatch({ selection: { anchor: at } })
+  }
+  addEventListener('pointermove', move)
+  addEventListener('pointerup', end)
+  addEventListener('pointercancel', end)
+  document.body.classList.add('drags-number')
+  view.focus()
+  return true
+}
+
+function change(steps) {
+  return (view) => {
+    const { empty, head } = view.state.selection.main
+    const number = empty && numberAt(view.state, head)
+    if (!number) return false
+    write(view, number, moved(number, steps), true)
+    return true
+  }
+}
+
+const mark = Decoration.mark({ class: 'cm-number' })
+
+function marksIn(view) {
+  const marks = []
+  for (const { from, to } of view.visibleRanges)
+    syntaxTree(view.state).iterate({
+      from,
+      to,
+      enter: (node) => {
+        if (node.name === 'Number') marks.push(mark.range(node.from, node.to))
+      },
+    })
+  return Decoration.set(marks, true)
+}
+
+export const draggableNumbers = [
+  ViewPlugin.define(
+    (view) => ({
+      marks: marksIn(view),
+      update(update) {
+        const isParsed = syntaxTree(update.startState) !== syntaxTree(update.state)
+        if (update.docChanged || update.viewportChanged || isParsed)
+          this.marks = marksIn(update.view)
+      },
+    }),
+    { decorations: ({ marks }) => marks },
+  ),
+  // A mouse that is pressed would begin a selection.
+  EditorView.domEventHandlers({
+    pointerdown: drag,
+    mousedown: (event) => document.body.classList.contains('drags-number'),
+  }),
+  Prec.high(
+    keymap.of([
+      { key: 'Alt-ArrowUp', run: change(1) },
+      { key: 'Alt-ArrowDown', run: change(-1) },
+    ]),
+  ),
+]
