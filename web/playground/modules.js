@@ -19,9 +19,14 @@ export async function modulesAsData(text, modules, read) {
     )
     return key && modules[key] + name.slice(key.length)
   }
-  const nameOf = (path) =>
-    Object.keys(modules).find((key) => modules[key] === path) ??
-    `data/${path.replace(/^[./]+/, '')}`
+  /** One name for each, or it would be there twice. */
+  function nameOf(path) {
+    for (const [key, place] of Object.entries(modules)) {
+      if (place === path) return key
+      if (key.endsWith('/') && path.startsWith(place)) return key + path.slice(place.length)
+    }
+    return `data/${path.replace(/^[./]+/, '')}`
+  }
 
   /** The text with names alone, once all that it imports is in the map. */
   async function named(text, path) {

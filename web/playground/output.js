@@ -89,11 +89,10 @@ export function makeOutput(list, panel, more = {}) {
 const none = (text) => make('p', { className: 'none', textContent: text })
 
 function textIn(target, warps) {
-  const texts = warps.map(({ maker, made }) => `// ${maker}\n${inLanguage(made, target)}`)
-  if (!texts.length)
-    return none(
-      'No text to show: the sketch has made no warp with createWarp, compileWarp or compile.',
-    )
+  const texts = warps
+    .filter(({ only = target }) => only === target)
+    .map(({ maker, made }) => `// ${maker}\n${inLanguage(made, target)}`)
+  if (!texts.length) return none('No text to show: the sketch has made none in this language.')
   const code = make('code')
   code.innerHTML = highlight(texts.join('\n\n'), 'glsl')
   return make('pre', { tabIndex: 0 }, code)

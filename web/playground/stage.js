@@ -30,7 +30,7 @@ export function makeStage(place, listen) {
     frame.title = 'The running sketch'
     frame.className = 'coming'
     frame.playground = { ...settings, source, report: (message) => receive(frame, message) }
-    const later = isThree(setting.host) ? ['clock'] : ['clock', 'warps']
+    const later = isThree(setting.host) ? ['clock', 'three'] : ['clock', 'warps']
     const kind = isThree(setting.host) ? 'type="module" ' : ''
     frame.srcdoc = pageOf(setting, {
       title: 'Sketch',

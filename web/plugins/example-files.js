@@ -23,7 +23,11 @@ const libraries = [
   // Those of three.js take modules, which their pages map names to.
   'dist/three.js',
   'dist/warpjet.js',
-  ...['basics', 'compiler', 'evaluation', 'three-warp'].map((name) => `dist/shared/${name}.js`),
+  // What it imports once a sketch asks for it.
+  'dist/mesh.js',
+  ...['basics', 'compiler', 'evaluation', 'meshes', 'three-warp'].map(
+    (name) => `dist/shared/${name}.js`,
+  ),
   ...['three.module.js', 'three.core.js'].map((name) => `node_modules/three/build/${name}`),
   ...[
     'controls/OrbitControls.js',
@@ -40,7 +44,7 @@ const fonts = {
 const recorders = ['recorder.js', 'three-recorder.js']
 /** In the frame of the playground; warpjet takes no file in a folder `dist` for the sketch, when it says where a mistake is. */
 const frameScripts = Object.fromEntries(
-  ['start', 'files', 'clock', 'warps'].map((name) => [
+  ['start', 'files', 'clock', 'warps', 'three'].map((name) => [
     `playground/dist/${name}.js`,
     `web/playground/frame/${name}.js`,
   ]),
