@@ -25,6 +25,7 @@ export const hosts = {
     modules: {
       three: '../../node_modules/three/build/three.module.js',
       'three/addons/': '../../node_modules/three/examples/jsm/',
+      warpjet: '../../dist/warpjet.js',
       'warpjet/three': '../../dist/three.js',
     },
     style:
