@@ -35,6 +35,7 @@ export const leftOut = {
     'p5 on WebGPU':
       'it draws the same warps through the same hooks, on a CPU at a fifth of the speed',
     'three 0.159': 'what the oldest three.js does differently is little and changes never',
+    'a thousand rays': 'a hundred find what is wrong for all',
     'every material of three':
       'the shaders of three’s materials are made of the same chunks; every day seven go through them',
     'all dialects':

@@ -106,6 +106,24 @@ ${groups.join('\n')}
 
 From glsl-autodiff: ${sentence(aliases)}.
 
+## Loops
+
+\`glsl.repeat(count, start, (state, i) => next)\` is a loop of the shader. The function is called once, with expressions of the
+state and of the step's number from 0 on, and returns the next state; a state is a number, a vector, or an object of them.
+
+\`\`\`js
+const { z } = glsl.repeat(8, { z: position.xy(), size: 1 }, ({ z, size }, i) => ({
+  z: z.yx().mult(1.7).add(i).sin().mult(size),
+  size: size.mult(0.8),
+}))
+\`\`\`
+
+JavaScript's own loops work too: they write their body into the shader as often as they run. Take those for a few steps, or
+where steps differ. Take \`repeat\` where many steps are alike: the text stays short, and the shader starts sooner. Derivatives
+run in the same loop as the value. \`count\` is a number of JavaScript, up to 10,000, those of repeats within each other
+multiplied; where only the shader knows when to stop, give the most there can be and keep the state by \`ifElse\`. A derivative
+of the state can be taken of what \`repeat\` gives, not inside its function.
+
 ## Your own functions
 
 \`\`\`js

@@ -31,10 +31,10 @@ class Search {
   Numbers meet(Expression cellHash, const Numbers& before) {
     const std::size_t axis = steps_.size();
     if (axis == inside_.size()) return meetPoint(cellHash, before);
-    const Numbers steps = steps_;
+    const Numbers taken = steps_;
     return fold(cells, before, [&](const Numbers& nearest, Expression step) {
       const Expression place = step - cells / 2.0;
-      steps_ = steps;
+      steps_ = taken;
       steps_.push_back(place);
       return meet(hash(cellHash, corner_[axis] + place), nearest);
     });

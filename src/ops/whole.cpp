@@ -22,8 +22,9 @@ Interval wholeSum(const Interval& x, const Interval& y) {
 
 // Smaller than the divisor, and of the sign of what is divided.
 Interval wholeRemainder(const Interval& x, const Interval& y) {
-  const double most = std::max({-y.low, y.high, 1.0}) - 1;
-  return {x.low < 0 ? std::max(x.low, -most) : 0.0, x.high > 0 ? std::min(x.high, most) : 0.0};
+  const double largest = std::max({-y.low, y.high, 1.0}) - 1;
+  return {x.low < 0 ? std::max(x.low, -largest) : 0.0,
+          x.high > 0 ? std::min(x.high, largest) : 0.0};
 }
 
 Interval bitAnd(const Interval& x, const Interval& y) {

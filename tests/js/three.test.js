@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { compileWarp, WarpError } from 'warpjet'
 import {
   fromBufferGeometry,
@@ -519,6 +520,9 @@ const tenWarps = [
   ({ normal }) => normal.mult(0.3),
 ]
 
+/** For each of the ten warps. */
+const rays = isRun('a thousand rays') ? 1000 : 100
+
 test('a thousand rays meet ten warps where they meet the baked meshes', () => {
   const { min, max } = Math
   const geometry = new THREE.TorusKnotGeometry(0.7, 0.25, 120, 20)
@@ -531,7 +535,7 @@ test('a thousand rays meet ten warps where they meet the baked meshes', () => {
     other.matrixWorld.copy(mesh.matrixWorld)
     const { array } = other.geometry.attributes.position
     assert.ok(max(...array) - min(...array) < 20, `warp ${i}`)
-    sameHits(mesh, [other], { rays: 1000, random })
+    sameHits(mesh, [other], { rays, random })
     warped.dispose()
   }
 })
@@ -553,7 +557,7 @@ test('a thousand rays meet ten warps within 1e-4 of the mesh of where a denser o
     dense.matrixWorld.copy(mesh.matrixWorld)
     const size = warped.bounds().getSize(new THREE.Vector3()).length()
     const { position, normal } = baked.attributes
-    for (let i = 0; i < 100; i++) {
+    for (let i = 0; i < rays / 10; i++) {
       // To a place away from the edge, from somewhere above it.
       const [u, v] = [0.1 + 0.8 * random(), 0.1 + 0.8 * random()]
       const vertex = Math.round(340 * u) + 341 * Math.round(240 * v)
