@@ -25,7 +25,8 @@ if(NOT WARPJET_SANITIZE)
   target_compile_options(own_row_tests PRIVATE -O0)
   set_target_properties(own_row_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
   # What these have for themselves has the name of what others have.
-  set_source_files_properties(src/diff/differentiator.cpp src/eval/blocks.cpp src/graph/simplify.cpp src/texture/texture.cpp
+  set_source_files_properties(src/diff/differentiator.cpp src/emit/sums.cpp src/eval/blocks.cpp src/eval/idioms.cpp
+                              src/frame/frame.cpp src/graph/simplify.cpp src/texture/texture.cpp
                               tests/cpp/own_row/own_row_test.cpp
                               PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_link_libraries(own_row_tests PRIVATE GTest::gtest_main)

@@ -20,7 +20,9 @@ interface Operation {
   /** In the wasm. */
   number: number
   /** Vectors and matrices are made by functions only. */
-  isConstructor: boolean
+  isMethod: boolean
+  /** What only shader text calls is in no list. */
+  isListed: boolean
 }
 
 let operations: Operation[] | undefined
@@ -31,9 +33,10 @@ function getOperations(): Operation[] {
     .operationNames()
     .split(' ')
     .map((name, number) => ({
-      name: name.replace('+', ''),
+      name: name.replace(/[+-]/, ''),
       number,
-      isConstructor: name[0] === '+',
+      isMethod: !/[+-]/.test(name),
+      isListed: name[0] !== '-',
     })))
 }
 
@@ -78,13 +81,16 @@ export function createBuilder(session: Session): Builder {
         )
       return session.input(label, shape, name)
     }
-  for (const { name, number } of getOperations())
-    builder[name] = (...operands) =>
-      session.call(
-        number,
-        name,
-        operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
-      )
+  for (const { name, number, isListed } of getOperations())
+    Object.defineProperty(builder, name, {
+      value: (...operands: unknown[]) =>
+        session.call(
+          number,
+          name,
+          operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
+        ),
+      enumerable: isListed,
+    })
   for (const kind of noiseKinds) builder[kind] = (...operands) => callNoise(session, kind, operands)
   for (const [alias, name] of Object.entries(sameAs)) builder[alias] = builder[name]!
   for (const [alias, make] of Object.entries(madeOf))
@@ -144,8 +150,8 @@ function installMethods() {
   if (installed) return
   installed = true
   for (const [name, indices] of swizzles()) defineComponents(name, indices)
-  for (const { name, number, isConstructor } of getOperations())
-    if (!isConstructor)
+  for (const { name, number, isMethod } of getOperations())
+    if (isMethod)
       define(name, function (...given) {
         const session = sessionOf(this)
         if (given.length > 0 && /^rotate[XYZ]$/.test(name))

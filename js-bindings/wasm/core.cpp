@@ -72,7 +72,11 @@ EMSCRIPTEN_KEEPALIVE const std::string* operationNames() {
   std::string names;
   for (const Operation& operation : operations) {
     if (!names.empty()) names += ' ';
-    if (operation.isConstructor() || operation.isForText) names += '+';
+    if (operation.isForText) {
+      names += '-';
+    } else if (operation.isConstructor()) {
+      names += '+';
+    }
     names += operation.name;
   }
   return told(names);

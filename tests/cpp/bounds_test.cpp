@@ -279,7 +279,7 @@ TEST_F(BoundsTest, OfALongProgramStopAtTheBudget) {
   EXPECT_GE(range.high, 0.9);
 }
 
-// All values of a program; with `Number` float, each operation is rounded as float32 is.
+// All values of a program; with `Number` float, each operation on floats is rounded as float32 is.
 template <class Number>
 double evaluateRounded(const Program& program, std::span<const double> inputs) {
   const Words words(program.words, program.instructions);
@@ -296,7 +296,9 @@ double evaluateRounded(const Program& program, std::span<const double> inputs) {
         x[k] = values[words.operands(i)[k]];
       value = ops::valueOf(words.op(i), x);
     }
-    values[i] = static_cast<Number>(value);
+    const auto row = static_cast<std::size_t>(words.op(i));
+    const bool isInt = row < ops::count && ops::infos[row].signature.result == ops::Type::Int;
+    values[i] = isInt ? value : static_cast<Number>(value);
   }
   return values[words.result(0)];
 }
