@@ -67,7 +67,7 @@ EMSCRIPTEN_KEEPALIVE int textSize(const std::string* text) {
 EMSCRIPTEN_KEEPALIVE void releaseText(const std::string* text) { delete text; }
 
 // The names of all operations in the order of their numbers; with a `+` before
-// it of what is no method.
+// it of what is no method, and a `-` of what only shader text calls.
 EMSCRIPTEN_KEEPALIVE const std::string* operationNames() {
   std::string names;
   for (const Operation& operation : operations) {
