@@ -3,7 +3,9 @@
 // And it leaves the mouse wheel and vertical swipes to that page, so that nobody gets stuck in a sketch.
 {
   const recorded = (window.recordedCode = [])
-  const { compile, compileWarp, gen, differentiate } = warpjet
+  const { compile, compileWarp, gen } = warpjet
+  // The page may have the script for GLSL, or not.
+  const differentiate = Object.hasOwn(warpjet, 'differentiate') && warpjet.differentiate
   const keep = (maker, { code: statements, declarations }) => {
     const code = declarations ? `${statements}\n// Above main:\n${declarations}` : statements
     if (!recorded.some((record) => record.code === code)) recorded.push({ maker, code })
