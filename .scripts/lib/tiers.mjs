@@ -49,6 +49,8 @@ export const leftOut = {
     'every vertex': 'a third of them still lies on every side, edge and axis',
     'every random expression':
       'the others are of the same kinds; 500 are run on the CPU every day, 400 on the GPU',
+    'glass and lanterns':
+      'without a GPU both take half a minute; three.test.js draws such materials and instances every day',
     'every TypeScript':
       'one run with the oldest TypeScript and one with the newest find nearly all there is to find',
     'a week of every warp': 'each is reduced in the same way; every day three go through it',

@@ -116,7 +116,9 @@ describe('the gallery of npm start', () => {
     })
     after(() => context.close())
 
-    const isDrawn = (name) => name !== 'domain-warping-3d' || isRun('deep domain warping')
+    const isDrawn = (name) =>
+      (name !== 'domain-warping-3d' || isRun('deep domain warping')) &&
+      (!['three-glass', 'three-lanterns'].includes(name) || isRun('glass and lanterns'))
     for (const name of names.filter(isDrawn))
       test(name, async () => {
         await page.goto(`${url}examples/${name}/gallery.html`, patience)
