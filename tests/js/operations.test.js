@@ -17,6 +17,7 @@ const casesOf = (group) => cases.filter((operation) => operation.group === group
 /** tests/js and tests/browser have files of their own for these. */
 const functions = [
   'source',
+  'repeat',
   'texture',
   'noise',
   'simplex',
