@@ -4,7 +4,10 @@
   const { playground } = window
   const warps = (playground.warps = [])
   const uniforms = (playground.uniforms = [])
-  const { compile, compileWarp, gen, differentiate } = window.warpjet
+  const { compile, compileWarp, gen } = window.warpjet
+  // The page may have the script for GLSL, or not.
+  const differentiate =
+    Object.hasOwn(window.warpjet, 'differentiate') && window.warpjet.differentiate
 
   /** Each text once, as a sketch may make its warp again in every frame. */
   function keep(maker, make, more) {
