@@ -193,7 +193,8 @@ export async function churn(times) {
     const { memory, programs } = renderer.info
     return { ...memory, programs: programs.length, heap: performance.memory?.usedJSHeapSize }
   }
-  for (let i = 0; i < 20; i++) once()
+  // Until all code is compiled and all caches are as large as they get.
+  for (let i = 0; i < times / 4; i++) once()
   const before = await state()
   for (let i = 0; i < times; i++) once()
   return { before, after: await state() }
