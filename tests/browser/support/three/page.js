@@ -187,14 +187,16 @@ export async function churn(times) {
     renderer.render(scene, scenes.camera())
   }
   const state = async () => {
-    // What a weak reference was asked for lives until the turn ends.
-    await new Promise((resolve) => setTimeout(resolve))
-    globalThis.gc?.()
+    // What a weak reference was asked for lives until the turn ends, and what hangs on it goes with the next collection.
+    for (let turn = 0; turn < 4; turn++) {
+      await new Promise((resolve) => setTimeout(resolve, 20))
+      globalThis.gc?.()
+    }
     const { memory, programs } = renderer.info
     return { ...memory, programs: programs.length, heap: performance.memory?.usedJSHeapSize }
   }
   // Until all code is compiled and all caches are as large as they get.
-  for (let i = 0; i < times / 4; i++) once()
+  for (let i = 0; i < 20; i++) once()
   const before = await state()
   for (let i = 0; i < times; i++) once()
   return { before, after: await state() }
