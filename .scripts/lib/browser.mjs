@@ -4,7 +4,14 @@ import { path } from './files.mjs'
 import { Stop } from './terminal.mjs'
 import { isProgram, onPath } from './which.mjs'
 
-const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable']
+/** Debian's headless shell first: it draws what Chromium draws, in three quarters of the time, and is smaller. */
+const names = [
+  'chromium-headless-shell',
+  'chromium',
+  'chromium-browser',
+  'google-chrome',
+  'google-chrome-stable',
+]
 const applications = [
   '/snap/bin/chromium',
   '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',

@@ -3,6 +3,7 @@ import { availableParallelism } from 'node:os'
 import { fuzz } from '../fuzz.mjs'
 import { staleFiles } from '../reference.mjs'
 import { installEnvironments } from './environments.mjs'
+import { withBrowsers } from './browsers.mjs'
 import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
 import { checkHouse } from './house.mjs'
@@ -61,6 +62,8 @@ async function nodeTests(folder) {
   await node('--test', '--test-reporter=spec', concurrency, ...files)
 }
 
+const browser = () => withBrowsers(availableParallelism(), () => nodeTests('tests/browser'))
+
 async function environments() {
   await installEnvironments()
   await nodeTests('tests/package')
@@ -85,6 +88,6 @@ export const checks = [
   // From the committed seeds alone, so that it takes the same time everywhere.
   { group: 'fuzz', title: 'Fuzzing', work: () => fuzz({ seconds: 60, isKept: false }) },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },
-  { group: 'browser', title: 'Browser tests', work: () => nodeTests('tests/browser') },
+  { group: 'browser', title: 'Browser tests', work: browser },
   { group: 'package', title: 'The package in its environments', work: environments },
 ]

@@ -13,6 +13,9 @@ const quiet = [
 /** WebGL without a GPU, the same on every machine. */
 export const softwareFlags = [...quiet, '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
 
+/** Pages are put together on the CPU: through a WebGL that is one itself, that would cost as much again as what the canvases show. */
+export const testFlags = [...softwareFlags, '--disable-gpu-compositing']
+
 /**
  * WebGL on the machine's GPU. On Linux, Chromium without a display finds one by Vulkan alone; elsewhere its own choice is right.
  * Where there is none, Chromium may draw without, or have no WebGL: the renderer's name tells.

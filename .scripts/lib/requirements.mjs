@@ -109,7 +109,7 @@ export const requirements = [
       return file ? { found: `${await versionOf(file)} (${file})`, file } : {}
     },
     // Ubuntu's package is a stub for snap, whose browser cannot read /tmp: playwright-core fetches one instead.
-    apt: isUbuntu() ? [] : ['chromium'],
+    apt: isUbuntu() ? [] : ['chromium-headless-shell'],
     fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', 'chromium'] : null,
   },
 ]

@@ -42,7 +42,8 @@ const lower = (context, { exceptions = [], before = '' } = {}) =>
     const [, name] = /([\w-]+)\/sketch\.js/.exec(route.request().url())
     const response = await route.fetch()
     if (exceptions.includes(name)) return route.fulfill({ response })
-    if (name.startsWith('three-')) return route.fulfill({ response, body: await smaller(response) })
+    if (name.startsWith('three-'))
+      return route.fulfill({ response, body: (before && twoFrames) + (await smaller(response)) })
     const body = `${await response.text()}
 {
   const { createCanvas, pixelDensity } = p5.prototype
@@ -64,7 +65,17 @@ const lower = (context, { exceptions = [], before = '' } = {}) =>
 const smaller = async (response) =>
   (await response.text())
     .replaceAll(/setPixelRatio\(.*\)/g, 'setPixelRatio(0.25)')
+    .replaceAll(/mapSize\.set\(.*\)/g, 'mapSize.set(256, 256)')
     .replaceAll('10_000', '800')
+
+/** The first shows what the second has to draw: then no more, which the next example would wait for. */
+const twoFrames = `
+{
+  const { requestAnimationFrame } = window
+  let frames = 0
+  window.requestAnimationFrame = (draw) => frames++ < 2 && requestAnimationFrame(draw)
+}
+`
 
 /** Without the edges of shapes: the warp draws none, and p5 takes seconds to work out those of a model. */
 const plain = `

@@ -1,13 +1,11 @@
 // A headless Chromium that draws WebGL without a GPU, and pages that remember whatever they printed.
 import { chromium } from 'playwright-core'
-import { softwareFlags } from '../../../.scripts/lib/flags.mjs'
+import { softwareFlags, testFlags } from '../../../.scripts/lib/flags.mjs'
+import { borrow } from './borrow.js'
 
-/**
- * The Chromium that WARPJET_CHROMIUM names, or Debian's. `moreFlags` are added to its command line. Pages are put together on
- * the CPU: through a WebGL that is one itself, that would cost as much again as what the canvases show.
- */
-export const launchBrowser = (moreFlags = []) =>
-  launch([...softwareFlags, '--disable-gpu-compositing', ...moreFlags])
+/** The Chromium that WARPJET_CHROMIUM names, or Debian's. `moreFlags` are added to its command line. */
+export const launchBrowser = async (moreFlags = []) =>
+  (moreFlags.length ? null : await borrow()) ?? launch([...testFlags, ...moreFlags])
 
 const launch = (args) =>
   chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM ?? '/usr/bin/chromium', args })

@@ -1,0 +1,29 @@
+// Browsers that the files of tests take in turns: starting one takes two seconds of a core, and there are thirty files.
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { chromium } from 'playwright-core'
+import { testFlags } from './flags.mjs'
+
+/** Where `lend` of tests/browser/support finds them: a folder for what is taken, and the addresses. */
+export const variable = 'WARPJET_BROWSERS'
+
+/** Starts `count` browsers for the processes that `work` starts, and stops them after it. */
+export async function withBrowsers(count, work) {
+  const options = { executablePath: process.env.WARPJET_CHROMIUM, args: testFlags }
+  const servers = await Promise.all(
+    Array.from({ length: count }, () => chromium.launchServer(options)),
+  )
+  const taken = mkdtempSync(join(tmpdir(), 'warpjet-browsers-'))
+  process.env[variable] = JSON.stringify({
+    taken,
+    addresses: servers.map((server) => server.wsEndpoint()),
+  })
+  try {
+    return await work()
+  } finally {
+    delete process.env[variable]
+    rmSync(taken, { recursive: true })
+    await Promise.all(servers.map((server) => server.close()))
+  }
+}
