@@ -24,17 +24,12 @@ if(NOT WARPJET_SANITIZE)
   target_include_directories(own_row_tests PRIVATE tests/cpp/own_row src tests/cpp)  # in this order
   target_compile_options(own_row_tests PRIVATE -O0)
   set_target_properties(own_row_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-  # What these have for themselves has the name of what others have.
-  set_source_files_properties(src/diff/differentiator.cpp src/emit/sums.cpp src/eval/blocks.cpp src/eval/idioms.cpp
-                              src/frame/frame.cpp src/graph/simplify.cpp src/texture/texture.cpp
-                              tests/cpp/own_row/own_row_test.cpp
-                              PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set_source_files_properties(tests/cpp/own_row/own_row_test.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_link_libraries(own_row_tests PRIVATE GTest::gtest_main)
   add_test(NAME own_rows COMMAND own_row_tests --gtest_brief=1)
 endif()
 
-# Half of the time of compiling; the wasm build, which has none of it, finds an include that is missing. ccache keeps
-# nothing that clang compiles with a precompiled header, and then that costs more than it saves.
+# Half of the time of compiling. ccache keeps nothing that clang compiles with a precompiled header, and then that costs more than it saves.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_precompile_headers(warpjet_core PRIVATE
     <algorithm> <array> <cmath> <cstdint> <functional> <initializer_list> <optional> <span> <string> <string_view>

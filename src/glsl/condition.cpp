@@ -8,7 +8,7 @@ namespace {
 
 using Kind = Token::Kind;
 
-constexpr int deepest = 200;
+constexpr int deepestIf = 200;
 
 // Whole numbers of 32 bits that wrap around.
 std::int32_t compute(Operator op, std::int32_t a, std::int32_t b) {
@@ -94,7 +94,7 @@ class Condition {
   }
 
   std::int32_t unary() {
-    if (++depth_ > deepest) return fail("this #if is nested more than 200 deep");
+    if (++depth_ > deepestIf) return fail("this #if is nested more than 200 deep");
     const std::int32_t value = primary();
     --depth_;
     return value;

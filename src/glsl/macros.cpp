@@ -10,7 +10,7 @@ namespace {
 
 // Of one text: macros that call each other twice, thirty deep, would make a billion.
 constexpr std::size_t mostTokens = std::size_t{1} << 20;
-constexpr std::size_t deepest = 100;
+constexpr std::size_t deepestWithin = 100;
 
 }  // namespace
 
@@ -96,7 +96,7 @@ bool Macros::expandLast(std::span<const Token> tokens, std::size_t& at, std::vec
   const Macro& macro = found->second;
   const bool isCalled = at + 1 < tokens.size() && tokens[at + 1].is("(");
   if (macro.hasParameters && !isCalled) return false;
-  if (within.size() >= deepest) {
+  if (within.size() >= deepestWithin) {
     problems_.add(token.place, "macros call each other more than 100 deep here");
     return false;
   }

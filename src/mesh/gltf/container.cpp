@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::size_t headerSize = 12;
 constexpr std::size_t chunkHeaderSize = 8;
-constexpr std::uint32_t jsonChunk = 0x4E4F534A;
-constexpr std::uint32_t binaryChunk = 0x004E4942;
 
 std::uint32_t littleEndian(Bytes bytes, std::size_t at) {
   return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |

@@ -1,6 +1,7 @@
 // The outermost shape of a file: which format it is, and the two chunks of a GLB.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -13,6 +14,9 @@ struct Chunks {
   std::string_view json;
   std::optional<Bytes> binary;
 };
+
+// "JSON" and "BIN\0", glTF 2.0, section 4.4.3.
+constexpr std::uint32_t jsonChunk = 0x4E4F534A, binaryChunk = 0x004E4942;
 
 enum class Format { Glb, Gltf, Obj };
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "mesh/gltf/container.hpp"
 #include "mesh/gltf/unit.hpp"
 
 namespace warpjet {
@@ -18,10 +19,9 @@ namespace {
 
 using nlohmann::json;
 
-// The numbers of the glTF 2.0 specification, sections 3.6, 3.11 and 4.4.
+// The numbers of the glTF 2.0 specification, sections 3.6 and 3.11.
 constexpr int unsignedShort = 5123, unsignedInt = 5125, floatType = 5126;
 constexpr int arrayBuffer = 34962, elementArrayBuffer = 34963;
-constexpr std::uint32_t jsonChunk = 0x4E4F534A, binaryChunk = 0x004E4942;
 
 // 65535, the largest 16-bit index, restarts primitives and so names no vertex.
 constexpr std::size_t mostVerticesOf16Bits = 65535;

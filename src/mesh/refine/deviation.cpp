@@ -11,10 +11,6 @@ namespace warpjet {
 
 namespace {
 
-// So many vertices go to the warp at once: enough that the call costs nothing, few enough for
-// caches.
-constexpr std::size_t batchSize = 1 << 14;
-
 float fraction(double x) { return static_cast<float>(x - std::floor(x)); }
 
 // The middle comes first. The others are spread evenly but not regularly, since a symmetric or

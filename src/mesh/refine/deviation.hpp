@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "mesh/refine/subdivide.hpp"
 
 namespace warpjet {
+
+// So many vertices go to the warp at once: enough that the call costs nothing, few enough for caches.
+constexpr std::size_t batchSize = 1 << 14;
 
 using Weights = std::array<float, 3>;
 

@@ -15,9 +15,6 @@ namespace {
 // Each pass halves edges, so floats run out of places between two positions long before.
 constexpr int maxPasses = 64;
 
-// Vertices that go to the warp at once.
-constexpr std::size_t batchSize = 1 << 14;
-
 // The first look: what is coarse is sampled more densely, so many samples for all edges that came,
 // and for all triangles, but no more than so many for one.
 constexpr double edgeSamples = 2048, triangleSamples = 8192;
