@@ -10,6 +10,10 @@ export type { Plain } from './mesh/geometry.js'
 export { subdivide, type AdaptiveOptions, type LevelsOptions } from './mesh/subdivide.js'
 /** @internal */
 export { varyGeometry } from './mesh/vary-geometry.js'
+/** @internal */
+export { fillP5Model } from './mesh/p5-model.js'
+/** @internal */
+export { subdivideP5Model } from './mesh/p5-subdivide.js'
 export { surfaceVariation, type SurfaceVariation } from './mesh/surface-variation.js'
 export type { Bytes, Resolve, Source } from './mesh/sources.js'
 export { WarpError } from './checks/errors.js'

@@ -3,9 +3,11 @@
  * same page, the first one stays, with what was added to it.
  */
 import * as library from './global.js'
-import { refusing } from './checks/nearest.js'
+import { didYouMean, refusing } from './checks/nearest.js'
 import { located } from './p5/places.js'
 import { registerGlobally } from './p5/register.js'
+import { addScript, elsewhereNames } from './p5/scripts.js'
+import { tellWhatIsUncaught } from './p5/uncaught.js'
 
 const globals = globalThis as {
   warpjet?: Partial<typeof library>
@@ -27,6 +29,7 @@ function start() {
   globals.warpjet = Object.setPrototypeOf({ ...library }, refusing(elsewhere)) as typeof library
   // glsl-autodiff's global, so that sketches written for it run unchanged.
   globals.AutoDiff ??= { gen: library.gen }
+  if (typeof document === 'object') tellWhatIsUncaught()
   if (registerGlobally() || typeof document === 'undefined') return
   if (document.readyState === 'complete') setTimeout(missP5)
   else addEventListener('load', missP5)
@@ -35,8 +38,10 @@ function start() {
 /** With the sketch's line. */
 function elsewhere(name: string): string {
   return located(() => {
+    const script = addScript(name)
+    const names = [...Object.keys(globals.warpjet!), ...elsewhereNames]
     throw new library.WarpError(
-      `warpjet.${name}: no script of this page has it; deformers such as twist are in warpjet.deformers.min.js, shader text is in warpjet.glsl.min.js, and operators are in warpjet.operators.min.js.`,
+      `warpjet.${name}: ${script ? `no script of this page has it; ${script}.` : `there is no such function; ${didYouMean(name, names, `there are ${names.join(', ')}.`)}`}`,
     )
   })
 }

@@ -23,5 +23,9 @@ export function inline(bytes) {
         ? letters[rank]
         : letters[single + Math.floor(beyond / letters.length)] + letters[beyond % letters.length]
   })
-  return { letters, order, text: Array.from(bytes, (byte) => texts[byte]).join('') }
+  return {
+    letters,
+    order: Buffer.from(order).toString('hex'),
+    text: Array.from(bytes, (byte) => texts[byte]).join(''),
+  }
 }

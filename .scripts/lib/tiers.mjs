@@ -24,6 +24,8 @@ export const leftOut = {
       'the loader of the script changes seldom; p5.test.js and all like it load it every day',
     'tests/browser/bundler.test.js': 'likewise what a bundler makes of the modules',
     'tests/browser/p5-webgpu.test.js': 'what it compares with WebGL has its tests there every day',
+    'tests/browser/p5-webgpu-examples.test.js':
+      'each is drawn by WebGL every day, and on a CPU a page with both takes ten seconds',
     'tests/browser/three-webgpu.test.js':
       'without a GPU it is slow, and the nodes hold the text that three.test.js draws',
     'tests/browser/react.test.js': 'what it wraps has its tests every day',

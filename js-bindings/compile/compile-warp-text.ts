@@ -16,6 +16,9 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   return { ...text, ...emits, ...elsewhere }
 }
 
+/** As compile-warp.ts has it. */
+export const runOnCpu = undefined
+
 const elsewhere = Object.fromEntries(
   ['evaluate', 'evaluateAt', 'bounds', 'foldover'].map((method) => [
     method,

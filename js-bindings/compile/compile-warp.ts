@@ -29,15 +29,23 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   return { ...text, ...emits, ...runOnCpu(warp, declared) }
 }
 
-/** What is kept of an offset function, on the CPU. With `place: 'offset'` it gives how far a vertex moves, in place of where. */
+/**
+ * What is kept of an offset function, on the CPU. With `place: 'offset'` it gives how far a vertex moves, in place of where. `nameOf`
+ * tells what the user calls an input that the text calls otherwise.
+ */
 export const runOnCpu = (
   warp: KeptWarp,
   declared: DeclaredUniforms,
   place: 'position' | 'offset' = 'position',
+  nameOf = (name: string) => name,
 ): CpuWarp =>
   createCpuWarp({
     declared,
-    program: lazily(() => programOf(warp, place)),
+    program: lazily(() => {
+      const program = programOf(warp, place)
+      const inputs = program?.inputs.map((each) => ({ ...each, name: nameOf(each.name) }))
+      return program && { ...program, inputs: inputs! }
+    }),
     directionProgram: lazily(() =>
       makeProgram(warp.module, [warpResults.position, warpResults.direction].map(onSurface)),
     ),

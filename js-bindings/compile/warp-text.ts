@@ -1,5 +1,5 @@
 // From an offset function to the module of its warp, once, and from there to texts.
-import { createBuilder, operationNumber } from '../expression/builder.js'
+import { callable, createBuilder, operationNumber } from '../expression/builder.js'
 import {
   type Compiled,
   type CompileOptions,
@@ -363,14 +363,19 @@ function warpInputs(session: Session, inputs: Record<string, Expression>): WarpI
     ([name]) => name !== 'tangent' && !(name in variationInputs),
   )
   const { mouse, size } = inputs as Record<string, Expression>
-  const all = {
-    glsl: createBuilder(session),
+  const expressions = {
     ...Object.fromEntries(given),
     mouseX: part(session, mouse!, 0),
     mouseY: part(session, mouse!, 1),
     width: part(session, size!, 0),
     height: part(session, size!, 1),
   }
+  // p5 has millis(), and a component may be called too.
+  const mayBeCalled = Object.entries(expressions).map(([name, value]) => [
+    name,
+    callable(name, value),
+  ])
+  const all = { glsl: createBuilder(session), ...Object.fromEntries(mayBeCalled) } as object
   const names = Object.keys(all)
   const unknown = (name: string) =>
     `An offset function gets no "${name}"; ${didYouMean(name, names, `it gets ${names.join(', ')}, and uniforms by the option "uniforms".`, meant)}`
@@ -381,7 +386,7 @@ function checkOffset(session: Session, method: string, offset: unknown): Express
   const expected = 'the offset function must return a vec3, such as glsl.vec3(x, y, z)'
   if (!isExpression(offset))
     throw new WarpError(
-      `${method}: ${expected}, but returned ${describe(offset)}${offset === undefined ? ' (is its "return" missing?)' : ''}.`,
+      `${method}: ${expected}, but returned ${describe(offset)}${offset === undefined ? ' (is its "return" missing?)' : offset instanceof Promise ? ' (leave its "async" out)' : ''}.`,
     )
   const vector = toExpression(session, method, offset, 'the offset')
   const [columns, rows] = session.shapeOf(vector)

@@ -56,6 +56,7 @@ export const methodsOf = (expression: Expression) => expression as Expression & 
 /** What is no alias, but has a way. */
 export const meantByMethods: Readonly<Record<string, string>> = {
   map: 'x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow)',
+  smoothStep: 'glsl.smoothstep(low, high, x)',
   squareRoot: 'sqrt',
   sine: 'sin',
   cosine: 'cos',
@@ -65,7 +66,7 @@ export const meantByMethods: Readonly<Record<string, string>> = {
 }
 
 export const meantByFunctions: Readonly<Record<string, string>> = {
-  time: 'millis, which the offset function is given',
+  time: 'millis, as in ({ glsl, millis }) => …',
   PI: 'Math.PI',
   vector: 'vec3',
   createVector: 'vec3',

@@ -155,7 +155,9 @@ function installMethods() {
       define(name, function (...given) {
         const session = sessionOf(this)
         if (given.length > 0 && /^rotate[XYZ]$/.test(name))
-          throw new WarpError(`${name}: a turn is a matrix; write glsl.${name}(angle).mult(v).`)
+          throw new WarpError(
+            `${name}: a turn is a matrix, and gives where a vertex goes; write glsl.${name}(angle).mult(v).sub(v).`,
+          )
         const operands = given.map((operand, i) => toExpression(session, name, operand, i + 1))
         return session.call(number, name, [this, ...operands], true)
       })
@@ -212,7 +214,7 @@ function defineComponents(name: string, indices: readonly number[]) {
 }
 
 /** An expression that gives itself when it is called. */
-function callable(name: string, expression: Expression): Expression {
+export function callable(name: string, expression: Expression): Expression {
   const component = (...others: unknown[]) => {
     expectNoMore(name, others)
     return expression

@@ -32,7 +32,7 @@ export function callNoise(
   const isNumber = (value: unknown) => value instanceof Expression || typeof value === 'number'
   if (isNumber(options) && others.every(isNumber) && others.length < 3)
     throw new WarpError(
-      `${kind}: make one point of several numbers, such as ${others.length ? 'glsl.vec3(x, y, z)' : 'glsl.vec2(x, y)'}.`,
+      `${kind}: it takes one point; write ${others.length ? 'glsl.vec3(x, y, z)' : 'glsl.vec2(x, y)'}.${kind}().`,
     )
   if (others.length > 0)
     throw new WarpError(

@@ -7,6 +7,7 @@ import type { KeptModule, Target } from '../module/kept-module.js'
 import { describeShape } from '../checks/describe.js'
 import { isCallable } from '../checks/options.js'
 import type { Shape } from './shapes.js'
+import { noteIdle } from './idle.js'
 import { callerOutside } from './source-lines.js'
 import { failed, needsPartials } from '../wasm/tables.js'
 
@@ -28,6 +29,8 @@ export class Session {
   readonly functions: HostFunction[] = []
   private readonly core: Core = getCore()
   private id: SessionHandle | 0
+  /** By handle, the conditions that nothing was made of yet, and the places where they came up. */
+  private readonly idle = new Map<number, Error>()
   /** How many functions' derivatives are being asked for at this moment. */
   private nesting = 0
 
@@ -91,13 +94,28 @@ export class Session {
     return this.expression(this.core.input(id, method, label, columns, rows))
   }
 
+  private push(id: SessionHandle, operands: readonly Expression[]) {
+    for (const operand of operands) {
+      this.core._push(id, operand.handle)
+      this.use(operand)
+    }
+  }
+
+  /** Says that a condition is not idle. */
+  use({ handle }: Expression) {
+    this.idle.delete(handle)
+  }
+
   /** An operation by its number; a method's first operand is what it is called on. */
   call(operation: number, method: string, operands: readonly Expression[], isMethod = false) {
     const id = this.open(method)
     for (;;) {
-      for (const { handle } of operands) this.core._push(id, handle)
+      this.push(id, operands)
       const result = this.core._call(id, operation, isMethod)
-      if (result !== needsPartials) return this.expression(result)
+      if (result !== needsPartials) {
+        if (isCondition.test(method)) this.idle.set(result, new Error())
+        return this.expression(result)
+      }
       this.givePartials(id)
     }
   }
@@ -123,7 +141,7 @@ export class Session {
 
   callFunction(number: number, name: string, operands: readonly Expression[]): Expression {
     const id = this.open(name)
-    for (const { handle } of operands) this.core._push(id, handle)
+    this.push(id, operands)
     return this.expression(this.core._callFunction(id, number))
   }
 
@@ -137,7 +155,7 @@ export class Session {
     isMethod: boolean,
   ): Expression {
     const id = this.open(name)
-    for (const { handle } of operands) this.core._push(id, handle)
+    this.push(id, operands)
     return this.expression(this.core._callNoise(id, kind, base, octaves, isMethod))
   }
 
@@ -149,12 +167,9 @@ export class Session {
     names: readonly string[],
   ): Expression[] {
     const id = this.open('repeat')
-    const push = (all: readonly Expression[]) => {
-      for (const { handle } of all) this.core._push(id, handle)
-    }
     const statesFrom = (handle: number) =>
       starts.map((_, i) => this.expression(handle === failed ? failed : handle + i))
-    push(starts)
+    this.push(id, starts)
     const step = this.core._openRepeat(id, count)
     const states = statesFrom(step === failed ? failed : step + 1)
     let isOpen = true
@@ -168,7 +183,7 @@ export class Session {
           )
       })
       isOpen = false
-      push(nexts)
+      this.push(id, nexts)
       return statesFrom(this.core._closeRepeat(id))
     } finally {
       if (isOpen && !this.core.isBroken) this.core._dropRepeat(id)
@@ -178,7 +193,7 @@ export class Session {
   /** The host's image of that name at a vec2, with filter and wrap by number. */
   callTexture(image: string, uv: Expression, filter: number, wrap: number): Expression {
     const id = this.open('texture')
-    this.core._push(id, uv.handle)
+    this.push(id, [uv])
     return this.expression(this.core.callTexture(id, image, filter, wrap))
   }
 
@@ -218,7 +233,7 @@ export class Session {
     } finally {
       this.nesting--
     }
-    for (const { handle } of partials) this.core._push(id, handle)
+    this.push(id, partials)
     if (!this.core._setPartials(id, call)) this.refuse()
   }
 
@@ -233,6 +248,7 @@ export class Session {
 
   /** Adds a result under a name. */
   output(name: unknown, value: Expression, method: string) {
+    this.use(value)
     this.core.output(this.open(method), method, resultName(name, method), value.handle)
   }
 
@@ -240,7 +256,7 @@ export class Session {
   warp(method: string, operands: readonly Expression[], turns: boolean, isFlat: boolean) {
     const id = this.open(method)
     for (;;) {
-      for (const { handle } of operands) this.core._push(id, handle)
+      this.push(id, operands)
       const result = this.core.warp(id, method, turns, isFlat)
       if (result === failed) this.refuse()
       if (result !== needsPartials) return { varies: !!result }
@@ -252,10 +268,13 @@ export class Session {
   finish(): KeptModule {
     const id = this.open('finish')
     if (!this.core._finish(id)) this.refuse()
+    for (const error of this.idle.values()) noteIdle(error)
     const at = this.core._keptWords(id) / 4
     return this.core.HEAPU32.slice(at, at + this.core._keptSize(id)) as KeptModule
   }
 }
+
+const isCondition = /^([lg][te]|eq|ne|and|or|not)$/
 
 /** The name of a result must be a text; whether it will do, a language says. */
 export function resultName(name: unknown, method: string): string {

@@ -1,4 +1,4 @@
-// Where in the user's code an operation was written, for `debug` comments.
+// Where in the user's code an operation was written.
 
 /** Of a stack, those that name a place. */
 export function stackLines(error = new Error()): string[] {
@@ -7,6 +7,12 @@ export function stackLines(error = new Error()): string[] {
 
 export const fileOf = (line: string) =>
   line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at )(?=\S*$)/, '')
+
+/** The file's name alone. */
+export const nameIn = (line: string) =>
+  fileOf(line)
+    .replace(/[?#].*$/, '')
+    .replace(/^.*\//, '') || 'the page'
 
 /** How the names of our files begin: the one that this code is in, or all that the package's entries share. Found when it is
  * first needed. */

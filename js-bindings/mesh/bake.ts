@@ -63,10 +63,10 @@ function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions
   return { ...copy, positions, normals, tangents }
 }
 
-export function checkWarp(method: string, warp: unknown) {
+export function checkWarp(method: string, warp: unknown, makers = 'compileWarp') {
   if (typeof (warp as Evaluates | undefined)?.evaluate === 'function') return
   throw new WarpError(
-    `${method}: the warp must be what compileWarp returns, but is ${describe(warp)}.`,
+    `${method}: the warp must be what ${makers} returns, but is ${describe(warp)}.`,
   )
 }
 
@@ -81,8 +81,10 @@ export function evaluateFor(
   try {
     warped = warp.evaluate(vertices, { uniforms })
   } catch (error) {
-    if (!(error instanceof WarpError)) throw error
-    throw new WarpError(error.message.replace(/^evaluate: /, `${method}: `))
+    // The warp may be of another script, which has a class of its own.
+    const { name, message = '' } = (error ?? {}) as Partial<Error>
+    if (name !== 'WarpError') throw error
+    throw new WarpError(message.replace(/^evaluate: /, `${method}: `))
   }
   if (!warp[warpProgram]) checkWarped(method, warped, vertices)
   return warped

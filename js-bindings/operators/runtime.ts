@@ -52,6 +52,21 @@ const named: Record<string, string> = { looseEq: 'eq', looseNe: 'ne' }
 const isNothing = (name: string, ...operands: unknown[]) =>
   /eq$|ne$/i.test(name) && operands.some((each) => each === null || each === undefined)
 
+/** So that no note comes of it: what is to be said is said here. */
+const decidesNothing = (condition: unknown) =>
+  (condition as { session: { use(condition: unknown): void } }).session.use(condition)
+
+const noted = new Set<string>()
+
+/** Once for each text. */
+function noteEffect(effect: string) {
+  if (noted.has(effect)) return
+  noted.add(effect)
+  console.warn(
+    `${effect} stands in an if that is decided for each vertex, on the GPU, so it is called once, in any case, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.`,
+  )
+}
+
 export type Operators = ReturnType<typeof operatorsOf>
 
 export function operatorsOf(glsl: Glsl) {
@@ -78,7 +93,16 @@ export function operatorsOf(glsl: Glsl) {
     const before = get?.()
     const first = whole(yes())
     if (before) set!(before)
-    return glsl.ifElse!(condition, first, whole(no()))
+    const second = whole(no())
+    if ((first === undefined) !== (second === undefined))
+      throw new WarpError(
+        'An if that is decided for each vertex returns something in one of its ways only; let the other return something too, such as return [0, 0, 0] at the end.',
+      )
+    if (first === undefined) {
+      decidesNothing(condition)
+      return undefined
+    }
+    return glsl.ifElse!(condition, first, second)
   }
 
   return {
@@ -112,18 +136,21 @@ export function operatorsOf(glsl: Glsl) {
       no: Thunk,
       get: () => unknown[],
       set: (all: unknown[]) => void,
+      effect?: string,
     ) {
       if (!isExpression(condition)) {
         if (condition) yes()
         else no()
         return
       }
+      if (effect) noteEffect(effect)
       const before = get()
       yes()
       const after = get()
       set(before)
       no()
       const otherwise = get()
+      if (after.every((value, i) => value === otherwise[i])) decidesNothing(condition)
       set(
         after.map((value, i) =>
           value === otherwise[i]

@@ -286,6 +286,18 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
     )
   }
 
+  /** A call whose value nobody takes, so that it stands there for what it does. */
+  const effectIn = (ways: Tree[]): string[] => {
+    let found: Tree | undefined
+    for (const way of ways)
+      walk(way, (node) => {
+        if (node.type === 'ExpressionStatement' && node.expression.type === 'CallExpression')
+          found ??= node.expression
+        return !/Function/.test(node.type)
+      })
+    return found ? [JSON.stringify(nameOf(found))] : []
+  }
+
   const variables = (names: string[]) => [
     `() => [${names.join(', ')}]`,
     `(warpjetValues) => { [${names.join(', ')}] = warpjetValues }`,
@@ -310,7 +322,7 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
       return `if (${op('decided', operand(test), what)}) ${block(consequent)}${alternate ? ` else ${block(alternate)}` : ''}`
     }
     const names = namesSetIn(ways.map((way) => [way]))
-    return `${op('branch', operand(test), `() => ${block(consequent)}`, `() => ${block(alternate)}`, ...variables(names))};`
+    return `${op('branch', operand(test), `() => ${block(consequent)}`, `() => ${block(alternate)}`, ...variables(names), ...effectIn(ways))};`
   }
 
   return text(tree)

@@ -9,18 +9,17 @@ import { type Canvas, rendererOf, sketchRemoved } from './host.js'
 import { dropStrokes, hasStrokes, strokeWasCalled } from './strokes.js'
 import {
   type LoadModelOptions,
-  type Makers,
   type ModelOf,
   type Preloading,
-  type WarpModel,
   awaitable,
   emptyModel,
   fillModel,
 } from './load-model.js'
 import type { CreateWarpOptions } from './settings.js'
 import { giveArrays } from './variation-buffers.js'
-import { drawBox, subdivideShape } from './dense-shapes.js'
-import type { AdaptiveOptions, LevelsOptions } from '../mesh/subdivide.js'
+import { drawBox } from './dense-shapes.js'
+import { type SubdivideOptions, subdivideShape } from './subdivide.js'
+import type { Makers, WarpModel } from '../mesh/p5-model.js'
 import { addSurfaceVariation } from './add-surface-variation.js'
 
 /**
@@ -65,12 +64,13 @@ export interface Loading {
   addSurfaceVariation<Geometry extends object>(geometry: Geometry): Promise<Geometry>
   /**
    * A p5.Geometry with more vertices, for a warp to bend: with a number, each triangle becomes four so many times; or where the
-   * warp needs them, `await subdivide(shape, { warp: compileWarp(offset), tolerance: 0.5 })`, in units of the shape. The one that
+   * warp needs them, `await subdivide(shape, { warp: wave, tolerance: 0.5 })`, in units of the shape, where `wave` is what createWarp or
+   * compileWarp returned. Its uniforms are what they are at this moment, unless the option "uniforms" says otherwise. The shape that
    * comes in stays as it is. Throws a `WarpError`.
    */
   subdivide<Geometry extends object>(
     geometry: Geometry,
-    options: number | AdaptiveOptions | LevelsOptions,
+    options: number | SubdivideOptions,
   ): Promise<Geometry & { warnings: string[] }>
 }
 

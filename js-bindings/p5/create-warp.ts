@@ -18,6 +18,7 @@ import { type CreateWarpOptions, type WarpSettings, readOptions } from './settin
 import { checkShader, passOn } from './own-shader.js'
 import { shadersFor, styleFor } from './shaders.js'
 import { putOnStrokes } from './strokes.js'
+import { remember } from './subdivide.js'
 import { results, targetOf } from './styles.js'
 import { checkCallback } from '../checks/options.js'
 import type { OffsetFunction, UniformOverrides } from '../types/types.js'
@@ -94,7 +95,7 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
     reapply.set(shader, () => apply(uniforms))
   }
 
-  return (uniforms = {}) =>
+  const distort: Distort = (uniforms = {}) =>
     located(() => {
       if (uniforms === null || typeof uniforms !== 'object' || Array.isArray(uniforms))
         throw new WarpError(
@@ -102,6 +103,7 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
         )
       apply(uniforms)
     })
+  return remember(distort, { canvas, warp, settings })
 }
 
 /** Under which 'warpjet/operators' stands, where a page has it. */

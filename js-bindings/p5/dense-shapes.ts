@@ -1,10 +1,8 @@
-/** Shapes with enough vertices to bend: `warpBox`, since p5's box has corners alone, and `subdivide` of any p5.Geometry. */
+/** `warpBox`, since p5's box has corners alone. */
 import { WarpError, describe } from '../checks/errors.js'
-import type { AdaptiveOptions, LevelsOptions } from '../mesh/subdivide.js'
 import type { Canvas } from './host.js'
-import { type Makers, type WarpModel, emptyModel } from './load-model.js'
-import { importMesh } from './mesh-module.js'
-import { withOwnErrors } from './own-errors.js'
+import type { Makers, WarpModel } from '../mesh/p5-model.js'
+import { emptyModel } from './load-model.js'
 
 type Triple = readonly [number, number, number]
 
@@ -117,56 +115,4 @@ function makeBox(p5: Makers, renderer: object, detail: number): WarpModel {
       }
   })
   return box
-}
-
-type Shape = WarpModel & { constructor: Makers['Geometry'] }
-
-/**
- * A p5.Geometry with more vertices: each triangle becomes four, `levels` times, or with `{ warp, tolerance }`, as `subdivide` of
- * 'warpjet/mesh' takes them, where the warp bends. The one that comes in stays as it is. Throws a `WarpError`.
- */
-export async function subdivideShape(
-  p5: Makers,
-  renderer: object | undefined,
-  shape: unknown,
-  options: number | AdaptiveOptions | LevelsOptions,
-): Promise<WarpModel> {
-  const given = shape as Shape | undefined
-  if (!Array.isArray(given?.vertices) || !given.faces.length)
-    throw new WarpError(
-      `subdivide: a p5.Geometry with triangles was expected, such as buildGeometry(() => box(100)), but ${describe(shape)} came.`,
-    )
-  const { subdivide } = await importMesh('subdivide')
-  const { vertices, vertexNormals, vertexColors, faces: triangles } = given
-  const flat = (vectors: typeof vertices) => vectors.flatMap(({ x, y, z }) => [x, y, z])
-  const uvs = given.uvs.flat()
-  const ifWhole = (list: number[], size: number) =>
-    list.length === size * vertices.length ? list : undefined
-  const mesh = await withOwnErrors(() =>
-    subdivide(
-      {
-        positions: flat(vertices),
-        normals: ifWhole(flat(vertexNormals), 3),
-        uvs: ifWhole(uvs, 2),
-        colors: ifWhole(vertexColors, 4),
-        indices: triangles.flat(),
-      },
-      typeof options === 'number' ? { levels: options } : options,
-    ),
-  )
-  const dense = emptyModel(p5, renderer)
-  const vectors = (numbers: Float32Array) =>
-    Array.from(
-      { length: numbers.length / 3 },
-      (_, i) => new p5.Vector(numbers[3 * i]!, numbers[3 * i + 1]!, numbers[3 * i + 2]!),
-    )
-  dense.vertices = vectors(mesh.positions)
-  dense.vertexNormals = vectors(mesh.normals)
-  dense.uvs = [...(mesh.uvs ?? new Float32Array((2 * mesh.positions.length) / 3))]
-  dense.vertexColors = [...(mesh.colors ?? [])]
-  dense.faces = Array.from({ length: mesh.indices!.length / 3 }, (_, i) => [
-    ...mesh.indices!.subarray(3 * i, 3 * i + 3),
-  ])
-  dense.warnings.push(...(mesh.warnings ?? []))
-  return dense
 }

@@ -13,21 +13,37 @@ const alike =
 /** By name, what to write. */
 const instead: Record<string, string> = {
   ...Object.fromEntries(alike.split(' ').map((name) => [name, `x.${name}()`])),
-  atan2: 'y.atan(x)',
-  pow: 'x.pow(2)',
+  atan2: 'glsl.atan(y, x)',
+  pow: 'glsl.pow(x, 2)',
   sq: 'x.mult(x)',
-  min: 'x.min(y)',
-  max: 'x.max(y)',
+  min: 'glsl.min(x, y)',
+  max: 'glsl.max(x, y)',
   hypot: 'glsl.vec2(x, y).length()',
   mag: 'glsl.vec2(x, y).length()',
-  dist: 'a.dist(b) of two vectors',
-  lerp: 'from.mix(to, amount)',
-  constrain: 'x.clamp(low, high)',
+  dist: 'a.dist(b) of two vectors, such as glsl.vec2(x, y)',
+  lerp: 'glsl.mix(from, to, amount)',
+  constrain: 'glsl.clamp(x, low, high)',
   norm: 'x.sub(low).div(high - low)',
   map: 'x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow)',
   noise: 'position.mult(0.01).noise(), or glsl.vec3(x, y, z).noise()',
   createVector: 'glsl.vec3(x, y, z)',
   color: 'glsl.vec4(red, green, blue, alpha)',
+  millis: 'millis',
+  // Of p5.strands.
+  vec2: 'glsl.vec2(x, y)',
+  vec3: 'glsl.vec3(x, y, z)',
+  vec4: 'glsl.vec4(x, y, z, w)',
+}
+
+let isNoted = false
+
+/** Said once: nothing is wrong with a number of this moment, but seldom is it meant. */
+function noteClock() {
+  if (isNoted) return
+  isNoted = true
+  console.warn(
+    "createWarp: p5's millis() stands still in a warp; take the millis that the offset function is given, as in ({ glsl, millis }) => ….",
+  )
 }
 
 /** The offset function, guarded while it runs. */
@@ -58,6 +74,7 @@ function guard(object: object, owner: string): (() => void)[] {
         throw new WarpError(
           `${owner}${name} works on numbers, not on expressions of a warp; write ${what}.`,
         )
+      if (name === 'millis') noteClock()
       return Reflect.apply(original, this, given)
     }
     Object.defineProperty(object, name, { value, configurable: true, writable: true })

@@ -1,45 +1,9 @@
-/**
- * `loadWarpModel`: a file as a p5.Geometry, upright and of a size to be seen. Files have y upwards and linear colours, p5 has
- * y downwards and sRGB, so both are turned into p5's.
- */
-import { WarpError, describe } from '../checks/errors.js'
-import type { Mesh, Picture } from '../mesh.js'
-import { checkOptions } from '../checks/options.js'
+/** `loadWarpModel`: a file as a p5.Geometry. */
+import type { LoadModelOptions, Makers, WarpModel } from '../mesh/p5-model.js'
 import { importMesh } from './mesh-module.js'
 import { withOwnErrors } from './own-errors.js'
 
-export interface LoadModelOptions {
-  /** Centered, and 200 units at its longest, as p5's `loadModel` does it; true unless given. */
-  normalize?: boolean
-  /** The file's y upwards on the canvas; true unless given. */
-  flipY?: boolean
-}
-
-interface Vector {
-  x: number
-  y: number
-  z: number
-}
-
-/** What is used of a p5.Geometry, and what is added to it. `ModelOf` has all of a p5.Geometry, where the types of p5 are known. */
-export interface WarpModel {
-  gid: string
-  vertices: Vector[]
-  vertexNormals: Vector[]
-  /** Two numbers a vertex. */
-  uvs: number[]
-  /** Three vertices each. */
-  faces: number[][]
-  /** Four numbers a vertex, or none. They go before `fill`; `clearColors()` removes them. */
-  vertexColors: number[]
-  /** Lines between vertices, two each. */
-  edges: number[][]
-  normalize(): unknown
-  /** The picture of the file's material, a p5.Image for p5's `texture`. */
-  texture?: object
-  /** What was left out of the file, in sentences. */
-  warnings: string[]
-}
+export type { LoadModelOptions, WarpModel } from '../mesh/p5-model.js'
 
 /**
  * Found by what the sketch's own methods take, so that p5's types, those of @types/p5 and none at all will do.
@@ -50,22 +14,6 @@ export type ModelOf<Sketch> = Sketch extends {
 }
   ? Geometry & Omit<WarpModel, 'texture'> & { texture?: Picture }
   : WarpModel
-
-interface Image {
-  drawingContext: CanvasRenderingContext2D
-}
-
-/** What of p5 makes things. */
-export interface Makers {
-  Geometry: new (
-    detailX?: number,
-    detailY?: number,
-    callback?: undefined,
-    renderer?: object,
-  ) => WarpModel
-  Vector: new (x: number, y: number, z: number) => Vector
-  Image: new (width: number, height: number) => Image
-}
 
 let made = 0
 
@@ -78,74 +26,16 @@ export function emptyModel({ Geometry }: Makers, renderer?: object): WarpModel {
 }
 
 /** Fills the model with what is in the file. */
-export async function fillModel(
+export const fillModel = (
   model: WarpModel,
   p5: Makers,
   url: string | URL,
-  options: LoadModelOptions = {},
-): Promise<void> {
-  if (!((typeof url === 'string' && url) || url instanceof URL))
-    throw new WarpError(
-      `loadWarpModel: the address of a model such as "bunny.glb" was expected, but ${describe(url)} came.`,
-    )
-  checkOptions('loadWarpModel', options, ['normalize', 'flipY'])
-  const { loadMesh } = await importMesh('loadWarpModel')
-  const mesh = await withOwnErrors(() => loadMesh(url))
-  const { normalize = true, flipY = true } = options
-  putVertices(model, p5, mesh, flipY)
-  if (normalize) model.normalize()
-  model.warnings.push(...(mesh.warnings ?? []))
-  const picture = mesh.material?.baseColorTexture
-  if (picture) await putTexture(model, p5, picture)
-}
-
-function putVertices(model: WarpModel, { Vector }: Makers, mesh: Mesh, flipY: boolean) {
-  const { positions, normals, uvs, indices } = mesh
-  const up = flipY ? -1 : 1
-  const count = positions.length / 3
-  const vectors = (numbers: Float32Array) =>
-    Array.from(
-      { length: count },
-      (_, i) => new Vector(numbers[3 * i]!, up * numbers[3 * i + 1]!, numbers[3 * i + 2]!),
-    )
-  model.vertices = vectors(positions)
-  model.vertexNormals = vectors(normals)
-  model.uvs = uvs ? Array.from(uvs) : new Array(2 * count).fill(0)
-  model.vertexColors = colorsOf(mesh, count)
-  const corner = (i: number) => (indices ? indices[i]! : i)
-  // A reflection turns triangles inside out.
-  const [second, third] = flipY ? [2, 1] : [1, 2]
-  model.faces = Array.from({ length: (indices?.length ?? count) / 3 }, (_, i) => [
-    corner(3 * i),
-    corner(3 * i + second),
-    corner(3 * i + third),
-  ])
-}
-
-/** Vertex colours times the material's; none if all is white, so that `fill` decides. */
-function colorsOf({ colors, material }: Mesh, count: number): number[] {
-  const base = material?.baseColor ?? [1, 1, 1, 1]
-  if (!colors && base.every((part) => part === 1)) return []
-  return Array.from({ length: 4 * count }, (_, i) => {
-    const part = base[i % 4]! * (colors ? colors[i]! : 1)
-    return i % 4 === 3 ? part : encode(part)
+  options?: LoadModelOptions,
+): Promise<void> =>
+  withOwnErrors(async () => {
+    const { fillP5Model } = await importMesh('loadWarpModel')
+    await fillP5Model(model, p5, url, options)
   })
-}
-
-/** Linear to sRGB (IEC 61966-2-1). */
-const encode = (part: number) =>
-  part <= 0.0031308 ? 12.92 * part : 1.055 * part ** (1 / 2.4) - 0.055
-
-async function putTexture(model: WarpModel, { Image }: Makers, { bytes, mimeType }: Picture) {
-  try {
-    const bitmap = await createImageBitmap(new Blob([bytes as BlobPart], { type: mimeType }))
-    const image = new Image(bitmap.width, bitmap.height)
-    image.drawingContext.drawImage(bitmap, 0, 0)
-    model.texture = image
-  } catch {
-    model.warnings.push('The picture of the material cannot be decoded, and is left out.')
-  }
-}
 
 /** What p5 1.x counts while it preloads. */
 export interface Preloading {

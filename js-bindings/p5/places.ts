@@ -1,6 +1,6 @@
 /** Where in the sketch a WarpError comes from, added to its sentence. */
 import { WarpError } from '../checks/errors.js'
-import { fileOf, stackLines } from '../expression/source-lines.js'
+import { fileOf, nameIn, stackLines } from '../expression/source-lines.js'
 
 /** p5's own files, by whatever name they are served. */
 const isOfP5 = (file: string) =>
@@ -11,13 +11,8 @@ let ours: string | undefined
 /** Of a function that `new Function` makes. */
 const linesBefore = 3
 
-const nameIn = (line: string) =>
-  fileOf(line)
-    .replace(/[?#].*$/, '')
-    .replace(/^.*\//, '') || 'the page'
-
-/** Such as `sketch.js, line 12`; nothing where the browser does not tell. */
-function placeOf(error: Error): string | undefined {
+/** Such as ` (sketch.js, line 12)`; nothing where the browser does not tell. */
+export function placeOf(error: Error): string {
   ours ??= fileOf(stackLines()[0] ?? '')
   const isSketch = (each: string) => {
     const file = fileOf(each)
@@ -31,9 +26,9 @@ function placeOf(error: Error): string | undefined {
     // Counted from the beginning of the function, which stands where createWarp is called.
     const call = lines.slice(lines.indexOf(line!)).find((each) => isSketch(each) && !isRemade(each))
     const [, first] = /:(\d+):\d+\)?$/.exec(call ?? '') ?? []
-    return first && `${nameIn(call!)}, line ${+first + +number - linesBefore}`
+    return first ? ` (${nameIn(call!)}, line ${+first + +number - linesBefore})` : ''
   }
-  return number && `${nameIn(line!)}, line ${number}`
+  return number ? ` (${nameIn(line!)}, line ${number})` : ''
 }
 
 /** As V8 has it. */
@@ -51,7 +46,7 @@ export function located<Result>(work: () => Result): Result {
       const place = placeOf(error)
       const { message, stack } = error
       if (place) {
-        error.message = `${message} (${place})`
+        error.message = message + place
         if (stack) error.stack = stack.replace(message, error.message)
       }
     }

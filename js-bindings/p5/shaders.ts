@@ -1,6 +1,7 @@
 /** The shaders of one warp for one renderer: each is made when it is first drawn with. */
 import { type KeptWarp, writeMoves, writeWarp } from '../compile/warp-text.js'
 import { WarpError } from '../checks/errors.js'
+import { checkDefs } from './defs.js'
 import type { Target } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
 import { readsVariation } from './variation-text.js'
@@ -51,18 +52,21 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
   const known = knownTo(kept, settings)
   const woven = weavable(writeWarp(kept, target, { names, known }), own ?? material)
   const shaders: Partial<Record<WovenType, Shader>> = {}
+  const shaderFor = (type: WovenType): Shader =>
+    (shaders[type] ??= weave(
+      own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material),
+      style,
+      woven,
+      type,
+    ))
+  if (settings.defs)
+    checkDefs(shaderFor(own ? 'own' : (settings.type ?? 'specular')), settings.defs, renderer)
   return {
     renderer,
     inputs: woven.text.uniforms,
     frame: lazily(() => frameFor(kept, known)),
     varies: readsVariation(woven.text),
-    shaderFor: (type: WovenType): Shader =>
-      (shaders[type] ??= weave(
-        own ?? (type === 'normal' ? normalShaderOf(canvas, target) : material),
-        style,
-        woven,
-        type,
-      )),
+    shaderFor,
     /** Nothing where the warp reads what lines lack: then they cannot follow the fill. */
     moving: lazily((): MovingShaders | undefined => {
       const written = writeMoves(kept, target, results, { names, known })

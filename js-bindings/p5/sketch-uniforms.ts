@@ -50,6 +50,10 @@ export const inputUniforms = Object.fromEntries(
   Object.entries(inputs).map(([name, { uniform }]) => [name, uniform]),
 )
 
+/** By input, what it is at this moment. */
+export const inputsNow = (canvas: Canvas) =>
+  Object.fromEntries(Object.entries(inputs).map(([name, { read }]) => [name, read(canvas)]))
+
 /** The inputs among the `uniforms` of a compiled warp, where the sketch's own parameters are too. */
 const inputsAmong = (read: readonly Declared[]) =>
   read.flatMap(({ name, type }) => (Object.hasOwn(inputs, name) ? { type, ...inputs[name]! } : []))

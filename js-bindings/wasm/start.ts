@@ -5,8 +5,8 @@ import { WarpError } from '../checks/errors.js'
 /** By .scripts/lib/inline.mjs: frequent bytes are a letter each, the others two, which gzip packs as well as bytes. */
 export interface Inlined {
   letters: string
-  /** All bytes, the most frequent one first. */
-  order: readonly number[]
+  /** All bytes, the most frequent one first, each as two hexadecimal digits. */
+  order: string
   text: string
 }
 
@@ -78,7 +78,7 @@ function refusal(cause: unknown): string | undefined {
 function decode({ letters, order, text }: Inlined): Uint8Array<ArrayBuffer> {
   const ranks = new Uint8Array(128)
   for (let i = 0; i < letters.length; i++) ranks[letters.charCodeAt(i)] = i
-  const ordered = Uint8Array.from(order)
+  const ordered = Uint8Array.from(order.match(/../g)!, (digits) => parseInt(digits, 16))
   const count = letters.length
   const single = count - 2
   // In place, for there are no more bytes than letters; typed arrays take half as long as the text and an array would.

@@ -358,8 +358,12 @@ describe('loadWarpModel from elsewhere', () => {
     )
     assert.equal(await page.evaluate('window.isSetUp'), undefined)
     await leavePage(page)
-    assert.equal(messages.length, 1)
-    assert.match(messages[0], /^uncaught: loadWarpModel: /)
+    assert.deepEqual(
+      messages.map((text) =>
+        /^(uncaught|\s*🌸 p5\.js says): loadWarpModel: /.exec(text)?.[1].trim(),
+      ),
+      ['🌸 p5.js says', 'uncaught'],
+    )
   })
 })
 

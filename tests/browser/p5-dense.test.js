@@ -78,6 +78,12 @@ test('subdivide: by the warp, and what is wrong in a sentence', async () => {
       const dense = await subdivide(shape, { warp, tolerance: 0.5 })
       const coarse = await subdivide(shape, { warp, tolerance: 5, angle: Infinity })
       window.counts = [shape, coarse, dense].map(({ faces }) => faces.length)
+      // What createWarp returns says the same of the same warp, its uniforms as they are, or as they are given.
+      let deep = 10
+      window.wave = createWarp(({ glsl, position, uniforms, millis, width }) =>
+        glsl.vec3(position.y.div(20).add(millis.mult(0)).sin().mult(uniforms.deep).mult(width).div(50), 0, 0), { uniforms: { deep: () => deep } })
+      const countFor = async (uniforms) => (await subdivide(shape, { warp: wave, tolerance: 0.5, uniforms })).faces.length
+      window.byWarp = [await countFor(), await countFor({ deep: 0 }), (deep = 0, await countFor()), await countFor({ deep: 10 })]
       window.isWhole = dense.vertices.length === dense.vertexNormals.length && 2 * dense.vertices.length === dense.uvs.length
       window.done = true
     }`,
@@ -86,7 +92,14 @@ test('subdivide: by the warp, and what is wrong in a sentence', async () => {
   assert.equal(given, 12)
   assert.ok(12 < coarse && coarse < dense, `${coarse}, ${dense}`)
   assert.equal(await page.evaluate('isWhole'), true)
+  assert.deepEqual(await page.evaluate('byWarp'), [dense, 12, 12, dense])
   for (const [code, sentence] of Object.entries({
+    'subdivide(shape, { warp: wave, tolerance: 0.5, uniforms: { high: 2 } })':
+      /^subdivide: the warp has no uniform "high"; there are .*\bdeep\.$/,
+    'subdivide(shape, { warp: wave })':
+      /^subdivide: the option "tolerance" must be a number above 0/,
+    'subdivide(shape, { warp: setup, tolerance: 1 })':
+      /^subdivide: the warp must be what createWarp or compileWarp returns, but is a function/,
     'subdivide(3, 2)': /^subdivide: a p5.Geometry with triangles was expected, .*the number 3 came/,
     'subdivide(shape, 1.5)': /^subdivide: the option "levels" must be a whole number from 0 to 15/,
     'subdivide(shape)': /^subdivide: options such as .* but undefined came/,

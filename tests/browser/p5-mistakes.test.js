@@ -30,7 +30,7 @@ test('a warp made in every frame is noted once; what another script has says whi
   )
   assert.deepEqual(await page.evaluate('said'), [
     'WarpError',
-    'warpjet.twist: no script of this page has it; deformers such as twist are in warpjet.deformers.min.js, shader text is in warpjet.glsl.min.js, and operators are in warpjet.operators.min.js.',
+    'warpjet.twist: no script of this page has it; add the script warpjet.deformers.min.js after p5.warpjet.min.js.',
   ])
   await leavePage(page)
   assert.deepEqual(messages, [
@@ -38,17 +38,21 @@ test('a warp made in every frame is noted once; what another script has says whi
   ])
 })
 
+const ownOperators =
+  "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add warpjet.operators.min.js, with which they do."
+
 /** What an offset function returns or, in braces, does. */
 const offsets = {
   5: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the number 5.',
   'glsl.vec3(position.sine(), 0, 0)': 'sine: an expression has no such method; did you mean sin?',
-  'position.rotateY(1)': 'rotateY: a turn is a matrix; write glsl.rotateY(angle).mult(v).',
+  'position.rotateY(1)':
+    'rotateY: a turn is a matrix, and gives where a vertex goes; write glsl.rotateY(angle).mult(v).sub(v).',
   'glsl.vec3(position.y.squareRoot(), 0, 0)':
     'squareRoot: an expression has no such method; did you mean sqrt?',
   'position.multply(2)': 'multply: an expression has no such method; did you mean multiply?',
   'position.normalise()': 'normalise: an expression has no such method; did you mean normalize?',
   'glsl.vec3(position.y.smoothStep(0, 1), 0, 0)':
-    'smoothStep: an expression has no such method; did you mean smoothstep?',
+    'smoothStep: an expression has no such method; did you mean glsl.smoothstep(low, high, x)?',
   'glsl.vec3(position.x.toFixed(2), 0, 0)':
     'toFixed: an expression has no such method; did you mean round?',
   'position.map((x) => x)':
@@ -58,7 +62,7 @@ const offsets = {
   'glsl.vector(1, 2, 3)': 'glsl.vector: there is no such function; did you mean vec3?',
   'glsl.rotate_y(1)': 'glsl.rotate_y: there is no such function; did you mean rotateY?',
   'glsl.time':
-    'glsl.time: there is no such function; did you mean millis, which the offset function is given?',
+    'glsl.time: there is no such function; did you mean millis, as in ({ glsl, millis }) => …?',
   'glsl.vec3(position.w, 0, 0)': 'w: a vec3 has no such components.',
   'glsl.vec3(millis.x, 0, 0)': 'x: a single number has no such components.',
   '(({ postion }) => postion)(inputs)':
@@ -69,33 +73,33 @@ const offsets = {
   '(({ texCoord }) => texCoord)(inputs)': 'An offset function gets no "texCoord"; did you mean uv?',
   'glsl.vec3(inputs.uniforms.amount, 0, 0)':
     'createWarp: the offset reads uniforms.amount, which nothing declares; add the option { uniforms: { amount: 0.5 } }.',
-  'glsl.vec3(position.y * 4, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
-  'glsl.vec3(position.y + 1, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
-  'glsl.vec3(-position.y, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
-  'glsl.vec3(position.y > 0 ? 1 : 0, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
-  'glsl.vec3(position.y ** 2, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
-  '{ let x = position.x; x += 1; return glsl.vec3(x, 0, 0) }': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  'glsl.vec3(position.y * 4, 0, 0)': ownOperators,
+  'glsl.vec3(position.y + 1, 0, 0)': ownOperators,
+  'glsl.vec3(-position.y, 0, 0)': ownOperators,
+  'glsl.vec3(position.y > 0 ? 1 : 0, 0, 0)': ownOperators,
+  'glsl.vec3(position.y ** 2, 0, 0)': ownOperators,
+  '{ let x = position.x; x += 1; return glsl.vec3(x, 0, 0) }': ownOperators,
   '{ position.x = 3; return position }':
     'x: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).',
-  '{ for (let i = 0; i < position.x; i++) {} return position }': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+  '{ for (let i = 0; i < position.x; i++) {} return position }': ownOperators,
   'glsl.vec3(Math.sin(position.y), 0, 0)':
     'Math.sin works on numbers, not on expressions of a warp; write x.sin().',
   'glsl.vec3(Math.max(position.y, 0), 0, 0)':
-    'Math.max works on numbers, not on expressions of a warp; write x.max(y).',
-  'glsl.vec3(Math.PI * position.y, 0, 0)': `JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin().`,
+    'Math.max works on numbers, not on expressions of a warp; write glsl.max(x, y).',
+  'glsl.vec3(Math.PI * position.y, 0, 0)': ownOperators,
   'glsl.vec3(sin(position.y), 0, 0)': `p5's sin works on numbers, not on expressions of a warp; write x.sin().`,
   'glsl.vec3(noise(position.x, position.y), 0, 0)': `p5's noise works on numbers, not on expressions of a warp; write position.mult(0.01).noise(), or glsl.vec3(x, y, z).noise().`,
   'glsl.vec3(map(position.y, -1, 1, 0, 10), 0, 0)': `p5's map works on numbers, not on expressions of a warp; write x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow).`,
-  'glsl.vec3(lerp(0, 10, position.y), 0, 0)': `p5's lerp works on numbers, not on expressions of a warp; write from.mix(to, amount).`,
-  'glsl.vec3(constrain(position.y, 0, 1), 0, 0)': `p5's constrain works on numbers, not on expressions of a warp; write x.clamp(low, high).`,
-  'glsl.vec3(dist(0, 0, position.x, position.y), 0, 0)': `p5's dist works on numbers, not on expressions of a warp; write a.dist(b) of two vectors.`,
-  'glsl.vec3(atan2(position.y, position.x), 0, 0)': `p5's atan2 works on numbers, not on expressions of a warp; write y.atan(x).`,
-  'glsl.vec3(pow(position.y, 2), 0, 0)': `p5's pow works on numbers, not on expressions of a warp; write x.pow(2).`,
+  'glsl.vec3(lerp(0, 10, position.y), 0, 0)': `p5's lerp works on numbers, not on expressions of a warp; write glsl.mix(from, to, amount).`,
+  'glsl.vec3(constrain(position.y, 0, 1), 0, 0)': `p5's constrain works on numbers, not on expressions of a warp; write glsl.clamp(x, low, high).`,
+  'glsl.vec3(dist(0, 0, position.x, position.y), 0, 0)': `p5's dist works on numbers, not on expressions of a warp; write a.dist(b) of two vectors, such as glsl.vec2(x, y).`,
+  'glsl.vec3(atan2(position.y, position.x), 0, 0)': `p5's atan2 works on numbers, not on expressions of a warp; write glsl.atan(y, x).`,
+  'glsl.vec3(pow(position.y, 2), 0, 0)': `p5's pow works on numbers, not on expressions of a warp; write glsl.pow(x, 2).`,
   'createVector(position.x, 0, 0)': `p5's createVector works on numbers, not on expressions of a warp; write glsl.vec3(x, y, z).`,
   'glsl.noise(position.x, position.y, position.z)':
-    'noise: make one point of several numbers, such as glsl.vec3(x, y, z).',
+    'noise: it takes one point; write glsl.vec3(x, y, z).noise().',
   'glsl.vec3(position.x.noise(position.y), 0, 0)':
-    'noise: make one point of several numbers, such as glsl.vec2(x, y).',
+    'noise: it takes one point; write glsl.vec2(x, y).noise().',
   '{ position.mult(2) }':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned undefined (is its "return" missing?).',
   'position.y':
@@ -109,7 +113,7 @@ const offsets = {
   '`${position.x}`':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the text "an expression of warpjet".',
   '(async () => position)()':
-    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a promise.',
+    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a promise (leave its "async" out).',
   null: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned null.',
   'glsl.vec3()': 'vec3: 3 components were expected, but 0 came.',
   'glsl.vec3(1, 2)': 'vec3: 3 components were expected, but 2 came.',
@@ -154,8 +158,12 @@ const calls = {
     'createWarp: the option "returns" must be "offset" or "position", but is the text "normal".',
   [`createWarp(still, { uniforms: { amount: 'big' } })`]:
     'createWarp: the uniform "amount" must be a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that gives one of them, but is the text "big".',
+  'createWarp(warpjet.compilWarp)':
+    'warpjet.compilWarp: there is no such function; did you mean compileWarp?',
   'createWarp(warpjet.twist)':
-    'warpjet.twist: no script of this page has it; deformers such as twist are in warpjet.deformers.min.js, shader text is in warpjet.glsl.min.js, and operators are in warpjet.operators.min.js.',
+    'warpjet.twist: no script of this page has it; add the script warpjet.deformers.min.js after p5.warpjet.min.js.',
+  [`createWarp(still, { defs: 'float a = 1.0;\\nfloat twice(float x) { return 2.0 * y; }' })`]: `createWarp: the option "defs" has a mistake in its line 2, "float twice(float x) { return 2.0 * y; }": 'y' : undeclared identifier.`,
+  [`createWarp(still, { defs: 'uniform float size' })`]: `createWarp: the option "defs" has a mistake in its line 1, "uniform float size": 'void' : syntax error.`,
   'flat.createWarp(still)':
     'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
   'warp(3)':
@@ -217,3 +225,105 @@ function setup() {
       assert.equal(number.exec(message)[1] - first, shift + i, `${works[i]}: ${message}`)
     })
   })
+
+/** Statements after which nobody catches anything, with what p5's friendly errors say. */
+const uncaught = {
+  'createWarp(({ position }) => position.sine())':
+    'sine: an expression has no such method; did you mean sin?',
+  'createWarp(twist())':
+    'twist is not defined: add the script warpjet.deformers.min.js after p5.warpjet.min.js, and write warpjet.twist.',
+  'createWarp(glslOffset(""))':
+    'glslOffset is not defined: add the script warpjet.glsl.min.js after p5.warpjet.min.js, and write warpjet.glslOffset.',
+  'exactNormals(baseMaterialShader())':
+    'exactNormals is not defined: add the script warpjet.glsl.min.js after p5.warpjet.min.js.',
+  'compileWarp(still)':
+    'compileWarp is not defined: write warpjet.compileWarp, or before it const { compileWarp } = warpjet.',
+  'createWarp(({ glsl }) => position.mult(2))':
+    'position is not defined: the offset function is given it, as in ({ position }) => ….',
+}
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: its friendly errors show what nobody caught`, async () => {
+    const all = {
+      ...uncaught,
+      // p5 2 has such a function, for p5.strands.
+      'createWarp(({ position }) => vec3(position.x, 0, 0))':
+        version === '1.11'
+          ? 'vec3 is not defined: write glsl.vec3.'
+          : "p5's vec3 works on numbers, not on expressions of a warp; write glsl.vec3(x, y, z).",
+    }
+    const works = Object.keys(all)
+    const { page } = await runSketch(
+      browser,
+      server,
+      [p5, '/dist/p5.warpjet.min.js'],
+      `let said = []
+const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+p5._friendlyError = (message) => said.push(message)
+const works = [
+${works.map((work) => `() => ${work},`).join('\n')}
+]
+function setup() {
+  createCanvas(20, 20, WEBGL)
+  noLoop()
+  for (const work of works) setTimeout(work)
+  setTimeout(async () => { await null; createWarp() })
+  setTimeout(() => setTimeout(() => (window.over = true)))
+}`,
+    )
+    await page.waitForFunction('window.over')
+    const said = await page.evaluate('said.filter((text) => /\\(\\S+, line \\d+\\)$/.test(text))')
+    await leavePage(page)
+    const sentences = said.map((text) => text.replace(/ \(\S+, line \d+\)$/, ''))
+    for (const sentence of [
+      ...Object.values(all),
+      'createWarp: a function was expected, but undefined came.',
+    ])
+      assert.ok(sentences.includes(sentence), `${sentence}\n${sentences.join('\n')}`)
+  })
+
+test('what JavaScript takes without a word is noted, with the line', async () => {
+  const scripts = [p5InThisRun[0][1], '/dist/p5.warpjet.min.js', '/dist/warpjet.operators.min.js']
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    scripts,
+    `let list = []
+let wave
+const methods = (offset) => createWarp((inputs) => offset(inputs), { scope: { offset } })
+function setup() {
+  createCanvas(20, 20, WEBGL)
+  noLoop()
+  methods(({ glsl, position }) => {
+    if (position.y.gt(0)) return glsl.vec3(1, 0, 0)
+    return glsl.vec3(0, 0, 0)
+  })
+  methods(({ glsl, position }) => glsl.vec3(position.x.lt(0) ? 1 : 2, !position.y.lt(0) ? 3 : 4, 0))
+  methods(({ glsl }) => glsl.vec3(0, millis(), 0))
+  methods(({ glsl, millis, position }) => glsl.vec3(position.x.gt(0).ifElse(millis(), position().y), 0, 0))
+  createWarp(({ position }) => {
+    let x = 0
+    if (position.y > 0) { x = 1; list.push(x) }
+    return [x, 0, 0]
+  })
+  try { createWarp(({ position }) => { if (position.y > 0) return position }) } catch ({ message }) { window.said = message }
+  done = true
+}`,
+  )
+  const said = await page.evaluate('window.said')
+  await leavePage(page)
+  const plain = (text) => text.replace(/ \(\S+, line \d+\)/, ' (line)')
+  const idle = `A condition decides nothing (line): JavaScript's if, ?:, && and ! take every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
+  assert.deepEqual(messages.map(plain), [
+    idle,
+    idle,
+    "createWarp: p5's millis() stands still in a warp; take the millis that the offset function is given, as in ({ glsl, millis }) => ….",
+    'list.push(x) stands in an if that is decided for each vertex, on the GPU, so it is called once, in any case, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.',
+  ])
+  assert.equal(
+    plain(said),
+    'An if that is decided for each vertex returns something in one of its ways only; let the other return something too, such as return [0, 0, 0] at the end. (line)',
+  )
+  const numbers = messages.slice(0, 2).map((text) => +/line (\d+)\)/.exec(text)[1])
+  assert.equal(numbers[1] - numbers[0], 3)
+})

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { stress } from '../warps/stress.js'
 import { launchBrowserWithWebGPU, leavePage } from './support/browser.js'
-import { litPixels } from './support/pixels.js'
+import { beyondEdges, litPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
 import { drawScenes, p5Versions, p5WebGPU, runSketch } from './support/sketch.js'
 
@@ -19,23 +19,6 @@ after(async () => {
   await browser.close()
   await server.close()
 })
-
-/** The pixels of `image` that are nowhere between the neighbours of the same pixel of `other`, within `tolerance`. */
-function beyondEdges(image, other, tolerance) {
-  const { width, height, data } = image
-  let count = 0
-  for (let y = 1; y < height - 1; y++)
-    for (let x = 1; x < width - 1; x++) {
-      const isBeyond = [0, 1, 2].some((channel) => {
-        const at = (i, j) => other.data[4 * (j * width + i) + channel]
-        const around = [-1, 0, 1].flatMap((j) => [-1, 0, 1].map((i) => at(x + i, y + j)))
-        const value = data[4 * (y * width + x) + channel]
-        return value < Math.min(...around) - tolerance || value > Math.max(...around) + tolerance
-      })
-      count += isBeyond
-    }
-  return count
-}
 
 /** Draws the scenes with both renderers, and compares them. None has p5's highlights, which differ by themselves. */
 async function compare({ setup, scenes, tolerance = 6, share = 0.005 }) {

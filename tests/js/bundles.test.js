@@ -38,6 +38,7 @@ const files = ['dist', 'dist/shared'].flatMap((folder) =>
 test('files keep their names from one release to the next', () => {
   const shared = [
     'basics',
+    'compile-warp',
     'compiler',
     'evaluation',
     'front-end',
@@ -204,5 +205,5 @@ test('warpjet/three adds at most 12 KB to warpjet, and warpjet has nothing of it
 test('no module imports what a bundler cannot follow', () => {
   for (const file of files.filter((name) => !/cli\.js$|min\.js$|translating\.js$/.test(name)))
     for (const [, asked] of read(file).matchAll(/\bimport\s*\(([^)]*)\)/g))
-      assert.match(asked, /^(["'])(\.\.\/mesh\.js|https:.*)\1$/, file)
+      assert.match(asked, /^(["'])(\.\.\/mesh\.js|\.\/compile-warp\.js|https:.*)\1$/, file)
 })

@@ -681,8 +681,11 @@ test('all that is public', () => {
     'WarpError',
     'bakeWarp',
     'exportGLB',
+    // For the p5 addon, as subdivideP5Model and varyGeometry.
+    'fillP5Model',
     'loadMesh',
     'subdivide',
+    'subdivideP5Model',
     'surfaceVariation',
     'varyGeometry',
   ])

@@ -68,3 +68,20 @@ export function differingPixels(a, b, tolerance) {
   })
   return differing.size
 }
+
+/** The pixels of `image` that are nowhere between the neighbours of the same pixel of `other`, within `tolerance`. */
+export function beyondEdges(image, other, tolerance) {
+  const { width, height, data } = image
+  let count = 0
+  for (let y = 1; y < height - 1; y++)
+    for (let x = 1; x < width - 1; x++) {
+      const isBeyond = [0, 1, 2].some((channel) => {
+        const at = (i, j) => other.data[4 * (j * width + i) + channel]
+        const around = [-1, 0, 1].flatMap((j) => [-1, 0, 1].map((i) => at(x + i, y + j)))
+        const value = data[4 * (y * width + x) + channel]
+        return value < Math.min(...around) - tolerance || value > Math.max(...around) + tolerance
+      })
+      count += isBeyond
+    }
+  return count
+}

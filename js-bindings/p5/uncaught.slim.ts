@@ -1,0 +1,2 @@
+/** `uncaught.ts` for the slim script, which leaves it out. */
+export const tellWhatIsUncaught = () => {}
