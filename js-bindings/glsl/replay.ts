@@ -24,38 +24,50 @@ export function replay(glsl: Builder, listing: Listing, given: Given): Expressio
   operations ??= getGlsl().codes().split(' ')
   const { words, constants } = listing
   const made: Expression[] = []
-  for (let at = 0; at < words.length;) {
-    const name = operations[words[at++]!]!
-    switch (name) {
-      case 'constant':
-        made.push(glsl.val!(constants[words[at++]!]!))
-        break
-      case 'whole':
-        made.push(wholeOf(glsl, constants[words[at++]!]!))
-        break
-      case 'argument':
-        made.push(componentOf(given.arguments[words[at++]!]!, words[at++]!, words[at++]!))
-        break
-      case 'uniform':
-        made.push(componentOf(given.external(words[at++]!), words[at++]!, words[at++]!))
-        break
-      case 'component':
-        made.push(componentOf(made[words[at++]!]!, words[at++]!, words[at++]!))
-        break
-      case 'texel':
-      case 'fetchedTexel':
-        made.push(given.texture(words[at++]!, made[words[at++]!]!, name === 'fetchedTexel'))
-        break
-      case 'imageSize':
-        made.push(given.imageSize(words[at++]!))
-        break
-      default: {
-        const operands: Expression[] = []
-        for (let count = words[at++]!; count > 0; count--) operands.push(made[words[at++]!]!)
-        made.push(glsl[name]!(...operands))
-      }
+  let at = 0
+  const word = () => words[at++]!
+  const listed = (count: number) => Array.from({ length: count }, () => made[word()]!)
+  /** Until the end of the list, or of the loop that is open. */
+  const run = () => {
+    while (at < words.length) {
+      const name = operations![word()]!
+      if (name === 'next') return
+      if (name === 'fold') repeat(word(), word())
+      else made.push(operation(name))
     }
   }
+  const repeat = (steps: number, count: number) => {
+    const stateOf = (numbers: Expression[]) =>
+      Object.fromEntries(numbers.map((number, i) => [`state${i}`, number]))
+    const body = (states: object, step: Expression) => {
+      made.push(step, ...(Object.values(states) as Expression[]))
+      run()
+      return stateOf(listed(count))
+    }
+    made.push(...(Object.values(glsl.repeat!(steps, stateOf(listed(count)), body)) as Expression[]))
+  }
+  const operation = (name: string): Expression => {
+    switch (name) {
+      case 'constant':
+        return glsl.val!(constants[word()]!)
+      case 'whole':
+        return wholeOf(glsl, constants[word()]!)
+      case 'argument':
+        return componentOf(given.arguments[word()]!, word(), word())
+      case 'uniform':
+        return componentOf(given.external(word()), word(), word())
+      case 'component':
+        return componentOf(made[word()]!, word(), word())
+      case 'texel':
+      case 'fetchedTexel':
+        return given.texture(word(), made[word()]!, name === 'fetchedTexel')
+      case 'imageSize':
+        return given.imageSize(word())
+      default:
+        return glsl[name]!(...listed(word()))
+    }
+  }
+  run()
   return Array.from(listing.results, (place) => made[place]!)
 }
 

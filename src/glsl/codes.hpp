@@ -16,6 +16,11 @@ namespace warpjet::glsl {
   CODE(Argument, "argument") \
   CODE(Uniform, "uniform") \
   CODE(Component, "component") \
+  CODE(StepNumber, "stepNumber") \
+  CODE(State, "state") \
+  CODE(Fold, "fold") \
+  CODE(Next, "next") \
+  CODE(Outcome, "outcome") \
   CODE(Image, "image") \
   CODE(Texel, "texel") \
   CODE(FetchedTexel, "fetchedTexel") \

@@ -20,6 +20,10 @@ namespace warpjet::glsl {
 //   Component    operand, component, layout: columns and rows of what it is of, four bits each
 //   Texel        number of the image's name, operand; so has FetchedTexel
 //   ImageSize    number of the image's name
+//   Fold         how often it runs, how many states, and what these start as; the number of the
+//   step
+//                and the states are operations then, and those of its body follow, until
+//   Next         what each step makes of the states, which are as many operations after it
 //   any other    how many operands there are, and these
 // An operand is the number of an operation before it.
 struct Listing {

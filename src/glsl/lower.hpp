@@ -1,10 +1,10 @@
 // From the tree to operations: one function of the text is run, on numbers that nobody knows yet.
-// Calls are entered, loops unrolled, and where a condition decides, both ways are run and every
-// variable becomes the choice of the two. An early end of a loop or function is a condition of all
-// that follows it.
+// Calls are entered, short loops unrolled, and where a condition decides, both ways are run and
+// every variable becomes the choice of the two. An early end of a loop or function is a condition
+// of all that follows it.
 //
-// Loops: `loop` in lower_statements.cpp is the only place that repeats anything. A loop that stays
-// one would record its body once there, between the slots that it changes.
+// Loops: `loop` in lower_loops.cpp is the only place that repeats anything. A loop that stays one
+// has its body recorded once there, between the variables that it changes.
 #pragma once
 
 #include <optional>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "glsl/builtins.hpp"
+#include "glsl/loops.hpp"
 #include "glsl/recorder.hpp"
 #include "glsl/store.hpp"
 #include "glsl/tree.hpp"
@@ -95,11 +96,27 @@ class Lowering {
   void initialize(const Statement& statement);
   std::vector<const Statement*> declarationsOf(StatementId child) const;
   void choose(const Statement& statement);
-  void loop(const Statement& statement);
   void select(const Statement& statement);
   void returnFrom(const Statement& statement);
   Id stopped();
   void resume();
+
+  // lower_loops.cpp
+  void loop(const Statement& statement);
+  void unroll(const Statement& statement);
+  template <class End>
+  Id iterate(const Statement& statement, bool asks, const End& end);
+  bool foldLoop(const Statement& statement);
+  std::vector<Changing> changesOf(const Store::Changes& changes) const;
+  Id duringLoop(const Changing& each, std::uint32_t loop, std::size_t place);
+  Id fromState(Id state, Base base);
+  bool counts(Id next, Id before, std::uint32_t steps, int depth) const;
+  bool record(const Statement& statement, Folding& folding);
+  bool isRight(const Statement& statement, Folding& folding, const Store::Changes& changes);
+  bool declares(const Statement& loop, Slot slot) const;
+  std::optional<std::uint32_t> stepsOf(const Folding& folding) const;
+  bool isWorthIt(const Folding& folding, std::size_t once) const;
+  bool close(const Statement& statement, const Folding& folding);
 
   // lower_expressions.cpp
   Value evaluate(ExpressionId expression);
@@ -152,6 +169,7 @@ class Lowering {
   std::vector<External> externals_;
   std::vector<Frame> frames_;
   std::vector<Breakable> breakables_;
+  std::vector<std::uint32_t> openLoops_;
   std::size_t steps_ = 0;
   int depth_ = 0;
 };

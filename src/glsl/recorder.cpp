@@ -83,8 +83,40 @@ Id Recorder::group(Code code, std::span<const Id> operands) {
   return intern({code, Base::Float}, known);
 }
 
-Id Recorder::component(Id group, int part, int layout) {
-  return intern({Code::Component, Base::Float, 0, 0, part * 256.0 + layout}, std::array{group});
+Id Recorder::component(Code code, Id group, int part, int layout) {
+  return intern({code, Base::Float, 0, 0, part * 256.0 + layout}, std::array{group});
+}
+
+std::uint32_t Recorder::openLoop(std::uint32_t outer) {
+  loops_.push_back({outer});
+  return static_cast<std::uint32_t>(loops_.size());
+}
+
+Id Recorder::fold(std::uint32_t number, std::uint32_t steps, std::span<const Id> starts,
+                  std::span<const Id> nexts) {
+  Loop& loop = loops_[number - 1];
+  loop.steps = steps;
+  if (loop.outer) {
+    std::uint32_t& inner = loops_[loop.outer - 1].inner;
+    inner = std::max(inner, steps * loop.inner);
+  }
+  std::vector<Id> operands(starts.begin(), starts.end());
+  operands.insert(operands.end(), nexts.begin(), nexts.end());
+  return intern({Code::Fold, Base::Float, 0, 0, 1.0 * number}, operands);
+}
+
+bool Recorder::isWhole(Id id) const {
+  switch (at(id).code) {
+    case Code::Constant:
+      return value(id) == std::trunc(value(id));
+    case Code::StepNumber:
+      return true;
+    case Code::Add:
+    case Code::Mult:
+      return isWhole(operands(id)[0]) && isWhole(operands(id)[1]);
+    default:
+      return false;
+  }
 }
 
 Id Recorder::apply(Code code, Base base, std::initializer_list<Id> given) {
@@ -99,7 +131,7 @@ Id Recorder::apply(Code code, Base base, std::initializer_list<Id> given) {
     values[count++] = value(known);
   }
   if (areKnown)
-    if (const auto result = fold(code, {values.data(), count}))
+    if (const auto result = glsl::fold(code, {values.data(), count}))
       if (base != Base::Float || std::abs(*result) <= 3.4028234663852886e38)
         return constant(base, *result);
   if (count == 2 && isConstant(operands[1])) return tamed(code, base, operands[0], operands[1]);
@@ -191,6 +223,8 @@ Id Recorder::convert(Id value, Base to) {
     if (from == Float) return apply(Code::Ne, Bool, {value, zero});
     return negated(apply(Code::IntEq, Bool, {value, zero}));
   }
+  if (to == Float && at(value).code == Code::IntOf && isWhole(operands(value)[0]))
+    return operands(value)[0];
   if (to == Float) return apply(from == Int ? Code::FloatOf : Code::FloatOfUint, Float, {value});
   if (from == Float) return apply(to == Int ? Code::IntOf : Code::UintOf, to, {value});
   // Between int and uint the bits stay.
