@@ -18,6 +18,11 @@ namespace warpjet::glsl {
   CODE(Component, "component") \
   CODE(StepNumber, "stepNumber") \
   CODE(State, "state") \
+  CODE(Parameter, "parameter") \
+  CODE(Call, "call") \
+  CODE(Result, "result") \
+  CODE(Define, "define") \
+  CODE(End, "end") \
   CODE(Fold, "fold") \
   CODE(Next, "next") \
   CODE(Outcome, "outcome") \

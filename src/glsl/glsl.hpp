@@ -24,6 +24,13 @@ namespace warpjet::glsl {
 //   step
 //                and the states are operations then, and those of its body follow, until
 //   Next         what each step makes of the states, which are as many operations after it
+//   Define       a function of the text, by the next of `routines`: how many arguments, and by how
+//                many of them, the first ones, it has derivatives. Its body follows, whose
+//                operations count from 0 on, until
+//   End          how many numbers it gives, and these
+//   Parameter    number of an argument, in such a body
+//   Call         number of a function, how many arguments, and these; what it gives are as many
+//                operations
 //   any other    how many operands there are, and these
 // An operand is the number of an operation before it.
 struct Listing {
@@ -32,6 +39,8 @@ struct Listing {
   std::vector<std::uint32_t> results;
   // Of what the host gives, a line each: kind, columns, rows, type and name.
   std::string names;
+  // Of functions that stay functions, a line each.
+  std::string routines;
 };
 
 class Source {

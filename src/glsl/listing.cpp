@@ -21,12 +21,32 @@ bool isOfImage(Code code) {
 
 class Lister {
  public:
-  Lister(const Recorder& recorder, std::size_t externals, Listing& listing)
-      : isNamed(externals), recorder_(recorder), listing_(listing), numbers_(recorder.size()) {}
+  Lister(const Lowered& lowered, Listing& listing)
+      : isNamed(lowered.externals.size()),
+        recorder_(lowered.recorder),
+        routines_(lowered.routines),
+        listing_(listing),
+        uses_(routines_.size()),
+        numbers_(recorder_.size()),
+        loops_(recorder_.size()),
+        bodies_(recorder_.loopCount() + 1),
+        locals_(bodies_.size()) {}
 
   void list(std::span<const Id> results) {
-    arrange(results);
-    sayAll(0);
+    const std::vector<Id> needed = recorder_.neededBy(results);
+    findUses(needed);
+    for (std::size_t i = routines_.size(); i-- > 0;) {
+      if (!uses_[i].isCalled) continue;
+      uses_[i].needed = recorder_.neededBy(routines_[i].results);
+      findUses(uses_[i].needed);
+    }
+    std::uint32_t defined = 0;
+    for (std::size_t i = 0; i < routines_.size(); ++i) {
+      if (!uses_[i].isCalled) continue;
+      uses_[i].number = defined++;
+      define(routines_[i], uses_[i]);
+    }
+    sayNeeded(needed);
     for (const Id result : results) listing_.results.push_back(numbers_[index(result)]);
   }
 
@@ -34,31 +54,77 @@ class Lister {
   std::vector<bool> isNamed;
 
  private:
-  // What is needed, by the innermost loop that it stands in, in order.
-  void arrange(std::span<const Id> results) {
-    std::vector<bool> isNeeded(recorder_.size());
-    for (const Id result : results) isNeeded[index(result)] = true;
-    for (std::size_t i = recorder_.size(); i-- > 0;)
-      if (isNeeded[i])
-        for (const Id operand : recorder_.operands(idOf(i))) isNeeded[index(operand)] = true;
-    std::vector<std::uint32_t> loops(recorder_.size());
-    bodies_.resize(recorder_.loopCount() + 1);
-    locals_.resize(bodies_.size());
-    for (std::size_t i = 0; i < recorder_.size(); ++i) {
-      if (!isNeeded[i]) continue;
-      const Operation& operation = recorder_.at(idOf(i));
+  // How a function is called. Of its arguments those come first that are not the same constant
+  // wherever it is: only by these it needs derivatives.
+  struct Use {
+    bool isCalled = false;
+    std::vector<bool> varies{};
+    std::vector<Id> needed{};
+    std::uint32_t number = 0;
+    std::uint32_t variables = 0;
+    std::vector<std::uint32_t> places{};  // by argument
+  };
+
+  void findUses(std::span<const Id> ids) {
+    for (const Id id : ids) {
+      const Operation& operation = recorder_.at(id);
+      if (operation.code != Code::Call) continue;
+      const auto arguments = recorder_.operands(id);
+      Use& use = uses_[static_cast<std::size_t>(operation.value)];
+      use.isCalled = true;
+      use.varies.resize(arguments.size());
+      for (std::size_t i = 0; i < arguments.size(); ++i)
+        if (!recorder_.isConstant(arguments[i])) use.varies[i] = true;
+    }
+  }
+
+  void define(const Routine& routine, Use& use) {
+    use.places.resize(use.varies.size());
+    std::uint32_t place = 0;
+    for (const bool varies : {true, false}) {
+      for (std::size_t i = 0; i < use.varies.size(); ++i)
+        if (use.varies[i] == varies) use.places[i] = place++;
+      if (varies) use.variables = place;
+    }
+    say(Code::Define);
+    say(place);
+    say(use.variables);
+    listing_.routines += routine.name + '\n';
+    routine_ = &routine;
+    next_ = 0;
+    sayNeeded(use.needed);
+    routine_ = nullptr;
+    next_ = 0;
+    say(Code::End);
+    say(static_cast<std::uint32_t>(routine.results.size()));
+    sayNumbers(routine.results);
+  }
+
+  // Each in the innermost loop that it stands in.
+  void sayNeeded(std::span<const Id> needed) {
+    std::vector<std::uint32_t> used{0};
+    for (const Id id : needed) {
+      const Operation& operation = recorder_.at(id);
+      std::uint32_t& loop = loops_[index(id)] = 0;
       if (operation.code == Code::StepNumber || operation.code == Code::State) {
-        loops[i] = leafOf(operation).number;
-        locals_[loops[i]].push_back(idOf(i));
+        loop = leafOf(operation).number;
+        locals_[loop].push_back(id);
+        used.push_back(loop);
         continue;
       }
       if (operation.code == Code::Fold) {
-        loops[i] = recorder_.loop(loopOf(operation)).outer;
+        loop = recorder_.loop(loopOf(operation)).outer;
       } else {
-        for (const Id operand : recorder_.operands(idOf(i)))
-          loops[i] = std::max(loops[i], loops[index(operand)]);
+        for (const Id operand : recorder_.operands(id))
+          loop = std::max(loop, loops_[index(operand)]);
       }
-      bodies_[loops[i]].push_back(idOf(i));
+      bodies_[loop].push_back(id);
+      used.push_back(loop);
+    }
+    sayAll(0);
+    for (const std::uint32_t loop : used) {
+      bodies_[loop].clear();
+      locals_[loop].clear();
     }
   }
 
@@ -81,8 +147,18 @@ class Lister {
         return;
       case Code::Fold:
         return sayFold(id);
-      // It has its number with the others of its loop.
+      case Code::Call:
+        return sayCall(id);
+      case Code::Uniform:
+        if (!routine_) break;
+        number = next_++;
+        return sayParameter(placeOutside(id));
+      case Code::Parameter:
+        number = next_++;
+        return sayParameter(leafOf(operation).part);
+      // It has its number with the others of its loop or call.
       case Code::Outcome:
+      case Code::Result:
         number = numbers_[index(operands[0])] + leafOf(operation).part;
         return;
       default:
@@ -115,6 +191,32 @@ class Lister {
         if (!isOfImage(operation.code)) say(operation.count);
         sayNumbers(operands);
     }
+  }
+
+  std::size_t placeOutside(Id id) const {
+    const auto& outside = routine_->outside;
+    return routine_->parameters +
+           static_cast<std::size_t>(std::find(outside.begin(), outside.end(), id) -
+                                    outside.begin());
+  }
+
+  void sayParameter(std::size_t argument) {
+    say(Code::Parameter);
+    say(uses_[static_cast<std::size_t>(routine_ - routines_.data())].places[argument]);
+  }
+
+  void sayCall(Id id) {
+    const auto routine = static_cast<std::size_t>(recorder_.at(id).value);
+    const auto arguments = recorder_.operands(id);
+    const Use& use = uses_[routine];
+    std::vector<Id> ordered(arguments.size());
+    for (std::size_t i = 0; i < arguments.size(); ++i) ordered[use.places[i]] = arguments[i];
+    say(Code::Call);
+    say(use.number);
+    say(static_cast<std::uint32_t>(arguments.size()));
+    sayNumbers(ordered);
+    numbers_[index(id)] = next_;
+    next_ += static_cast<std::uint32_t>(routines_[routine].results.size());
   }
 
   void sayFold(Id id) {
@@ -156,18 +258,20 @@ class Lister {
   }
 
   const Recorder& recorder_;
+  const std::vector<Routine>& routines_;
   Listing& listing_;
-  std::vector<std::uint32_t> numbers_;  // by operation
-  // By loop; 0 is what stands in none.
-  std::vector<std::vector<Id>> bodies_, locals_;
+  std::vector<Use> uses_;                         // by routine
+  std::vector<std::uint32_t> numbers_, loops_;    // by operation
+  std::vector<std::vector<Id>> bodies_, locals_;  // by loop; 0 is what stands in none
   std::uint32_t next_ = 0;
+  const Routine* routine_ = nullptr;  // that is being defined
 };
 
 }  // namespace
 
 Listing list(const Lowered& lowered, const Types& types) {
   Listing listing;
-  Lister lister(lowered.recorder, lowered.externals.size(), listing);
+  Lister lister(lowered, listing);
   lister.list(lowered.results);
   for (std::size_t i = 0; i < lowered.externals.size(); ++i) {
     const auto& [name, type, isAttribute] = lowered.externals[i];

@@ -11,8 +11,18 @@
 
 namespace warpjet::glsl {
 
-// By how many operations less a loop is worth to be one. What is short is shorter and faster
-// unrolled, since constants fold in each iteration.
+// By how many operations less a loop is worth to be one. What is short is shorter unrolled, since
+// its constants fold, and its derivatives need no states. GLSL 3.00 with normals in SwiftShader,
+// the machine busy, a loop beside the same unrolled, in characters and milliseconds of the first
+// draw:
+//
+//   steps x operations     loop           unrolled
+//   8 x 9                  1,561    42    1,234    27
+//   3 x 18                 1,923    25    1,580    44
+//   8 x 18                 1,923    24    4,041    72
+//   5 octaves of snoise    9,055   135    8,442   983    (a function in both)
+//
+// Frames of 20,000 vertices differ by less than the noise of these, 29 to 34 ms.
 inline constexpr std::size_t worthwhile = 100;
 
 // A variable that the body of a loop changes.

@@ -7,6 +7,7 @@
 // has its body recorded once there, between the variables that it changes.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "glsl/builtins.hpp"
 #include "glsl/loops.hpp"
 #include "glsl/recorder.hpp"
+#include "glsl/routines.hpp"
 #include "glsl/store.hpp"
 #include "glsl/tree.hpp"
 
@@ -31,12 +33,16 @@ struct Lowered {
   std::vector<Id> results;
   Type type;
   std::vector<External> externals;
+  // Callees first.
+  std::vector<Routine> routines;
 };
 
 class Lowering {
  public:
   // A loop whose end depends on what is not known runs `maxIterations` times, or is refused for 0.
-  Lowering(const Tree& tree, Problems& problems, int maxIterations);
+  // Functions that are `inlined` are entered wherever they are called.
+  Lowering(const Tree& tree, Problems& problems, int maxIterations,
+           std::set<RoutineKey> inlined = {});
 
   Lowered lower(FunctionId function);
 
@@ -77,6 +83,7 @@ class Lowering {
   void addExternal(const std::string& name, Type type, bool isAttribute, std::vector<Id>& leaves);
   Value call(FunctionId function, std::vector<Value> arguments, const std::vector<LValue>& targets,
              Location place);
+  Value enter(FunctionId function, std::vector<Value> arguments);
   bool isTooMuch(Location place);
   Slot slotOf(VariableId variable) const { return slots_[variable]; }
   int sizeOf(Type type) const { return tree_.types.size(type); }
@@ -100,6 +107,13 @@ class Lowering {
   void returnFrom(const Statement& statement);
   Id stopped();
   void resume();
+
+  // lower_routines.cpp
+  void findAssigned();
+  std::optional<Value> callRoutine(FunctionId function, const std::vector<Value>& arguments);
+  int recordRoutine(FunctionId function, const std::vector<Value>& arguments,
+                    const RoutineKey& key);
+  bool isRoutine(Routine& routine) const;
 
   // lower_loops.cpp
   void loop(const Statement& statement);
@@ -155,10 +169,14 @@ class Lowering {
   Value unpacked(Id group, Type type);
   Id number(Base base, double value) { return recorder_.constant(base, value); }
   Id compare(Code code, Base base, Id x, Id y);
-  Value pack(const Value& numbers, bool isSigned);
-  Value unpack(Id bits, bool isSigned);
   Value texture(Code code, const Value& image, const Value& at);
   Value imageSize(const Value& image);
+
+  // lower_packing.cpp
+  Value pack(const Value& numbers, bool isSigned);
+  Value unpack(Id bits, bool isSigned);
+  Id packHalf(Id x);
+  Id unpackHalf(Id bits);
 
   const Tree& tree_;
   Problems& problems_;
@@ -170,6 +188,13 @@ class Lowering {
   std::vector<Frame> frames_;
   std::vector<Breakable> breakables_;
   std::vector<std::uint32_t> openLoops_;
+  // In the place of a parameter, what a global holds that somebody assigns to.
+  static constexpr std::size_t unknowable = 255;
+  std::set<RoutineKey> inlined_;
+  std::map<RoutineKey, int> routineNumbers_;
+  std::vector<Routine> routines_;
+  std::uint32_t routineCount_ = 0;
+  std::vector<bool> isAssigned_;  // by variable
   std::size_t steps_ = 0;
   int depth_ = 0;
 };

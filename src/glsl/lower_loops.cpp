@@ -276,6 +276,14 @@ bool Lowering::close(const Statement& statement, const Folding& folding) {
                  declares(statement, each.slot) ? recorder_.undefined(base) : number(base, end));
     }
   }
+  // The condition that ends it may change something, as `i-- > 0` does.
+  if (!folding.asks)
+    branch(
+        stopped(), [] {},
+        [&] {
+          resume();
+          condition(statement.expression);
+        });
   return true;
 }
 

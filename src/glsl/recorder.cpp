@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <unordered_set>
 
 #include "glsl/fold.hpp"
 
@@ -85,6 +86,27 @@ Id Recorder::group(Code code, std::span<const Id> operands) {
 
 Id Recorder::component(Code code, Id group, int part, int layout) {
   return intern({code, Base::Float, 0, 0, part * 256.0 + layout}, std::array{group});
+}
+
+Id Recorder::call(std::uint32_t routine, std::span<const Id> arguments) {
+  std::vector<Id> known(arguments.begin(), arguments.end());
+  for (Id& each : known)
+    if (isUndefined(each)) each = constant(Base::Float, 0);
+  return intern({Code::Call, Base::Float, 0, 0, 1.0 * routine}, known);
+}
+
+// As long as these are, however much else there is: it is asked of every function of a text.
+std::vector<Id> Recorder::neededBy(std::span<const Id> results) const {
+  std::unordered_set<std::uint32_t> known;
+  std::vector<Id> all;
+  const auto add = [&](std::span<const Id> ids) {
+    for (const Id id : ids)
+      if (known.insert(index(id)).second) all.push_back(id);
+  };
+  add(results);
+  for (std::size_t i = 0; i < all.size(); ++i) add(operands(all[i]));
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 std::uint32_t Recorder::openLoop(std::uint32_t outer) {

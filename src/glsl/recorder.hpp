@@ -57,6 +57,17 @@ class Recorder {
     return component(Code::Component, group, part, layout);
   }
 
+  // A number that a function of the text is called with.
+  Id parameter(std::uint32_t routine, std::size_t i) {
+    return leaf(Code::Parameter, static_cast<int>(routine), static_cast<int>(i));
+  }
+  Id call(std::uint32_t routine, std::span<const Id> arguments);
+  Id result(Id call, std::size_t i) {
+    return component(Code::Result, call, static_cast<int>(i), 0);
+  }
+  // What these need, and they themselves, in order.
+  std::vector<Id> neededBy(std::span<const Id> results) const;
+
   // A loop whose body is recorded from now on, in one that is open too, or 0: its number, from 1
   // on.
   std::uint32_t openLoop(std::uint32_t outer);
