@@ -11,8 +11,8 @@ namespace {
 // Of a loop whose end is known.
 constexpr int mostIterations = 20'000;
 // What the builder takes: of loops within each other all multiplied, and so deep.
-constexpr std::uint32_t mostSteps = 10'000;
-constexpr std::size_t deepestLoops = 8;
+constexpr std::uint32_t mostFoldedSteps = 10'000;
+constexpr std::size_t deepestFolds = 8;
 // Of an array that a loop fills, every element is a state.
 constexpr std::size_t mostStates = 32;
 // Whole numbers that float32 counts without a gap, and then some.
@@ -129,7 +129,7 @@ bool Lowering::counts(Id next, Id before, std::uint32_t steps, int depth) const 
 // state. States are floats, which lose the bits of an int or uint that does more than to count:
 // such a loop is unrolled.
 bool Lowering::foldLoop(const Statement& statement) {
-  if (statement.isLate || problems_.any() || openLoops_.size() >= deepestLoops) return false;
+  if (statement.isLate || problems_.any() || openLoops_.size() >= deepestFolds) return false;
   const Problems before = problems_;
   const std::size_t size = recorder_.size();
   store_.open();
@@ -154,7 +154,7 @@ bool Lowering::foldLoop(const Statement& statement) {
     if (!record(statement, folding)) return giveUp();
   }
   if (!isWorthIt(folding, once) ||
-      1.0 * folding.steps * recorder_.loop(folding.loop).inner > mostSteps)
+      1.0 * folding.steps * recorder_.loop(folding.loop).inner > mostFoldedSteps)
     return false;
   return close(statement, folding);
 }
@@ -230,7 +230,7 @@ bool Lowering::declares(const Statement& loop, Slot slot) const {
 // are in the shader, in float32.
 std::optional<std::uint32_t> Lowering::stepsOf(const Folding& folding) const {
   LoopRun run(recorder_, folding.loop, folding.all);
-  for (std::uint32_t step = 0; step <= mostSteps; ++step) {
+  for (std::uint32_t step = 0; step <= mostFoldedSteps; ++step) {
     const auto test = run.value(folding.test);
     if (!test) return std::nullopt;
     if (*test == 0) return step;
