@@ -81,6 +81,8 @@ export function createBuilder(session: Session): Builder {
         )
       return session.input(label, shape, name)
     }
+  // For front ends, which record functions in sessions of their own: no list has it.
+  Object.defineProperty(builder, 'of', { value: createBuilder })
   for (const { name, number, isListed } of getOperations())
     Object.defineProperty(builder, name, {
       value: (...operands: unknown[]) =>

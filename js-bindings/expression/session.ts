@@ -1,6 +1,6 @@
 // One run of a sketch's function: the session in the wasm, which holds all that the sketch built so far. It is closed when
 // the callback is over, whatever happened.
-import { type Core, type SessionHandle, getCore } from '../wasm/core.js'
+import { type Core, type SessionHandle, getCore, laid } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { Expression, toExpression } from './expression.js'
 import type { KeptModule, Target } from '../module/kept-module.js'
@@ -19,6 +19,15 @@ export interface HostFunction {
   derivatives: readonly unknown[] | undefined
 }
 
+/** A function of shader text, recorded by itself: numbers go in and come out. */
+export interface Recorded {
+  name: string
+  /** How many of its arguments, the first ones, it has derivatives by. */
+  variables: number
+  results: number
+  module: KeptModule
+}
+
 /** What `gen` alone has: results that expressions ask for by `.output(name)`, and the lines of the sketch. */
 export interface Gen {
   debug: boolean
@@ -28,6 +37,7 @@ export class Session {
   /** The functions of the host, by their number. */
   readonly functions: HostFunction[] = []
   private readonly core: Core = getCore()
+  private readonly recorded = new Map<Recorded, number>()
   private id: SessionHandle | 0
   /** By handle, the conditions that nothing was made of yet, and the places where they came up. */
   private readonly idle = new Map<number, Error>()
@@ -143,6 +153,21 @@ export class Session {
     const id = this.open(name)
     this.push(id, operands)
     return this.expression(this.core._callFunction(id, number))
+  }
+
+  /** Functions that a front end recorded; no sketch writes them. */
+  callRecorded(recorded: Recorded, operands: readonly Expression[]): Expression[] {
+    const { name, variables, results, module } = recorded
+    const { core } = this
+    const id = this.open(name)
+    let number = this.recorded.get(recorded)
+    if (number === undefined) {
+      const add = (at: number) => core.addRecorded(id, name, variables, at, module.length)
+      this.recorded.set(recorded, (number = laid(core, module, add)))
+    }
+    for (const { handle } of operands) core._push(id, handle)
+    const first = core._callRecorded(id, number)
+    return Array.from({ length: results }, (_, i) => this.expression(first + i))
   }
 
   /** A kind of noise by its number, of a point, a seed and, for fractals, lacunarity and gain. */

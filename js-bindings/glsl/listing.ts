@@ -29,6 +29,8 @@ export interface Listing {
   constants: Float64Array
   results: Uint32Array
   externals: External[]
+  /** The names of functions that stay functions. */
+  routines: string[]
 }
 
 /** Does some work with a text that was read, and closes it whatever happens. Throws a `WarpError` with line, column and a caret. */
@@ -88,6 +90,7 @@ export class OpenSource {
       constants: glsl.HEAPF64.slice(constants, constants + glsl._constantCount(handle)),
       results: words(glsl._results(handle), glsl._resultCount(handle)),
       externals: lines(glsl.nameLines(handle)).map(readExternal),
+      routines: lines(glsl.routineLines(handle)),
     }
   }
 }

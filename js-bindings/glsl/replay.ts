@@ -4,6 +4,7 @@ import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import { getGlsl } from '../wasm/glsl.js'
 import type { Listing } from './listing.js'
+import { type Routine, record } from './record.js'
 
 /** By code, the builder's names of operations, and codes.hpp's of leaves. */
 let operations: string[] | undefined
@@ -23,40 +24,65 @@ export interface Given {
 export function replay(glsl: Builder, listing: Listing, given: Given): Expression[] {
   operations ??= getGlsl().codes().split(' ')
   const { words, constants } = listing
-  const made: Expression[] = []
-  for (let at = 0; at < words.length;) {
-    const name = operations[words[at++]!]!
-    switch (name) {
-      case 'constant':
-        made.push(glsl.val!(constants[words[at++]!]!))
-        break
-      case 'whole':
-        made.push(wholeOf(glsl, constants[words[at++]!]!))
-        break
-      case 'argument':
-        made.push(componentOf(given.arguments[words[at++]!]!, words[at++]!, words[at++]!))
-        break
-      case 'uniform':
-        made.push(componentOf(given.external(words[at++]!), words[at++]!, words[at++]!))
-        break
-      case 'component':
-        made.push(componentOf(made[words[at++]!]!, words[at++]!, words[at++]!))
-        break
-      case 'texel':
-      case 'fetchedTexel':
-        made.push(given.texture(words[at++]!, made[words[at++]!]!, name === 'fetchedTexel'))
-        break
-      case 'imageSize':
-        made.push(given.imageSize(words[at++]!))
-        break
-      default: {
-        const operands: Expression[] = []
-        for (let count = words[at++]!; count > 0; count--) operands.push(made[words[at++]!]!)
-        made.push(glsl[name]!(...operands))
+  const routines: Routine[] = []
+  let at = 0
+  const word = () => words[at++]!
+
+  /** Until the end of the list, or of the function whose body it is, whose results it gives then. */
+  const replayIn = (glsl: Builder, parameters: Expression[]): Expression[] => {
+    const made: Expression[] = []
+    const listed = (count: number) => Array.from({ length: count }, () => made[word()]!)
+    const run = (end: string) => {
+      while (at < words.length) {
+        const name = operations![word()]!
+        if (name === end) return
+        if (name === 'define') define(word(), word())
+        else if (name === 'fold') repeat(word(), word())
+        else if (name === 'call') made.push(...routines[word()]!(glsl, listed(word())))
+        else made.push(operation(name))
       }
     }
+    const define = (size: number, variables: number) => {
+      routines.push(record(glsl, listing.routines[routines.length]!, size, variables, replayIn))
+    }
+    const repeat = (steps: number, count: number) => {
+      const stateOf = (numbers: Expression[]) =>
+        Object.fromEntries(numbers.map((number, i) => [`state${i}`, number]))
+      const body = (states: object, step: Expression) => {
+        made.push(step, ...(Object.values(states) as Expression[]))
+        run('next')
+        return stateOf(listed(count))
+      }
+      const outcomes = glsl.repeat!(steps, stateOf(listed(count)), body)
+      made.push(...(Object.values(outcomes) as Expression[]))
+    }
+    const operation = (name: string): Expression => {
+      switch (name) {
+        case 'constant':
+          return glsl.val!(constants[word()]!)
+        case 'whole':
+          return wholeOf(glsl, constants[word()]!)
+        case 'parameter':
+          return parameters[word()]!
+        case 'argument':
+          return componentOf(given.arguments[word()]!, word(), word())
+        case 'uniform':
+          return componentOf(given.external(word()), word(), word())
+        case 'component':
+          return componentOf(made[word()]!, word(), word())
+        case 'texel':
+        case 'fetchedTexel':
+          return given.texture(word(), made[word()]!, name === 'fetchedTexel')
+        case 'imageSize':
+          return given.imageSize(word())
+        default:
+          return glsl[name]!(...listed(word()))
+      }
+    }
+    run('end')
+    return at < words.length ? listed(word()) : Array.from(listing.results, (place) => made[place]!)
   }
-  return Array.from(listing.results, (place) => made[place]!)
+  return replayIn(glsl, [])
 }
 
 /** A whole number of 32 bits; a float tells only the first 24 of them. */

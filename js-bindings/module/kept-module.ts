@@ -1,6 +1,6 @@
 // What is kept of a sketch's function when it is over: the words of a module (src/module), outside of the wasm. Texts and
 // programs are made of them as often as need be.
-import { type Core, type Reading, getCore } from '../wasm/core.js'
+import { type Core, type Reading, getCore, laid } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
 import type { Variable } from '../expression/shapes.js'
 import { languages } from '../wasm/tables.js'
@@ -114,11 +114,7 @@ function programOf(core: Core, open: Reading, results: readonly number[]): Progr
 
 function reading<Result>(module: KeptModule, work: (core: Core, open: Reading) => Result): Result {
   const core = getCore()
-  const memory = core._allocate(4 * module.length)
-  if (!memory) throw new WarpError('There is not enough memory to write so large a warp.')
-  core.HEAPU32.set(module, memory / 4)
-  const open = core._openReading(memory, module.length)
-  core._release(memory)
+  const open = laid(core, module, (memory) => core._openReading(memory, module.length))
   try {
     return work(core, open)
   } finally {

@@ -104,6 +104,17 @@ EMSCRIPTEN_KEEPALIVE int callNoise(Session* session, int kind, int base, int oct
   return session->builder.callNoise({NoiseKind(kind), NoiseKind(base), octaves}, isMethod != 0);
 }
 
+// See Builder::addRecorded; the caller laid the words into memory.
+EMSCRIPTEN_KEEPALIVE int addRecorded(Session* session, const std::string* name, int variables,
+                                     const std::uint32_t* words, int size) {
+  return session->builder.addRecorded(*name, static_cast<std::uint32_t>(variables),
+                                      {words, static_cast<std::size_t>(size)});
+}
+
+EMSCRIPTEN_KEEPALIVE int callRecorded(Session* session, int function) {
+  return session->builder.callRecorded(function);
+}
+
 // See Builder::openRepeat.
 EMSCRIPTEN_KEEPALIVE int openRepeat(Session* session, int steps) {
   return session->builder.openRepeat(steps);

@@ -1,4 +1,5 @@
 // Loads the compiler. Nothing happens before the first warp.
+import { WarpError } from '../checks/errors.js'
 import { startCore } from './core-calls.js'
 
 /** A run of a sketch's function inside the wasm: an address, to be closed. */
@@ -24,6 +25,7 @@ export interface Core {
     octaves: number,
     isMethod: boolean,
   ): number
+  _callRecorded(session: SessionHandle, recorded: number): number
   _openRepeat(session: SessionHandle, steps: number): number
   _closeRepeat(session: SessionHandle): number
   _dropRepeat(session: SessionHandle): void
@@ -76,6 +78,13 @@ export interface Core {
   callTexture(session: SessionHandle, image: string, filter: number, wrap: number): number
   addSource(session: SessionHandle, language: string, text: string): void
   addFunction(session: SessionHandle, name: string, arity: number): number
+  addRecorded(
+    session: SessionHandle,
+    name: string,
+    variables: number,
+    words: number,
+    size: number,
+  ): number
   comment(session: SessionHandle, text: string): void
   output(session: SessionHandle, method: string, name: string, handle: number): void
   warp(session: SessionHandle, method: string, turns: boolean, isFlat: boolean): number
@@ -100,6 +109,16 @@ let core: Core | undefined
 
 export function getCore(): Core {
   return (core ??= startCore<Core>(giveUp))
+}
+
+/** What `read` makes of words of a module, which are in the wasm's memory meanwhile. */
+export function laid<Result>(core: Core, words: Uint32Array, read: (memory: number) => Result) {
+  const memory = core._allocate(4 * words.length)
+  if (!memory) throw new WarpError('There is not enough memory to write so large a warp.')
+  core.HEAPU32.set(words, memory / 4)
+  const result = read(memory)
+  core._release(memory)
+  return result
 }
 
 /** The next warp gets a new instance, with a memory of its own. */

@@ -85,6 +85,10 @@ EMSCRIPTEN_KEEPALIVE int resultCount(Reading* reading) {
   return static_cast<int>(reading->listing.results.size());
 }
 
+EMSCRIPTEN_KEEPALIVE const std::string* routineLines(Reading* reading) {
+  return told(reading->listing.routines);
+}
+
 EMSCRIPTEN_KEEPALIVE const std::string* nameLines(Reading* reading) {
   return told(reading->listing.names);
 }

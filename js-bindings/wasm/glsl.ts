@@ -19,6 +19,7 @@ export interface GlslModule {
   _results(source: SourceHandle): number
   _resultCount(source: SourceHandle): number
   nameLines(source: SourceHandle): string
+  routineLines(source: SourceHandle): string
   codes(): string
 
   /** Whether it ran out of memory, and nothing of it may be used any more. */
@@ -28,7 +29,7 @@ export interface GlslModule {
   readonly HEAPF64: Float64Array
 }
 
-const givesText = new Set(['sourceProblem', 'functionLines', 'nameLines', 'codes'])
+const givesText = new Set(['sourceProblem', 'functionLines', 'nameLines', 'routineLines', 'codes'])
 
 let module: GlslModule | undefined
 

@@ -67,6 +67,12 @@ class Builder {
   // Of the host's image of that name; the operand is a vec2.
   int callTexture(const Sampling& sampling, std::string_view image);
 
+  // A function that a front end recorded, by its module: its number. Calls take numbers, and give
+  // the handle of the first value, which the others follow.
+  [[gnu::noinline]] int addRecorded(std::string_view name, std::uint32_t variables,
+                                    std::span<const std::uint32_t> words);
+  [[gnu::noinline]] int callRecorded(int function);
+
   // Begins the body of a loop of so many steps; the values pushed are what its states start as.
   // Gives the handle of the step's number, which those of the states follow. The values pushed then
   // are what each step makes of them: gives the handle of the first outcome, which the others

@@ -1,4 +1,4 @@
-// `repeat`: a body that is recorded once and runs as often.
+// What is recorded once and runs more often: the body of `repeat`, and functions.
 #include <algorithm>
 #include <utility>
 
@@ -58,6 +58,28 @@ int Builder::closeRepeat() {
   const std::vector<NodeId> outcomes = closeFold(graph_, repeat.fold, nodes);
   if (!checkPossible(outcomes, graph_.size(), method)) return failed;
   return addAll(repeat.shapes, outcomes);
+}
+
+int Builder::addRecorded(std::string_view name, std::uint32_t variables,
+                         std::span<const std::uint32_t> words) {
+  if (const auto known = graph_.functionNamed(name)) return static_cast<int>(*known);
+  const Definition definition =
+      recordedFrom(name, variables, {words.begin(), words.end()}, module_.library);
+  module_.library.add(definition);
+  return static_cast<int>(graph_.addFunction(definition.function));
+}
+
+int Builder::callRecorded(int function) {
+  const std::string& name = graph_.function(static_cast<std::uint32_t>(function)).name;
+  Numbers arguments;
+  for (const Value& value : std::exchange(operands_, {})) arguments.push_back(value[0]);
+  const Numbers values = module_.library.call(module_.library.definition(name), arguments);
+  int first = failed;
+  for (const Expression value : values) {
+    const int handle = values_.add(value);
+    if (first == failed) first = handle;
+  }
+  return first;
 }
 
 int Builder::addAll(std::span<const Shape> shapes, std::span<const NodeId> nodes) {

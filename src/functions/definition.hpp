@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "graph/expression.hpp"
 
@@ -19,7 +20,7 @@ class Library;
 // A few numbers: the arguments of a function, or its values. No vector, which would be more code.
 class Numbers {
  public:
-  static constexpr std::size_t most = 8;
+  static constexpr std::size_t most = 16;
 
   Numbers() = default;
   Numbers(std::initializer_list<Expression> all) {
@@ -50,6 +51,8 @@ inline std::string capitalized(std::string_view text) {
 struct Definition {
   // The values from the arguments. May call other functions of the library.
   using Body = Numbers (*)(Library&, std::uint32_t settings, const Numbers& arguments);
+  // Gives the graph of recorded words, and their results.
+  using Reader = Graph (*)(const std::vector<std::uint32_t>& words, std::vector<NodeId>& results);
   // Makes it again from its settings.
   using Maker = Definition (*)(std::uint32_t settings);
 
@@ -69,10 +72,20 @@ struct Definition {
   static constexpr std::string_view variableNames[] = {"x", "y", "z", "w"};
   static constexpr std::string_view noiseParameters[] = {"seed", "lacunarity", "gain"};
   static constexpr std::string_view imageParameters[] = {"image", "width", "height"};
+  static constexpr std::string_view recordedNames[Numbers::most] = {
+      "x0", "x1", "x2",  "x3",  "x4",  "x5",  "x6",  "x7",
+      "x8", "x9", "x10", "x11", "x12", "x13", "x14", "x15"};
   const std::string_view* parameters = noiseParameters;
   Maker maker = nullptr;
+  // In the place of a body that is written in C++: the words of a module whose inputs are the
+  // arguments, and who reads them.
+  std::vector<std::uint32_t> words = {};
+  Reader reader = nullptr;
+
+  bool hasBody() const { return body || reader; }
 
   std::string_view argumentName(int i) const {
+    if (reader) return recordedNames[i];
     return i < function.variables ? variableNames[i] : parameters[i - function.variables];
   }
   Shape argumentShape(int i) const {

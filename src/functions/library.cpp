@@ -22,7 +22,7 @@ Body* Library::find(std::string_view name) const {
 
 Library Library::fresh() const {
   Library made;
-  for (const auto& body : bodies_) made.add(body->definition);
+  made.addAll(*this);
   return made;
 }
 
@@ -57,15 +57,18 @@ Body& Library::withResults(std::string_view name, int order) {
   Body& body = *find(name);
   const Definition& definition = body.definition;
   const Function& function = definition.function;
-  if (!definition.body) return body;
+  if (!definition.hasBody()) return body;
   if (body.results.empty()) {
+    if (definition.reader) body.graph = definition.reader(definition.words, body.results);
     for (int i = 0; i < function.arity; ++i) {
       const std::uint32_t input =
           body.graph.input(definition.argumentName(i), definition.argumentShape(i));
       body.arguments.push_back({&body.graph, body.graph.component(input, 0)});
     }
-    for (const Expression value : definition.body(*this, definition.settings, body.arguments))
-      body.results.push_back(value.id);
+    if (definition.body) {
+      for (const Expression value : definition.body(*this, definition.settings, body.arguments))
+        body.results.push_back(value.id);
+    }
   }
   const MultiIndices indices(function.variables, order);
   const int known = static_cast<int>(body.results.size()) / function.values;

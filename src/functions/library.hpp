@@ -31,6 +31,9 @@ class Library {
   Library fresh() const;
 
   void add(const Definition& definition);
+  void addAll(const Library& others) {
+    for (const auto& body : others.bodies_) add(body->definition);
+  }
   const Definition& definition(std::string_view name) const;
 
   // The values of a call, in the graph of the arguments.

@@ -85,8 +85,8 @@ constexpr std::array table{
     BuiltIn{"unpackSnorm2x16", "2u", UnpackSigned},
     BuiltIn{"packUnorm2x16", "u2", PackUnsigned},
     BuiltIn{"unpackUnorm2x16", "2u", UnpackUnsigned},
-    BuiltIn{"packHalf2x16", "u2", Refused},
-    BuiltIn{"unpackHalf2x16", "2u", Refused},
+    BuiltIn{"packHalf2x16", "u2", PackHalf},
+    BuiltIn{"unpackHalf2x16", "2u", UnpackHalf},
 
     // vectors
     BuiltIn{"length", "FG", Grouped, Code::Length},

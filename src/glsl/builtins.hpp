@@ -26,6 +26,8 @@ enum class Way : std::uint8_t {
   PackUnsigned,
   UnpackSigned,
   UnpackUnsigned,
+  PackHalf,
+  UnpackHalf,
   Modf,
   Dot,
   Cross,

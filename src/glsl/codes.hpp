@@ -16,6 +16,16 @@ namespace warpjet::glsl {
   CODE(Argument, "argument") \
   CODE(Uniform, "uniform") \
   CODE(Component, "component") \
+  CODE(StepNumber, "stepNumber") \
+  CODE(State, "state") \
+  CODE(Parameter, "parameter") \
+  CODE(Call, "call") \
+  CODE(Result, "result") \
+  CODE(Define, "define") \
+  CODE(End, "end") \
+  CODE(Fold, "fold") \
+  CODE(Next, "next") \
+  CODE(Outcome, "outcome") \
   CODE(Image, "image") \
   CODE(Texel, "texel") \
   CODE(FetchedTexel, "fetchedTexel") \

@@ -32,7 +32,11 @@ std::string Source::functions() const {
 
 Listing Source::lower(int function, int maxIterations) {
   if (problems_.any()) return {};
-  const Lowered lowered = Lowering(tree_, problems_, maxIterations).lower(function);
+  Lowered lowered = Lowering(tree_, problems_, maxIterations).lower(function);
+  if (problems_.any()) return {};
+  auto once = calledOnce(lowered.recorder, lowered.routines, lowered.results);
+  if (!once.empty())
+    lowered = Lowering(tree_, problems_, maxIterations, std::move(once)).lower(function);
   if (problems_.any()) return {};
   return list(lowered, tree_.types);
 }

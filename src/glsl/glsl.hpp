@@ -20,6 +20,17 @@ namespace warpjet::glsl {
 //   Component    operand, component, layout: columns and rows of what it is of, four bits each
 //   Texel        number of the image's name, operand; so has FetchedTexel
 //   ImageSize    number of the image's name
+//   Fold         how often it runs, how many states, and what these start as; the number of the
+//   step
+//                and the states are operations then, and those of its body follow, until
+//   Next         what each step makes of the states, which are as many operations after it
+//   Define       a function of the text, by the next of `routines`: how many arguments, and by how
+//                many of them, the first ones, it has derivatives. Its body follows, whose
+//                operations count from 0 on, until
+//   End          how many numbers it gives, and these
+//   Parameter    number of an argument, in such a body
+//   Call         number of a function, how many arguments, and these; what it gives are as many
+//                operations
 //   any other    how many operands there are, and these
 // An operand is the number of an operation before it.
 struct Listing {
@@ -28,6 +39,8 @@ struct Listing {
   std::vector<std::uint32_t> results;
   // Of what the host gives, a line each: kind, columns, rows, type and name.
   std::string names;
+  // Of functions that stay functions, a line each.
+  std::string routines;
 };
 
 class Source {

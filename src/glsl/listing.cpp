@@ -19,78 +19,265 @@ bool isOfImage(Code code) {
   return code == Code::Texel || code == Code::FetchedTexel || code == Code::ImageSize;
 }
 
-std::vector<bool> needed(const Recorder& recorder, std::span<const Id> results) {
-  std::vector<bool> all(recorder.size());
-  for (const Id result : results) all[index(result)] = true;
-  for (std::size_t i = recorder.size(); i-- > 0;)
-    if (all[i])
-      for (const Id operand : recorder.operands(Id{static_cast<std::uint32_t>(i)}))
-        all[index(operand)] = true;
-  return all;
-}
+class Lister {
+ public:
+  Lister(const Lowered& lowered, Listing& listing)
+      : isNamed(lowered.externals.size()),
+        recorder_(lowered.recorder),
+        routines_(lowered.routines),
+        listing_(listing),
+        uses_(routines_.size()),
+        numbers_(recorder_.size()),
+        loops_(recorder_.size()),
+        bodies_(recorder_.loopCount() + 1),
+        locals_(bodies_.size()) {}
 
-}  // namespace
+  void list(std::span<const Id> results) {
+    const std::vector<Id> needed = recorder_.neededBy(results);
+    findUses(needed);
+    for (std::size_t i = routines_.size(); i-- > 0;) {
+      if (!uses_[i].isCalled) continue;
+      uses_[i].needed = recorder_.neededBy(routines_[i].results);
+      findUses(uses_[i].needed);
+    }
+    std::uint32_t defined = 0;
+    for (std::size_t i = 0; i < routines_.size(); ++i) {
+      if (!uses_[i].isCalled) continue;
+      uses_[i].number = defined++;
+      define(routines_[i], uses_[i]);
+    }
+    sayNeeded(needed);
+    for (const Id result : results) listing_.results.push_back(numbers_[index(result)]);
+  }
 
-Listing list(const Lowered& lowered, const Types& types) {
-  const Recorder& recorder = lowered.recorder;
-  const std::vector<bool> wanted = needed(recorder, lowered.results);
-  Listing listing;
-  std::vector<std::uint32_t> numbers(recorder.size());
-  std::vector<bool> isNamed(lowered.externals.size());
-  std::uint32_t next = 0;
-  const auto say = [&](std::uint32_t word) { listing.words.push_back(word); };
-  const auto leafOf = [&](const Operation& operation) {
-    const auto packed = static_cast<std::uint32_t>(operation.value);
-    return Leaf{packed >> 16, packed >> 8 & 255, packed & 255};
+  // By external, whether it is read.
+  std::vector<bool> isNamed;
+
+ private:
+  // How a function is called. Of its arguments those come first that are not the same constant
+  // wherever it is: only by these it needs derivatives.
+  struct Use {
+    bool isCalled = false;
+    std::vector<bool> varies{};
+    std::vector<Id> needed{};
+    std::uint32_t number = 0;
+    std::uint32_t variables = 0;
+    std::vector<std::uint32_t> places{};  // by argument
   };
-  for (std::size_t i = 0; i < recorder.size(); ++i) {
-    if (!wanted[i]) continue;
-    const Id id{static_cast<std::uint32_t>(i)};
-    const Operation& operation = recorder.at(id);
-    if (operation.code == Code::SameBits) {
-      numbers[i] = numbers[index(recorder.operands(id)[0])];
-      continue;
+
+  void findUses(std::span<const Id> ids) {
+    for (const Id id : ids) {
+      const Operation& operation = recorder_.at(id);
+      if (operation.code != Code::Call) continue;
+      const auto arguments = recorder_.operands(id);
+      Use& use = uses_[static_cast<std::size_t>(operation.value)];
+      use.isCalled = true;
+      use.varies.resize(arguments.size());
+      for (std::size_t i = 0; i < arguments.size(); ++i)
+        if (!recorder_.isConstant(arguments[i])) use.varies[i] = true;
     }
-    // Names of images are no operations.
-    if (operation.code == Code::Image) {
-      numbers[i] = leafOf(operation).number;
-      isNamed[numbers[i]] = true;
-      continue;
+  }
+
+  void define(const Routine& routine, Use& use) {
+    use.places.resize(use.varies.size());
+    std::uint32_t place = 0;
+    for (const bool varies : {true, false}) {
+      for (std::size_t i = 0; i < use.varies.size(); ++i)
+        if (use.varies[i] == varies) use.places[i] = place++;
+      if (varies) use.variables = place;
     }
-    numbers[i] = next++;
-    say(static_cast<std::uint32_t>(operation.code));
+    say(Code::Define);
+    say(place);
+    say(use.variables);
+    listing_.routines += routine.name + '\n';
+    routine_ = &routine;
+    next_ = 0;
+    sayNeeded(use.needed);
+    routine_ = nullptr;
+    next_ = 0;
+    say(Code::End);
+    say(static_cast<std::uint32_t>(routine.results.size()));
+    sayNumbers(routine.results);
+  }
+
+  // Each in the innermost loop that it stands in.
+  void sayNeeded(std::span<const Id> needed) {
+    std::vector<std::uint32_t> used{0};
+    for (const Id id : needed) {
+      const Operation& operation = recorder_.at(id);
+      std::uint32_t& loop = loops_[index(id)] = 0;
+      if (operation.code == Code::StepNumber || operation.code == Code::State) {
+        loop = leafOf(operation).number;
+        locals_[loop].push_back(id);
+        used.push_back(loop);
+        continue;
+      }
+      if (operation.code == Code::Fold) {
+        loop = recorder_.loop(loopOf(operation)).outer;
+      } else {
+        for (const Id operand : recorder_.operands(id))
+          loop = std::max(loop, loops_[index(operand)]);
+      }
+      bodies_[loop].push_back(id);
+      used.push_back(loop);
+    }
+    sayAll(0);
+    for (const std::uint32_t loop : used) {
+      bodies_[loop].clear();
+      locals_[loop].clear();
+    }
+  }
+
+  void sayAll(std::uint32_t loop) {
+    for (const Id id : bodies_[loop]) sayOne(id);
+  }
+
+  void sayOne(Id id) {
+    const Operation& operation = recorder_.at(id);
+    const auto operands = recorder_.operands(id);
+    std::uint32_t& number = numbers_[index(id)];
+    switch (operation.code) {
+      case Code::SameBits:
+        number = numbers_[index(operands[0])];
+        return;
+      // Names of images are no operations.
+      case Code::Image:
+        number = leafOf(operation).number;
+        isNamed[number] = true;
+        return;
+      case Code::Fold:
+        return sayFold(id);
+      case Code::Call:
+        return sayCall(id);
+      case Code::Uniform:
+        if (!routine_) break;
+        number = next_++;
+        return sayParameter(placeOutside(id));
+      case Code::Parameter:
+        number = next_++;
+        return sayParameter(leafOf(operation).part);
+      // It has its number with the others of its loop or call.
+      case Code::Outcome:
+      case Code::Result:
+        number = numbers_[index(operands[0])] + leafOf(operation).part;
+        return;
+      default:
+        break;
+    }
+    number = next_++;
+    say(operation.code);
     switch (operation.code) {
       case Code::Constant:
       case Code::Undefined:
-        listing.words.back() = static_cast<std::uint32_t>(codeOfConstant(operation.base));
-        say(static_cast<std::uint32_t>(listing.constants.size()));
-        listing.constants.push_back(operation.value);
+        listing_.words.back() = static_cast<std::uint32_t>(codeOfConstant(operation.base));
+        say(static_cast<std::uint32_t>(listing_.constants.size()));
+        listing_.constants.push_back(operation.value);
         break;
       case Code::Argument:
       case Code::Uniform: {
-        const auto [number, part, layout] = leafOf(operation);
-        say(number);
+        const auto [place, part, layout] = leafOf(operation);
+        say(place);
         say(part);
         say(layout);
-        if (operation.code == Code::Uniform) isNamed[number] = true;
+        if (operation.code == Code::Uniform) isNamed[place] = true;
         break;
       }
       case Code::Component:
-        say(numbers[index(recorder.operands(id)[0])]);
+        say(numbers_[index(operands[0])]);
         say(leafOf(operation).part);
         say(leafOf(operation).layout);
         break;
       default:
         if (!isOfImage(operation.code)) say(operation.count);
-        for (const Id operand : recorder.operands(id)) say(numbers[index(operand)]);
+        sayNumbers(operands);
     }
   }
-  for (const Id result : lowered.results) listing.results.push_back(numbers[index(result)]);
+
+  std::size_t placeOutside(Id id) const {
+    const auto& outside = routine_->outside;
+    return routine_->parameters +
+           static_cast<std::size_t>(std::find(outside.begin(), outside.end(), id) -
+                                    outside.begin());
+  }
+
+  void sayParameter(std::size_t argument) {
+    say(Code::Parameter);
+    say(uses_[static_cast<std::size_t>(routine_ - routines_.data())].places[argument]);
+  }
+
+  void sayCall(Id id) {
+    const auto routine = static_cast<std::size_t>(recorder_.at(id).value);
+    const auto arguments = recorder_.operands(id);
+    const Use& use = uses_[routine];
+    std::vector<Id> ordered(arguments.size());
+    for (std::size_t i = 0; i < arguments.size(); ++i) ordered[use.places[i]] = arguments[i];
+    say(Code::Call);
+    say(use.number);
+    say(static_cast<std::uint32_t>(arguments.size()));
+    sayNumbers(ordered);
+    numbers_[index(id)] = next_;
+    next_ += static_cast<std::uint32_t>(routines_[routine].results.size());
+  }
+
+  void sayFold(Id id) {
+    const std::uint32_t loop = loopOf(recorder_.at(id));
+    const auto operands = recorder_.operands(id);
+    const std::size_t count = operands.size() / 2;
+    say(Code::Fold);
+    say(recorder_.loop(loop).steps);
+    say(static_cast<std::uint32_t>(count));
+    sayNumbers(operands.first(count));
+    // The number of the step, then the states.
+    const std::uint32_t first = next_;
+    next_ += static_cast<std::uint32_t>(count) + 1;
+    for (const Id local : locals_[loop]) {
+      const Operation& leaf = recorder_.at(local);
+      const bool isState = leaf.code == Code::State;
+      numbers_[index(local)] = first + (isState ? 1 + leafOf(leaf).part : 0);
+    }
+    sayAll(loop);
+    say(Code::Next);
+    sayNumbers(operands.subspan(count));
+    numbers_[index(id)] = next_;
+    next_ += static_cast<std::uint32_t>(count);
+  }
+
+  static Id idOf(std::size_t i) { return Id{static_cast<std::uint32_t>(i)}; }
+  static std::uint32_t loopOf(const Operation& fold) {
+    return static_cast<std::uint32_t>(fold.value);
+  }
+  static Leaf leafOf(const Operation& operation) {
+    const auto packed = static_cast<std::uint32_t>(operation.value);
+    return {packed >> 16, packed >> 8 & 255, packed & 255};
+  }
+
+  void say(std::uint32_t word) { listing_.words.push_back(word); }
+  void say(Code code) { say(static_cast<std::uint32_t>(code)); }
+  void sayNumbers(std::span<const Id> ids) {
+    for (const Id id : ids) say(numbers_[index(id)]);
+  }
+
+  const Recorder& recorder_;
+  const std::vector<Routine>& routines_;
+  Listing& listing_;
+  std::vector<Use> uses_;                         // by routine
+  std::vector<std::uint32_t> numbers_, loops_;    // by operation
+  std::vector<std::vector<Id>> bodies_, locals_;  // by loop; 0 is what stands in none
+  std::uint32_t next_ = 0;
+  const Routine* routine_ = nullptr;  // that is being defined
+};
+
+}  // namespace
+
+Listing list(const Lowered& lowered, const Types& types) {
+  Listing listing;
+  Lister lister(lowered, listing);
+  lister.list(lowered.results);
   for (std::size_t i = 0; i < lowered.externals.size(); ++i) {
     const auto& [name, type, isAttribute] = lowered.externals[i];
-    listing.names += std::string(isNamed[i] ? "" : "-") + (isAttribute ? "in " : "uniform ") +
-                     std::to_string(type.columns) + ' ' + std::to_string(type.rows) + ' ' +
-                     types.name(type) + ' ' + name + '\n';
+    listing.names += std::string(lister.isNamed[i] ? "" : "-") +
+                     (isAttribute ? "in " : "uniform ") + std::to_string(type.columns) + ' ' +
+                     std::to_string(type.rows) + ' ' + types.name(type) + ' ' + name + '\n';
   }
   return listing;
 }

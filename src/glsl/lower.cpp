@@ -13,8 +13,14 @@ constexpr int deepest = 600;
 
 }  // namespace
 
-Lowering::Lowering(const Tree& tree, Problems& problems, int maxIterations)
-    : tree_(tree), problems_(problems), maxIterations_(maxIterations) {}
+Lowering::Lowering(const Tree& tree, Problems& problems, int maxIterations,
+                   std::set<RoutineKey> inlined)
+    : tree_(tree),
+      problems_(problems),
+      maxIterations_(maxIterations),
+      inlined_(std::move(inlined)) {
+  findAssigned();
+}
 
 Lowered Lowering::lower(FunctionId number) {
   start();
@@ -29,13 +35,14 @@ Lowered Lowering::lower(FunctionId number) {
     }
     arguments.push_back(std::move(argument));
   }
-  Value results = call(number, std::move(arguments), {}, function.place);
+  Value results = enter(number, std::move(arguments));
   for (Id& result : results) {
     if (recorder_.isUndefined(result)) result = recorder_.constant(Base::Float, 0);
     result = recorder_.convert(result, Base::Float);
   }
   if (!problems_.any()) isTooMuch(function.place);
-  return {std::move(recorder_), std::move(results), function.type, std::move(externals_)};
+  return {std::move(recorder_), std::move(results), function.type, std::move(externals_),
+          std::move(routines_)};
 }
 
 // Every variable has its slots for good, since no function calls itself.
@@ -137,12 +144,38 @@ Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
     problems_.add(place, quoted(function.name) + " is declared, but has no body");
     return undefined(function.type);
   }
+  // What an out parameter was before is nothing to the function.
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (function.parameters[i].direction == Parameter::Direction::Out)
+      arguments[i] = undefined(function.parameters[i].type);
+  const int size = sizeOf(function.type);
+  if (const auto results = callRoutine(number, arguments)) {
+    auto next = results->begin() + size;
+    std::size_t target = 0;
+    for (const Parameter& parameter : function.parameters) {
+      if (parameter.direction == Parameter::Direction::In) continue;
+      const auto end = next + sizeOf(parameter.type);
+      store(targets[target++], {next, end});
+      next = end;
+    }
+    return {results->begin(), results->begin() + size};
+  }
+  Value result = enter(number, std::move(arguments));
+  std::size_t next = 0;
+  for (const Parameter& parameter : function.parameters)
+    if (parameter.direction != Parameter::Direction::In)
+      store(targets[next++], get(slotOf(parameter.variable), sizeOf(parameter.type)));
+  return result;
+}
+
+// Runs its body.
+Lowering::Value Lowering::enter(FunctionId number, std::vector<Value> arguments) {
+  const Function& function = tree_.functions[number];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const Parameter& parameter = function.parameters[i];
     const Slot slot = slotOf(parameter.variable);
     store_.declare(slot, arguments[i].size());
-    const bool isOut = parameter.direction == Parameter::Direction::Out;
-    set(slot, isOut ? undefined(parameter.type) : arguments[i]);
+    set(slot, arguments[i]);
   }
   const int size = sizeOf(function.type);
   const Id no = recorder_.constant(Base::Bool, 0);
@@ -154,10 +187,6 @@ Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
   execute(function.body);
   breakables_ = outer;
   frames_.pop_back();
-  std::size_t next = 0;
-  for (const Parameter& parameter : function.parameters)
-    if (parameter.direction != Parameter::Direction::In && next < targets.size())
-      store(targets[next++], get(slotOf(parameter.variable), sizeOf(parameter.type)));
   return get(result, size);
 }
 

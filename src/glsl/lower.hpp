@@ -1,18 +1,21 @@
 // From the tree to operations: one function of the text is run, on numbers that nobody knows yet.
-// Calls are entered, loops unrolled, and where a condition decides, both ways are run and every
-// variable becomes the choice of the two. An early end of a loop or function is a condition of all
-// that follows it.
+// Calls are entered, short loops unrolled, and where a condition decides, both ways are run and
+// every variable becomes the choice of the two. An early end of a loop or function is a condition
+// of all that follows it.
 //
-// Loops: `loop` in lower_statements.cpp is the only place that repeats anything. A loop that stays
-// one would record its body once there, between the slots that it changes.
+// Loops: `loop` in lower_loops.cpp is the only place that repeats anything. A loop that stays one
+// has its body recorded once there, between the variables that it changes.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "glsl/builtins.hpp"
+#include "glsl/loops.hpp"
 #include "glsl/recorder.hpp"
+#include "glsl/routines.hpp"
 #include "glsl/store.hpp"
 #include "glsl/tree.hpp"
 
@@ -30,12 +33,16 @@ struct Lowered {
   std::vector<Id> results;
   Type type;
   std::vector<External> externals;
+  // Callees first.
+  std::vector<Routine> routines;
 };
 
 class Lowering {
  public:
   // A loop whose end depends on what is not known runs `maxIterations` times, or is refused for 0.
-  Lowering(const Tree& tree, Problems& problems, int maxIterations);
+  // Functions that are `inlined` are entered wherever they are called.
+  Lowering(const Tree& tree, Problems& problems, int maxIterations,
+           std::set<RoutineKey> inlined = {});
 
   Lowered lower(FunctionId function);
 
@@ -76,6 +83,7 @@ class Lowering {
   void addExternal(const std::string& name, Type type, bool isAttribute, std::vector<Id>& leaves);
   Value call(FunctionId function, std::vector<Value> arguments, const std::vector<LValue>& targets,
              Location place);
+  Value enter(FunctionId function, std::vector<Value> arguments);
   bool isTooMuch(Location place);
   Slot slotOf(VariableId variable) const { return slots_[variable]; }
   int sizeOf(Type type) const { return tree_.types.size(type); }
@@ -95,11 +103,34 @@ class Lowering {
   void initialize(const Statement& statement);
   std::vector<const Statement*> declarationsOf(StatementId child) const;
   void choose(const Statement& statement);
-  void loop(const Statement& statement);
   void select(const Statement& statement);
   void returnFrom(const Statement& statement);
   Id stopped();
   void resume();
+
+  // lower_routines.cpp
+  void findAssigned();
+  std::optional<Value> callRoutine(FunctionId function, const std::vector<Value>& arguments);
+  int recordRoutine(FunctionId function, const std::vector<Value>& arguments,
+                    const RoutineKey& key);
+  bool isRoutine(Routine& routine) const;
+
+  // lower_loops.cpp
+  void loop(const Statement& statement);
+  void unroll(const Statement& statement);
+  template <class End>
+  Id iterate(const Statement& statement, bool asks, const End& end);
+  bool foldLoop(const Statement& statement);
+  std::vector<Changing> changesOf(const Store::Changes& changes) const;
+  Id duringLoop(const Changing& each, std::uint32_t loop, std::size_t place);
+  Id fromState(Id state, Base base);
+  bool counts(Id next, Id before, std::uint32_t steps, int depth) const;
+  bool record(const Statement& statement, Folding& folding);
+  bool isRight(const Statement& statement, Folding& folding, const Store::Changes& changes);
+  bool declares(const Statement& loop, Slot slot) const;
+  std::optional<std::uint32_t> stepsOf(const Folding& folding) const;
+  bool isWorthIt(const Folding& folding, std::size_t once) const;
+  bool close(const Statement& statement, const Folding& folding);
 
   // lower_expressions.cpp
   Value evaluate(ExpressionId expression);
@@ -138,10 +169,14 @@ class Lowering {
   Value unpacked(Id group, Type type);
   Id number(Base base, double value) { return recorder_.constant(base, value); }
   Id compare(Code code, Base base, Id x, Id y);
-  Value pack(const Value& numbers, bool isSigned);
-  Value unpack(Id bits, bool isSigned);
   Value texture(Code code, const Value& image, const Value& at);
   Value imageSize(const Value& image);
+
+  // lower_packing.cpp
+  Value pack(const Value& numbers, bool isSigned);
+  Value unpack(Id bits, bool isSigned);
+  Id packHalf(Id x);
+  Id unpackHalf(Id bits);
 
   const Tree& tree_;
   Problems& problems_;
@@ -152,6 +187,14 @@ class Lowering {
   std::vector<External> externals_;
   std::vector<Frame> frames_;
   std::vector<Breakable> breakables_;
+  std::vector<std::uint32_t> openLoops_;
+  // In the place of a parameter, what a global holds that somebody assigns to.
+  static constexpr std::size_t unknowable = 255;
+  std::set<RoutineKey> inlined_;
+  std::map<RoutineKey, int> routineNumbers_;
+  std::vector<Routine> routines_;
+  std::uint32_t routineCount_ = 0;
+  std::vector<bool> isAssigned_;  // by variable
   std::size_t steps_ = 0;
   int depth_ = 0;
 };

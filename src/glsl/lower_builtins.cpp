@@ -60,6 +60,13 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
     case UnpackSigned:
     case UnpackUnsigned:
       return unpack(x[0][0], row.way == UnpackSigned);
+    case PackHalf:
+      return {scalar(
+          Operator::BitOr, Base::Uint, packHalf(x[0][0]),
+          scalar(Operator::ShiftLeft, Base::Uint, packHalf(x[0][1]), number(Base::Int, 16)))};
+    case UnpackHalf:
+      return {unpackHalf(x[0][0]),
+              unpackHalf(scalar(Operator::ShiftRight, Base::Uint, x[0][0], number(Base::Int, 16)))};
     case Modf: {
       const Value whole =
           forEach([&](std::size_t i) { return recorder_.apply(Code::Trunc, base, {x[0][i]}); });
@@ -165,43 +172,6 @@ Id Lowering::compare(Code code, Base base, Id x, Id y) {
     default:
       return scalar(Operator::Unequal, base, x, y);
   }
-}
-
-// Two numbers from 0 or -1 to 1 as halves of a uint, the first one the lower.
-Lowering::Value Lowering::pack(const Value& numbers, bool isSigned) {
-  const auto constant = [&](double value) { return number(Base::Float, value); };
-  Id all = number(Base::Uint, 0);
-  for (int i = 0; i < 2; ++i) {
-    const Id clamped = recorder_.apply(
-        Code::Clamp, Base::Float,
-        {numbers[static_cast<std::size_t>(i)], constant(isSigned ? -1 : 0), constant(1)});
-    const Id scaled =
-        scalar(Operator::Multiply, Base::Float, clamped, constant(isSigned ? 32767 : 65535));
-    const Id whole =
-        recorder_.convert(recorder_.apply(Code::Round, Base::Float, {scaled}), Base::Int);
-    const Id half = scalar(Operator::BitAnd, Base::Uint, recorder_.convert(whole, Base::Uint),
-                           number(Base::Uint, 65535));
-    all = scalar(Operator::BitOr, Base::Uint, all,
-                 scalar(Operator::ShiftLeft, Base::Uint, half, number(Base::Int, 16.0 * i)));
-  }
-  return {all};
-}
-
-Lowering::Value Lowering::unpack(Id bits, bool isSigned) {
-  Value value;
-  const Base base = isSigned ? Base::Int : Base::Uint;
-  for (int i = 0; i < 2; ++i) {
-    // To the upper end and back, which carries the sign along.
-    const Id up = scalar(Operator::ShiftLeft, base, recorder_.convert(bits, base),
-                         number(Base::Int, 16.0 - 16.0 * i));
-    const Id half = scalar(Operator::ShiftRight, base, up, number(Base::Int, 16));
-    const Id scaled = scalar(Operator::Divide, Base::Float, recorder_.convert(half, Base::Float),
-                             number(Base::Float, isSigned ? 32767 : 65535));
-    value.push_back(isSigned
-                        ? recorder_.apply(Code::Max, Base::Float, {scaled, number(Base::Float, -1)})
-                        : scaled);
-  }
-  return value;
 }
 
 Id Lowering::packed(Type type, const Value& value) {

@@ -6,13 +6,6 @@
 
 namespace warpjet::glsl {
 
-namespace {
-
-// Of a loop whose end is known.
-constexpr int mostIterations = 20'000;
-
-}  // namespace
-
 void Lowering::execute(StatementId child) {
   if (child == nothing) return;
   const Statement& statement = tree_.statements[child];
@@ -121,53 +114,6 @@ void Lowering::choose(const Statement& statement) {
 void Lowering::returnFrom(const Statement& statement) {
   if (statement.expression != nothing) set(frames_.back().result, evaluate(statement.expression));
   store_.set(frames_.back().returned, number(Base::Bool, 1));
-}
-
-// Where it is not known whether there is another iteration, that and all after it are in a branch
-// of their own; so counters stay known. The branches close in the end, the last first.
-void Lowering::loop(const Statement& statement) {
-  execute(statement.children[0]);
-  const Id no = number(Base::Bool, 0);
-  const Slot broken = store_.allocate(1, no), continued = store_.allocate(1, no);
-  breakables_.push_back({broken, continued, false});
-  std::vector<Id> conditions;
-  const auto enter = [&](Id condition) {
-    conditions.push_back(condition);
-    store_.open();
-  };
-  int unknown = 0;
-  for (int iteration = 0; !isTooMuch(statement.place); ++iteration) {
-    if (iteration > mostIterations) {
-      problems_.add(statement.place, "this loop has not ended after " +
-                                         std::to_string(mostIterations) + " iterations");
-      break;
-    }
-    if (statement.expression != nothing && (iteration > 0 || !statement.isLate)) {
-      const Id test = condition(statement.expression);
-      if (recorder_.isFalse(test) || recorder_.isUndefined(test)) break;
-      if (!recorder_.isConstant(test)) {
-        if (maxIterations_ == 0) {
-          problems_.add(statement.place,
-                        "how often this loop runs depends on what only the shader knows; count to "
-                        "a constant and break, or give the option maxIterations");
-          break;
-        }
-        if (unknown++ == maxIterations_) break;
-        enter(test);
-      }
-    }
-    execute(statement.children[2]);
-    store_.set(continued, no);
-    const Id isOver = stopped();
-    if (recorder_.isTrue(isOver)) break;
-    if (!recorder_.isConstant(isOver)) {
-      enter(recorder_.negated(isOver));
-      resume();
-    }
-    execute(statement.children[1]);
-  }
-  for (std::size_t i = conditions.size(); i-- > 0;) merge(conditions[i], store_.close(), {});
-  breakables_.pop_back();
 }
 
 // `float x = 1.0, y;` is a block of two.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <unordered_set>
 
 #include "glsl/fold.hpp"
 
@@ -83,8 +84,61 @@ Id Recorder::group(Code code, std::span<const Id> operands) {
   return intern({code, Base::Float}, known);
 }
 
-Id Recorder::component(Id group, int part, int layout) {
-  return intern({Code::Component, Base::Float, 0, 0, part * 256.0 + layout}, std::array{group});
+Id Recorder::component(Code code, Id group, int part, int layout) {
+  return intern({code, Base::Float, 0, 0, part * 256.0 + layout}, std::array{group});
+}
+
+Id Recorder::call(std::uint32_t routine, std::span<const Id> arguments) {
+  std::vector<Id> known(arguments.begin(), arguments.end());
+  for (Id& each : known)
+    if (isUndefined(each)) each = constant(Base::Float, 0);
+  return intern({Code::Call, Base::Float, 0, 0, 1.0 * routine}, known);
+}
+
+// As long as these are, however much else there is: it is asked of every function of a text.
+std::vector<Id> Recorder::neededBy(std::span<const Id> results) const {
+  std::unordered_set<std::uint32_t> known;
+  std::vector<Id> all;
+  const auto add = [&](std::span<const Id> ids) {
+    for (const Id id : ids)
+      if (known.insert(index(id)).second) all.push_back(id);
+  };
+  add(results);
+  for (std::size_t i = 0; i < all.size(); ++i) add(operands(all[i]));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::uint32_t Recorder::openLoop(std::uint32_t outer) {
+  loops_.push_back({outer});
+  return static_cast<std::uint32_t>(loops_.size());
+}
+
+Id Recorder::fold(std::uint32_t number, std::uint32_t steps, std::span<const Id> starts,
+                  std::span<const Id> nexts) {
+  Loop& loop = loops_[number - 1];
+  loop.steps = steps;
+  if (loop.outer) {
+    std::uint32_t& inner = loops_[loop.outer - 1].inner;
+    inner = std::max(inner, steps * loop.inner);
+  }
+  std::vector<Id> operands(starts.begin(), starts.end());
+  operands.insert(operands.end(), nexts.begin(), nexts.end());
+  return intern({Code::Fold, Base::Float, 0, 0, 1.0 * number}, operands);
+}
+
+bool Recorder::isWhole(Id id) const {
+  switch (at(id).code) {
+    case Code::Constant:
+      return value(id) == std::trunc(value(id));
+    case Code::StepNumber:
+      return true;
+    case Code::Add:
+    case Code::Mult:
+      return isWhole(operands(id)[0]) && isWhole(operands(id)[1]);
+    default:
+      return false;
+  }
 }
 
 Id Recorder::apply(Code code, Base base, std::initializer_list<Id> given) {
@@ -99,7 +153,7 @@ Id Recorder::apply(Code code, Base base, std::initializer_list<Id> given) {
     values[count++] = value(known);
   }
   if (areKnown)
-    if (const auto result = fold(code, {values.data(), count}))
+    if (const auto result = glsl::fold(code, {values.data(), count}))
       if (base != Base::Float || std::abs(*result) <= 3.4028234663852886e38)
         return constant(base, *result);
   if (count == 2 && isConstant(operands[1])) return tamed(code, base, operands[0], operands[1]);
@@ -191,6 +245,8 @@ Id Recorder::convert(Id value, Base to) {
     if (from == Float) return apply(Code::Ne, Bool, {value, zero});
     return negated(apply(Code::IntEq, Bool, {value, zero}));
   }
+  if (to == Float && at(value).code == Code::IntOf && isWhole(operands(value)[0]))
+    return operands(value)[0];
   if (to == Float) return apply(from == Int ? Code::FloatOf : Code::FloatOfUint, Float, {value});
   if (from == Float) return apply(to == Int ? Code::IntOf : Code::UintOf, to, {value});
   // Between int and uint the bits stay.

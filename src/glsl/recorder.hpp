@@ -29,9 +29,18 @@ struct Operation {
   double value = 0;
 };
 
+// A loop of the shader: how often it runs, and the loop that it stands in, counted from 1 on.
+struct Loop {
+  std::uint32_t outer;
+  std::uint32_t steps = 0;
+  // Those of the loops within it, multiplied, where they are the most.
+  std::uint32_t inner = 1;
+};
+
 class Recorder {
  public:
   static constexpr std::size_t most = std::size_t{1} << 20;
+  static constexpr std::size_t mostLoops = 60'000;
 
   Id constant(Base base, double value);
   // What was never given a value: any will do.
@@ -44,7 +53,37 @@ class Recorder {
   // Numbers together, for an operation on vectors; its results one by one.
   Id group(Code code, std::span<const Id> operands);
   // `layout` is how many columns and rows it has, four bits each.
-  Id component(Id group, int part, int layout);
+  Id component(Id group, int part, int layout) {
+    return component(Code::Component, group, part, layout);
+  }
+
+  // A number that a function of the text is called with.
+  Id parameter(std::uint32_t routine, std::size_t i) {
+    return leaf(Code::Parameter, static_cast<int>(routine), static_cast<int>(i));
+  }
+  Id call(std::uint32_t routine, std::span<const Id> arguments);
+  Id result(Id call, std::size_t i) {
+    return component(Code::Result, call, static_cast<int>(i), 0);
+  }
+  // What these need, and they themselves, in order.
+  std::vector<Id> neededBy(std::span<const Id> results) const;
+
+  // A loop whose body is recorded from now on, in one that is open too, or 0: its number, from 1
+  // on.
+  std::uint32_t openLoop(std::uint32_t outer);
+  Id step(std::uint32_t loop) { return leaf(Code::StepNumber, static_cast<int>(loop)); }
+  Id state(std::uint32_t loop, std::size_t i) {
+    return leaf(Code::State, static_cast<int>(loop), static_cast<int>(i));
+  }
+  // The loop from what its states, which are floats, start as, to what each step makes of them.
+  Id fold(std::uint32_t loop, std::uint32_t steps, std::span<const Id> starts,
+          std::span<const Id> nexts);
+  // What that state is in the end.
+  Id outcome(Id fold, std::size_t state) {
+    return component(Code::Outcome, fold, static_cast<int>(state), 0);
+  }
+  const Loop& loop(std::uint32_t number) const { return loops_[number - 1]; }
+  std::size_t loopCount() const { return loops_.size(); }
 
   Id choose(Id condition, Id yes, Id no);
   Id negated(Id condition);
@@ -69,12 +108,16 @@ class Recorder {
  private:
   // What a language refuses to compile: divisions by a zero and shifts by 32 that it can see.
   Id tamed(Code code, Base base, Id x, Id y);
+  Id component(Code code, Id group, int part, int layout);
+  // Whether a float is made of whole numbers and the numbers of steps.
+  bool isWhole(Id id) const;
   Id intern(Operation operation, std::span<const Id> operands);
   bool isEqual(Id id, const Operation& operation, std::span<const Id> operands) const;
 
   std::vector<Operation> operations_;
   std::vector<Id> operands_;
   std::unordered_multimap<std::uint64_t, Id> known_;
+  std::vector<Loop> loops_;
 };
 
 }  // namespace warpjet::glsl

@@ -45,6 +45,11 @@ struct Module {
 // its memory.
 std::vector<std::uint32_t> save(const Module& module);
 
+// The function whose module these words are, by its first `variables` arguments; what it calls is
+// added to the library.
+[[gnu::noinline]] Definition recordedFrom(std::string_view name, std::uint32_t variables,
+                                          std::vector<std::uint32_t> words, Library& library);
+
 // From words of `save`. Nothing can be added to its graph but in a copy.
 Module load(std::span<const std::uint32_t> words);
 

@@ -73,6 +73,13 @@ class Saver {
       words_.number(function.isOurs());
       if (function.isOurs()) {
         const Definition& definition = module_.library.definition(function.name);
+        words_.number(definition.words.size());
+        if (definition.reader) {
+          for (const std::uint32_t word : definition.words) words_.number(word);
+          words_.text(function.name);
+          words_.number(static_cast<std::size_t>(function.variables));
+          continue;
+        }
         words_.number(numberOf(definition.maker));
         words_.number(definition.settings);
         continue;
@@ -171,8 +178,7 @@ class Loader {
     module.sources.resize(all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (words_.number()) {
-        const Definition::Maker maker = makers[words_.number()];
-        const Definition definition = maker(words_.number());
+        const Definition definition = definitionFor(module.library);
         module.library.add(definition);
         all[i] = definition.function;
         continue;
@@ -186,6 +192,17 @@ class Loader {
       }
     }
     return all;
+  }
+
+  Definition definitionFor(Library& library) {
+    std::vector<std::uint32_t> words(words_.number());
+    if (words.empty()) {
+      const Definition::Maker maker = makers[words_.number()];
+      return maker(words_.number());
+    }
+    for (std::uint32_t& word : words) word = words_.number();
+    const std::string name{words_.text()};
+    return recordedFrom(name, words_.number(), std::move(words), library);
   }
 
   std::vector<Loop> loops() {
@@ -221,6 +238,12 @@ class Loader {
   WordReader words_;
 };
 
+Graph read(const std::vector<std::uint32_t>& words, std::vector<NodeId>& results) {
+  const Module module = load(words);
+  results = module.roots();
+  return module.graph.copy();
+}
+
 }  // namespace
 
 std::vector<NodeId> Module::roots() const {
@@ -228,6 +251,16 @@ std::vector<NodeId> Module::roots() const {
   for (const Output& output : outputs)
     nodes.insert(nodes.end(), output.components.begin(), output.components.end());
   return nodes;
+}
+
+Definition recordedFrom(std::string_view name, std::uint32_t variables,
+                        std::vector<std::uint32_t> words, Library& library) {
+  const Module module = load(words);
+  library.addAll(module.library);
+  return {.function = {std::string(name), static_cast<int>(module.graph.inputCount()),
+                       static_cast<int>(module.roots().size()), static_cast<int>(variables)},
+          .words = std::move(words),
+          .reader = read};
 }
 
 std::vector<std::uint32_t> save(const Module& module) { return Saver(module).run(); }

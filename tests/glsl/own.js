@@ -258,4 +258,24 @@ export const own = {
     for (int i = 0, j = 3; i < j; i++, j--) y += float(j);
     return x + y;
   }`,
+  halves: `vec3 own(vec3 p) {
+    vec2 h = unpackHalf2x16(packHalf2x16(p.xy * vec2(3.0, 0.0001)));
+    return vec3(h, unpackHalf2x16(packHalf2x16(p.zz * 900.0)).y);
+  }`,
+  'a function called often, a loop around it': `float bump(vec2 q, float k) {
+    vec2 c = q - floor(q + 0.5);
+    float d = exp(-k * dot(c, c)) + 0.3 * sin(q.x * 1.3) * cos(q.y * 0.7);
+    return d * d + 0.25 * d;
+  }
+  vec3 own(vec3 p) {
+    float s = 0.0, a = 0.5;
+    vec3 q = p;
+    for (int i = 0; i < 7; i++) {
+      if (q.x > 3.0) break;
+      s += a * (bump(q.xy, 3.0) + bump(q.yz, 2.0));
+      q = q.yzx * 1.4 + 0.3;
+      a *= 0.5;
+    }
+    return vec3(s, bump(p.zx, 3.0), a);
+  }`,
 }

@@ -255,6 +255,32 @@ test('whole numbers by hand', () => {
   )
 })
 
+test('halves by hand: IEEE 754 has these bits for these numbers', () => {
+  const known = [
+    ['1.0', 0x3c00, 1],
+    ['-2.5', 0xc100, -2.5],
+    ['0.1', 0x2e66, 0.0999755859375],
+    ['65504.0', 0x7bff, 65504],
+    ['70000.0', 0x7c00, 65536],
+    ['1e-6', 17, 17 / 2 ** 24],
+    ['6.2e-5', 0x0410, 0x410 / 2 ** 24],
+    ['2049.0', 0x6800, 2048],
+    ['0.0', 0, 0],
+  ]
+  for (const [number, bits, half] of known)
+    for (const times of ['', ' * p.x']) {
+      const pair = `packHalf2x16(vec2(1.0, ${number}${times}))`
+      // A position of 3 has no room for what is tiny.
+      const scale = Math.abs(half) < 0.01 ? 2 ** 24 : 1
+      const value = `unpackHalf2x16(h).y * ${scale}.0`
+      near(
+        offsetOf(`uint h = ${pair}; return vec3(h & 0xffffu, h >> 16, ${value});`),
+        [0x3c00, bits, half * scale],
+        Math.abs(half * scale) * 1e-6,
+      )
+    }
+})
+
 test('what looks at bits is refused by name in GLSL 1.00, and only that', () => {
   const text = (value) => glslOffset(`vec3 offset(vec3 p) { return vec3(${value}); }`)
   const write = (value) => compileWarp(text(value), { target: 'glsl100' }).code

@@ -1,0 +1,321 @@
+// What stays as it is in shader text: functions that are called often, and loops.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compileWarp } from 'warpjet'
+import { differentiate, glslOffset } from 'warpjet/glsl'
+
+const targets = ['glsl300', 'glsl100', 'wgsl']
+
+const bumps = `
+uniform float steepness;
+float bump(vec2 q, float k) {
+  vec2 c = q - floor(q + 0.5);
+  float d = exp(-k * dot(c, c)) + steepness * sin(q.x * 1.3) * cos(q.y * 0.7);
+  return d * d + 0.25 * d;
+}
+`
+
+/** The same in JavaScript. */
+const bump = (x, y, k, steepness) => {
+  const [cx, cy] = [x - Math.floor(x + 0.5), y - Math.floor(y + 0.5)]
+  const d = Math.exp(-k * (cx * cx + cy * cy)) + steepness * Math.sin(x * 1.3) * Math.cos(y * 0.7)
+  return d * d + 0.25 * d
+}
+
+const thrice = `${bumps}
+vec3 offset(vec3 p) { return vec3(bump(p.xy, 3.0), bump(p.yz * 2.0, 3.0), bump(p.zx, 3.0)); }`
+
+const uniforms = { steepness: 0.4 }
+
+/** By central differences of the moved position. */
+function normalOf(moved, [x, y, z], normal) {
+  const h = 1e-5
+  const column = (k) => {
+    const by = (s) => moved([x, y, z].map((c, i) => (i === k ? c + s : c)))
+    const [high, low] = [by(h), by(-h)]
+    return high.map((c, i) => (c - low[i]) / (2 * h))
+  }
+  const [a, b, c] = [0, 1, 2].map(column)
+  const cross = (u, v) => [
+    u[1] * v[2] - u[2] * v[1],
+    u[2] * v[0] - u[0] * v[2],
+    u[0] * v[1] - u[1] * v[0],
+  ]
+  const cofactor = [cross(b, c), cross(c, a), cross(a, b)]
+  const turned = [0, 1, 2].map((i) => normal.reduce((sum, n, k) => sum + n * cofactor[k][i], 0))
+  return turned.map((n) => n / Math.hypot(...turned))
+}
+
+const near = (got, wanted, tolerance) =>
+  wanted.forEach((value, i) =>
+    assert.ok(Math.abs(got[i] - value) <= tolerance, `${Array.from(got)} is not ${wanted}`),
+  )
+
+function follows(source, moved, options = {}) {
+  const warp = compileWarp(glslOffset(source, options), { uniforms })
+  for (const p of [
+    [0.3, 0.1, -0.2],
+    [1.2, -0.7, 0.4],
+    [-2.1, 0.9, 1.6],
+  ]) {
+    const normal = [0.48, 0.6, 0.64]
+    const got = warp.evaluateAt(p, { normal })
+    near(got.position, moved(p), 2e-5)
+    near(got.normal, normalOf(moved, p, normal), 2e-4)
+  }
+}
+
+test('a function that is called thrice is in each text once, by its own name, with its derivatives', () => {
+  for (const target of targets) {
+    const { code, declarations } = compileWarp(glslOffset(thrice), { target, uniforms })
+    const names = [...declarations.matchAll(/\b(bump_\w+)\(/g)].map(([, name]) => name)
+    assert.equal(names.length, 1, `${names}`)
+    assert.match(names[0], /Gradient$/)
+    assert.equal(code.split(names[0]).length - 1, 3)
+    // The constant argument has no derivative: a value and those by two numbers and the uniform.
+    assert.doesNotMatch(declarations, /Results/)
+  }
+})
+
+test('its values and normals are those of differences', () => {
+  const moved = ([x, y, z]) => [
+    x + bump(x, y, 3, 0.4),
+    y + bump(y * 2, z * 2, 3, 0.4),
+    z + bump(z, x, 3, 0.4),
+  ]
+  follows(thrice, moved)
+})
+
+test('what is called once, is short, or is all known, is entered', () => {
+  const declared = (body, above = bumps) =>
+    compileWarp(glslOffset(`${above}\nvec3 offset(vec3 p) { ${body} }`), { uniforms }).declarations
+  assert.equal(declared('return vec3(bump(p.xy, 3.0));'), '')
+  assert.equal(declared('return vec3(bump(p.xy, 3.0), bump(p.xy, 3.0), 0.0);'), '')
+  const half = 'float half_(float x) { return 0.5 * x; }'
+  assert.equal(declared('return vec3(half_(p.x), half_(p.y), half_(p.z));', half), '')
+})
+
+test('functions of functions, and what they write', () => {
+  const source = `${bumps}
+  void both(vec2 q, out float high, inout vec2 way) {
+    high = bump(q, 2.0) + bump(q.yx + 0.5, 2.0);
+    way += vec2(bump(q * 0.5, 2.0), sin(high * 2.0) + high * high * 0.1 + cos(high));
+    way = way * 0.5 + way.yx * way.xy * 0.1 + sin(way) * cos(way.yx) + vec2(high * 0.2, high * 0.3);
+  }
+  vec3 offset(vec3 p) {
+    float a, b;
+    vec2 w = p.xy;
+    both(p.xy, a, w);
+    both(p.yz, b, w);
+    return vec3(a, b, w.x - w.y) * 0.3;
+  }`
+  const both = (q, way) => {
+    const k = (x, y) => bump(x, y, 2, 0.4)
+    const high = k(q[0], q[1]) + k(q[1] + 0.5, q[0] + 0.5)
+    const [a, b] = [
+      way[0] + k(q[0] * 0.5, q[1] * 0.5),
+      way[1] + Math.sin(high * 2) + high * high * 0.1 + Math.cos(high),
+    ]
+    const one = (u, v, by) => u * 0.5 + u * v * 0.1 + Math.sin(u) * Math.cos(v) + high * by
+    return [high, [one(a, b, 0.2), one(b, a, 0.3)]]
+  }
+  const moved = ([x, y, z]) => {
+    const [a, first] = both([x, y], [x, y])
+    const [b, w] = both([y, z], first)
+    return [x + a * 0.3, y + b * 0.3, z + (w[0] - w[1]) * 0.3]
+  }
+  follows(source, moved)
+  const { declarations } = compileWarp(glslOffset(source), { uniforms })
+  assert.match(declarations, /both_\w+/)
+  assert.match(declarations, /bump_\w+/)
+})
+
+test('a function that reads what another changes is entered, and right', () => {
+  const source = `float seed = 0.0;
+  float next(float x) {
+    seed += 1.0;
+    float y = sin(x * seed) + cos(x + seed) * exp(-x * x) + x * x * x * 0.1 + sin(x) * cos(x * 2.0);
+    return y * y + 0.5 * y;
+  }
+  vec3 offset(vec3 p) { return vec3(next(p.x), next(p.y), next(p.z)) * 0.2; }`
+  const next = (x, seed) => {
+    const y =
+      Math.sin(x * seed) +
+      Math.cos(x + seed) * Math.exp(-x * x) +
+      x * x * x * 0.1 +
+      Math.sin(x) * Math.cos(x * 2)
+    return (y * y + 0.5 * y) * 0.2
+  }
+  follows(source, (p) => p.map((x, i) => x + next(x, i + 1)))
+})
+
+test('two functions of one name and the same text in two warps have one name', () => {
+  const nameIn = (text) =>
+    /bump_\w+/.exec(compileWarp(glslOffset(text), { uniforms }).declarations)[0]
+  assert.equal(nameIn(thrice), nameIn(thrice.replace('p.zx', 'p.zy')))
+  assert.notEqual(nameIn(thrice), nameIn(thrice.replace('0.25', '0.26')))
+})
+
+test('differentiate keeps functions too', () => {
+  const text = differentiate(
+    `${bumps}\nfloat map(vec3 p) { return p.y - bump(p.xz, 2.0) - bump(p.zx * 2.0, 2.0); }`,
+  )
+  assert.match(text, /bump_\w+Gradient\(.*\{/)
+  assert.match(text, /vec4 mapGradient\(vec3 p\)/)
+})
+
+const loop = (head, body) =>
+  `vec3 offset(vec3 p) { float s = 0.0; float a = 0.5; vec3 q = p; ${head} { ${body} } return vec3(0.0, s, 0.0); }`
+
+const wave =
+  's += a * sin(q.x * 1.7 + cos(q.z)) * cos(q.y + sin(q.x)); q = q.yzx * 1.3 + 0.2; a *= 0.5;'
+
+const waves =
+  (steps, stop = () => false, weight = () => 1) =>
+  (p) => {
+    let [s, a, q] = [0, 0.5, [...p]]
+    for (let i = 0; i < steps; i++) {
+      if (stop(q, i)) break
+      s += weight(i) * a * Math.sin(q[0] * 1.7 + Math.cos(q[2])) * Math.cos(q[1] + Math.sin(q[0]))
+      q = [q[1] * 1.3 + 0.2, q[2] * 1.3 + 0.2, q[0] * 1.3 + 0.2]
+      a *= 0.5
+    }
+    return [p[0], p[1] + s, p[2]]
+  }
+
+const hasLoop = (source, target = 'glsl300', options = {}) =>
+  /\bfor \(/.test(compileWarp(glslOffset(source, options), { target, uniforms }).code)
+
+test('a long loop stays one, in each language', () => {
+  const source = loop('for (int i = 0; i < 8; i++)', wave)
+  for (const target of targets) assert.ok(hasLoop(source, target), target)
+  follows(source, waves(8))
+})
+
+test('a short one is unrolled', () => {
+  assert.ok(!hasLoop(loop('for (int i = 0; i < 2; i++)', wave)))
+  assert.ok(!hasLoop(loop('for (int i = 0; i < 8; i++)', 's += p.x * a; a *= 0.5;')))
+})
+
+test('counters are what they are in the loop, whatever they count by', () => {
+  const weighed = wave.replace('a * sin', 'float(i) * a * sin')
+  const source = (head) => loop(head, weighed)
+  const by = (start, step) => waves(7, undefined, (i) => start + step * i)
+  for (const [head, start, step] of [
+    ['for (int i = 0; i < 7; i++)', 0, 1],
+    ['for (int i = 9; i > -12; i -= 3)', 9, -3],
+    ['for (int i = 1; i <= 7; ++i)', 1, 1],
+    ['for (float i = 2.0; i < 8.5; i += 1.0)', 2, 1],
+    ['for (float i = 0.0; i < 3.4; i += 0.5)', 0, 0.5],
+    ['int i = 5; while (i-- > -2)', 4, -1],
+  ]) {
+    assert.ok(hasLoop(source(head)), head)
+    follows(source(head), by(start, step))
+  }
+})
+
+test('the condition that ends a loop does what it does', () => {
+  const source = loop('int i = 5; while (i-- > -2)', wave).replace(
+    'vec3(0.0, s,',
+    'vec3(0.0, s + float(i),',
+  )
+  assert.ok(hasLoop(source))
+  const moved = waves(7)
+  follows(source, (p) => moved(p).map((x, k) => (k === 1 ? x - 3 : x)))
+  const stops = source.replace('s += a', 'if (q.x > 2.5) break; s += a')
+  const stopped = ([x, y, z]) => {
+    let [s, a, q, i] = [0, 0.5, [x, y, z], 5]
+    while (i-- > -2) {
+      if (q[0] > 2.5) break
+      s += a * Math.sin(q[0] * 1.7 + Math.cos(q[2])) * Math.cos(q[1] + Math.sin(q[0]))
+      q = [q[1] * 1.3 + 0.2, q[2] * 1.3 + 0.2, q[0] * 1.3 + 0.2]
+      a *= 0.5
+    }
+    return [x, y + s + i, z]
+  }
+  follows(stops, stopped)
+})
+
+test('break, continue and return', () => {
+  const far = 'if (q.x > 2.5) break;'
+  const source = loop('for (int i = 0; i < 12; i++)', `${far} ${wave}`)
+  assert.ok(hasLoop(source))
+  follows(
+    source,
+    waves(12, (q) => q[0] > 2.5),
+  )
+  follows(
+    loop('for (int i = 0; i < 9; i++)', wave.replace('a *=', 'if (i == 4) break; a *=')),
+    waves(5),
+  )
+  follows(
+    loop(
+      'for (int i = 0; i < 9; i++)',
+      `float k = i == 3 ? 0.0 : 1.0; ${wave.replace('a * sin', 'k * a * sin')}`,
+    ),
+    waves(9, undefined, (i) => (i === 3 ? 0 : 1)),
+  )
+  const returns = `float f(vec3 p) { float s = 0.0; float a = 0.5; vec3 q = p;
+    for (int i = 0; i < 12; i++) { if (q.x > 2.5) return s; ${wave} } return s; }
+    vec3 offset(vec3 p) { return vec3(0.0, f(p), 0.0); }`
+  assert.ok(hasLoop(returns))
+  follows(
+    returns,
+    waves(12, (q) => q[0] > 2.5),
+  )
+})
+
+test('a loop that only the shader ends runs as one, too', () => {
+  const source = loop('while (q.x < 2.5)', wave)
+  assert.ok(hasLoop(source, 'glsl300', { maxIterations: 12 }))
+  follows(
+    source,
+    waves(12, (q) => q[0] >= 2.5),
+    { maxIterations: 12 },
+  )
+})
+
+test('how many steps were run is counted, also as an int that is read after the loop', () => {
+  const source = `vec3 offset(vec3 p) { vec3 q = p; int n = 0;
+    for (int i = 0; i < 20; i++) { if (dot(q, q) > 9.0) break; q = q.yzx * 1.2 + sin(q) * cos(q.zxy) * 0.3 + 0.1; n++; }
+    return vec3(float(n), 0.0, 0.0); }`
+  assert.ok(hasLoop(source))
+  const count = (p) => {
+    let [q, n] = [p, 0]
+    while (n < 20 && q.reduce((sum, c) => sum + c * c, 0) <= 9) {
+      q = q.map((c, i) => q[(i + 1) % 3] * 1.2 + Math.sin(c) * Math.cos(q[(i + 2) % 3]) * 0.3 + 0.1)
+      n++
+    }
+    return n
+  }
+  follows(source, (p) => [p[0] + count(p), p[1], p[2]])
+})
+
+test('what holds bits is unrolled, since a state is a float', () => {
+  const source = `vec3 offset(vec3 p) { uint h = floatBitsToUint(p.x); float s = 0.0;
+    for (int i = 0; i < 6; i++) { h = h * 1664525u + 1013904223u; h ^= h >> 13; h ^= h << 7;
+      s += float(h >> 8) / 16777216.0 * sin(p.y * float(i)) * cos(p.z + float(i)) + sin(p.x * s); }
+    return vec3(0.0, s, 0.0); }`
+  assert.ok(!hasLoop(source))
+})
+
+test('a loop in a loop, whose step the inner one reads', () => {
+  const body =
+    'vec2 c = vec2(float(i), float(j)); s += exp(-dot(p.xz - c, p.xz - c)) * sin(p.y + c.x);'
+  const source = loop('for (int i = -2; i <= 2; i++) for (int j = -2; j <= 2; j++)', body)
+  assert.ok(hasLoop(source))
+  const cells = ([x, y, z]) => {
+    let s = 0
+    for (let i = -2; i <= 2; i++)
+      for (let j = -2; j <= 2; j++) s += Math.exp(-((x - i) ** 2) - (z - j) ** 2) * Math.sin(y + i)
+    return [x, y + s, z]
+  }
+  follows(source, cells)
+  const triangle = source.replace('j <= 2', 'j <= i')
+  follows(triangle, ([x, y, z]) => {
+    let s = 0
+    for (let i = -2; i <= 2; i++)
+      for (let j = -2; j <= i; j++) s += Math.exp(-((x - i) ** 2) - (z - j) ** 2) * Math.sin(y + i)
+    return [x, y + s, z]
+  })
+})
