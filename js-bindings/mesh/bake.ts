@@ -23,8 +23,8 @@ export const asksForVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?
 /**
  * The mesh with every vertex moved and every normal and tangent turned; all else is copied. Missing normals are computed
  * before, and how normals and uvs vary over the surface, if the warp depends on them. `warp` is what `compileWarp` returns. An empty mesh stays empty; 10 million triangles take some seconds.
- * A `BufferGeometry` of three.js comes back as one, with all its other attributes and its groups. Throws a `WarpError` if
- * arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex, a geometry has morph targets,
+ * A `BufferGeometry` of three.js comes back as one, with all its other attributes and its groups; its morph targets are
+ * warped, too. Throws a `WarpError` if arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex,
  * or the mesh is too large for the memory of the module (such as 40 million triangles).
  */
 export function bakeWarp<Given extends Geometry>(
@@ -39,7 +39,8 @@ export function bakeWarp(
   options?: EvaluationOptions,
 ): unknown {
   const baked = bake(given, warp, options)
-  return isGeometry(given) ? movedGeometry('bakeWarp', given, baked) : baked
+  if (!isGeometry(given)) return baked
+  return movedGeometry(given, baked, (mesh) => bake(mesh, warp, options))
 }
 
 function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions): Mesh {

@@ -1,12 +1,18 @@
 // Geometries of three.js coming out, as they came in: what is not known here is kept, or lies between its neighbours.
-import { WarpError } from '../checks/errors.js'
-import { type Attribute, type Geometry, geometryAttributes } from '../inputs/geometry.js'
-import type { Mesh } from './mesh-arrays.js'
+import {
+  type Attribute,
+  type Geometry,
+  arraysOf,
+  geometryAttributes,
+  numbersOf,
+} from '../inputs/geometry.js'
+import type { Mesh, MeshInput } from './mesh-arrays.js'
 
 /** What is used of a BufferGeometry that is made. */
 interface Made extends Geometry {
   attributes: Record<string, Attribute>
   morphAttributes: Record<string, Attribute[]>
+  morphTargetsRelative: boolean
   groups: Group[]
   drawRange: Range
   boundingBox: unknown
@@ -66,18 +72,62 @@ function put(made: Made, mesh: Mesh, Numbers: AttributeClass) {
   }
 }
 
-/** A copy whose vertices have moved. */
-export function movedGeometry(method: string, given: Geometry, mesh: Mesh): unknown {
-  if (Object.values((given as Made).morphAttributes ?? {}).some((targets) => targets.length))
-    throw new WarpError(
-      `${method}: the geometry has morph targets, which would stay where the surface was; warp the mesh by warpjet/three, or take them away by geometry.morphAttributes = {}.`,
-    )
+/** A copy whose vertices have moved to where `baked` has them; `bake` moves its morph targets likewise. */
+export function movedGeometry(
+  given: Geometry,
+  baked: Mesh,
+  bake: (mesh: MeshInput) => Mesh,
+): unknown {
   const { Plain, Numbers } = classesOf(given)
   const made = withoutBounds(new Plain().copy(given))
-  const { positions, normals, tangents } = mesh
+  const { positions, normals, tangents } = baked
   put(made, { positions, normals, ...(tangents && { tangents }) }, Numbers)
+  moveTargets(made, given as Made, baked, (mesh) => bake({ ...arraysOf(given), ...mesh }), Numbers)
   return made
 }
+
+/**
+ * Each target becomes what the warp makes of the whole mesh when that target alone has all the influence. Without normals of
+ * its own it gets some: where the vertices go, the warp turns otherwise.
+ */
+function moveTargets(
+  made: Made,
+  given: Made,
+  baked: Mesh,
+  bake: (mesh: Targets) => Mesh,
+  Numbers: AttributeClass,
+) {
+  const { position, normal } = given.morphAttributes
+  const count = Math.max(position?.length ?? 0, normal?.length ?? 0)
+  if (count === 0) return
+  const isRelative = given.morphTargetsRelative
+  const rest = arraysOf(given) as unknown as Targets
+  const whole = (target: Attribute | undefined, rest: Float32Array) =>
+    target ? sum(numbersOf(target, 3), isRelative ? rest : undefined) : rest
+  const targets = Array.from({ length: count }, (_, i) =>
+    bake({
+      positions: whole(position?.[i], rest.positions),
+      ...(rest.normals && { normals: whole(normal?.[i], rest.normals) }),
+    }),
+  )
+  for (const [name, attribute] of [
+    ['positions', 'position'],
+    ['normals', 'normal'],
+  ] as const)
+    made.morphAttributes[attribute] = targets.map((target, i) => {
+      const numbers = sum(target[name], isRelative ? baked[name] : undefined, -1)
+      const { name: called } = (position?.[i] ?? normal?.[i]) as { name?: string }
+      return Object.assign(new Numbers(numbers, 3), called && { name: called })
+    })
+}
+
+interface Targets {
+  positions: Float32Array
+  normals?: Float32Array
+}
+
+const sum = (numbers: Float32Array, others: Float32Array | undefined, factor = 1) =>
+  others ? numbers.map((number, i) => number + factor * others[i]!) : numbers
 
 /** As C++ has them: of new vertices two ends each, and of triangles the one that it is a part of. */
 export interface Origins {

@@ -198,6 +198,28 @@ function extentInWorld(warp: ThreeWarp, object: Warpable, before: Extent): Exten
   }
 }
 
+/**
+ * Of a geometry of a batch, whichever instance has it. In the world, where each is warped otherwise, it grows by as far as
+ * any vertex of any instance moves.
+ */
+export function extentInBatch(warp: ThreeWarp, object: Warpable): (rest: Extent) => Extent {
+  if (warp.settings.space !== 'world') return (rest) => warpedExtent(warp, object, rest)
+  const by = boundsBy(warp.offsets, warp, object, aroundInWorld(object).box)
+  const back = new Matrix4().copy(object.matrixWorld).invert().setPosition(0, 0, 0)
+  const farthest = Math.max(...cornersOf(by).map((corner) => corner.applyMatrix4(back).length()))
+  const scales = instancesOf(object).matrices.map((matrix) => matrix.getMaxScaleOnAxis())
+  const reach = (slack * farthest) / Math.min(...scales.filter((scale) => scale > 0))
+  return ({ box, sphere }) => ({
+    box: box.expandByScalar(reach),
+    sphere: new Sphere(sphere.center, sphere.radius + reach),
+  })
+}
+
+const cornersOf = ({ min, max }: Box3) =>
+  [min.x, max.x].flatMap((x) =>
+    [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))),
+  )
+
 const isInfinite = ({ min, max }: Box3) =>
   [...min.toArray(), ...max.toArray()].some((number) => !Number.isFinite(number)) &&
   !(max.x < min.x)

@@ -8,12 +8,12 @@ import {
   type Mesh,
   type Object3D,
   type Raycaster,
-  type Sphere,
+  Sphere,
 } from 'three'
 import { WarpError, describe } from '../checks/errors.js'
 import { noteApproximation } from '../checks/notes.js'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
-import { extentOf, remembered, sphereAround, stateOf, warpedBox } from './extent.js'
+import { type Extent, extentInBatch, extentOf, remembered, stateOf } from './extent.js'
 import { type ThreeWarp, keep } from './kept.js'
 import {
   type ShadowMaterials,
@@ -184,31 +184,34 @@ const answering = <Value extends Box3 | Sphere>(value: () => Value): PropertyDes
 const hasVariation = ({ geometry }: Warpable) =>
   variationNames.some((name) => variationAttribute(name) in geometry.attributes)
 
-/** A batch culls each of its geometries by itself. */
+/** A batch culls its instances one by one, by what is around each of its geometries. */
 function inBatch(warp: ThreeWarp, object: BatchedMesh) {
-  if (warp.settings.space === 'world') return { perObjectFrustumCulled: false }
-  const { getBoundingBoxAt } = object
-  const boxes = remembered(
+  if (!warp.runs) return { perObjectFrustumCulled: false }
+  const { getBoundingBoxAt, getBoundingSphereAt } = object
+  // One method calls the other, and keeps what it found.
+  const atRest = Object.create(object, { getBoundingBoxAt: { value: getBoundingBoxAt } }) as object
+  const find = remembered(
     () => stateOf(warp, object),
-    () => new Map<number, Box3>(),
+    () => ({ extentOf: extentInBatch(warp, object), known: new Map<number, Extent>() }),
   )
-  const boxAt = (id: number) => {
-    const known = boxes()
+  const extentAt = (id: number) => {
+    const { extentOf, known } = find()
     if (!known.has(id)) {
-      const rest = getBoundingBoxAt.call(object, id, new Box3())
-      if (!rest) return null
-      known.set(id, warpedBox(warp, object, rest))
+      const box = getBoundingBoxAt.call(atRest as BatchedMesh, id, new Box3())
+      const sphere = getBoundingSphereAt.call(atRest as BatchedMesh, id, new Sphere())
+      if (!box || !sphere) return null
+      known.set(id, extentOf({ box, sphere }))
     }
     return known.get(id)!
   }
   return {
     getBoundingBoxAt(id: number, target: Box3) {
-      const box = boxAt(id)
-      return box && target.copy(box)
+      const extent = extentAt(id)
+      return extent && target.copy(extent.box)
     },
     getBoundingSphereAt(id: number, target: Sphere) {
-      const box = boxAt(id)
-      return box && target.copy(sphereAround(box))
+      const extent = extentAt(id)
+      return extent && target.copy(extent.sphere)
     },
   }
 }

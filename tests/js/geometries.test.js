@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import * as THREE from 'three'
-import { compileWarp, WarpError } from 'warpjet'
+import { compileWarp } from 'warpjet'
 import { bakeWarp, exportGLB, loadMesh, subdivide, surfaceVariation } from 'warpjet/mesh'
 
 const up = compileWarp(({ glsl }) => glsl.vec3(0, 0, 1))
@@ -131,7 +131,6 @@ describe('subdivide', () => {
 describe('bakeWarp', () => {
   test('moves the vertices of a geometry, which keeps everything else', () => {
     const given = square()
-    given.morphAttributes = {}
     given.computeBoundingSphere()
     const baked = bakeWarp(given, up)
     assert.equal(baked.constructor, THREE.BufferGeometry)
@@ -147,17 +146,85 @@ describe('bakeWarp', () => {
     assert.equal(baked.toJSON().type, 'BufferGeometry')
   })
 
-  test('refuses morph targets, which would stay', () => {
-    assert.throws(() => bakeWarp(square(), up), {
-      name: 'WarpError',
-      message: /^bakeWarp: the geometry has morph targets/,
-    })
+  for (const relative of [true, false])
+    for (const own of ['with normals of their own', 'without'])
+      test(`warps morph targets, ${relative ? 'relative' : 'whole'}, ${own}`, () => {
+        const given = morphing(relative, own !== 'without')
+        const before = JSON.stringify(given.toJSON())
+        const baked = bakeWarp(given, waves)
+        assert.equal(JSON.stringify(given.toJSON()), before)
+        assert.equal(baked.morphTargetsRelative, relative)
+        assert.equal(baked.morphAttributes.position[1].name, 'second')
+        const rest = new THREE.Mesh(given)
+        const shown = new THREE.Mesh(baked)
+        for (const influences of [
+          [0, 0],
+          [1, 0],
+          [0, 1],
+        ]) {
+          rest.morphTargetInfluences = shown.morphTargetInfluences = influences
+          for (let i = 0; i < given.attributes.position.count; i++) {
+            const at = rest.getVertexPosition(i, new THREE.Vector3())
+            const expected = at.clone().add(new THREE.Vector3(0, 0, height(at.x, at.y)))
+            const place = shown.getVertexPosition(i, new THREE.Vector3())
+            assert.ok(place.distanceTo(expected) < 1e-6, `${influences}: vertex ${i}`)
+            const normal = turned(normalOf(rest, i), at)
+            assert.ok(normalOf(shown, i).distanceTo(normal) < 1e-5, `${influences}: normal ${i}`)
+          }
+        }
+      })
+
+  test('refuses a geometry without positions', () => {
     assert.throws(() => bakeWarp(new THREE.BufferGeometry(), up), {
       name: 'WarpError',
       message: 'bakeWarp: the geometry has no attribute "position".',
     })
   })
 })
+
+const waves = compileWarp(({ glsl, position }) =>
+  glsl.vec3(0, 0, position.x().mult(2).sin().add(position.y().mult(3).cos()).mult(0.2)),
+)
+const height = (x, y) => 0.2 * (Math.sin(2 * x) + Math.cos(3 * y))
+
+/** A normal as the slopes of that height at a place turn it, by the inverse transpose of the matrix of derivatives. */
+function turned(normal, { x, y }) {
+  const [dx, dy] = [0.4 * Math.cos(2 * x), -0.6 * Math.sin(3 * y)]
+  const made = new THREE.Matrix3().set(1, 0, 0, 0, 1, 0, dx, dy, 1).invert().transpose()
+  return normal.applyMatrix3(made).normalize()
+}
+
+/** As the shaders of three.js add up the targets. */
+function normalOf({ geometry, morphTargetInfluences: influences }, i) {
+  const { attributes, morphAttributes, morphTargetsRelative } = geometry
+  const all = influences.reduce((sum, influence) => sum + influence, 0)
+  const made = new THREE.Vector3().fromBufferAttribute(attributes.normal, i)
+  const targets = morphAttributes.normal
+  if (targets && !morphTargetsRelative) made.multiplyScalar(1 - all)
+  targets?.forEach((target, t) =>
+    made.addScaledVector(new THREE.Vector3().fromBufferAttribute(target, i), influences[t]),
+  )
+  return made.normalize()
+}
+
+/** A sphere, and two others that it becomes: a larger one beside it, and one that is drawn along an axis. */
+function morphing(relative, withNormals) {
+  const geometry = new THREE.SphereGeometry(1, 12, 8)
+  const targets = [
+    geometry.clone().scale(1.5, 1.5, 1.5).translate(1, 0, 0.5),
+    geometry.clone().scale(1, 2, 0.5),
+  ]
+  const { attributes } = geometry
+  for (const name of withNormals ? ['position', 'normal'] : ['position'])
+    geometry.morphAttributes[name] = targets.map((target) => {
+      const made = target.attributes[name].clone()
+      if (relative) made.array.forEach((_, i) => (made.array[i] -= attributes[name].array[i]))
+      return made
+    })
+  geometry.morphAttributes.position[1].name = 'second'
+  geometry.morphTargetsRelative = relative
+  return geometry
+}
 
 test('other functions take geometries too', () => {
   const geometry = new THREE.BoxGeometry()

@@ -216,7 +216,7 @@ function morphing() {
   return mesh
 }
 
-test('nothing that is visible is culled, in ten thousand settings, and little else is drawn', () => {
+test('nothing that is visible is culled, in ten thousand settings, and little else is drawn', (t) => {
   const random = numbers(7)
   const { geometry, material } = plane()
   const kinds = [
@@ -228,17 +228,18 @@ test('nothing that is visible is culled, in ten thousand settings, and little el
       mesh.setMatrixAt(1, new THREE.Matrix4().makeScale(0.5, 0.2, 1))
       return mesh
     },
+    batched,
     skinned,
     morphing,
   ]
   const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 30)
   const frustum = new THREE.Frustum()
-  let [drawn, visible, settings] = [0, 0, 0]
+  let [drawn, visible, settings, drawnInBatch, visibleInBatch] = [0, 0, 0, 0, 0]
   for (const space of ['local', 'world', 'rest'])
     for (const kind of kinds) {
       const mesh = kind()
       const warped = warp(mesh, wave, { space, uniforms: { height: 0 } })
-      for (let i = 0; i < 68; i++) {
+      for (let i = 0; i < 57; i++) {
         warped.uniforms.height.value = 2 * random()
         mesh.userData.millis = 5000 * random()
         warped.update(mesh.userData.millis)
@@ -249,8 +250,7 @@ test('nothing that is visible is culled, in ten thousand settings, and little el
           bone.rotation.set(random(), random(), random())
         if (mesh.morphTargetInfluences) mesh.morphTargetInfluences[0] = random()
         mesh.updateMatrixWorld(true)
-        // Where the vertices are, by what rays meet: a ray to each of some of them.
-        const places = placesOf(mesh, space, warped)
+        const instances = placesOf(mesh, space, warped)
         for (let k = 0; k < 10; k++) {
           settings++
           camera.position.set(random() - 0.5, random() - 0.5, random() - 0.5).multiplyScalar(12)
@@ -262,19 +262,57 @@ test('nothing that is visible is culled, in ten thousand settings, and little el
               camera.matrixWorldInverse,
             ),
           )
-          const isVisible = places.some((place) => frustum.containsPoint(place))
+          const seen = instances.map((places) => places.some((at) => frustum.containsPoint(at)))
           const isDrawn = frustum.intersectsObject(mesh)
-          assert.ok(isDrawn || !isVisible, `${space}, ${mesh.type}: culled`)
-          drawn += isDrawn
-          visible += isVisible
+          assert.ok(isDrawn || !seen.includes(true), `${space}, ${mesh.type}: culled`)
+          if (!mesh.isBatchedMesh) {
+            drawn += isDrawn
+            visible += seen.includes(true)
+            continue
+          }
+          const those = isDrawn ? drawnOf(mesh, camera) : []
+          seen.forEach((is, i) => assert.ok(!is || those.includes(i), `${space}: ${i} culled`))
+          drawnInBatch += those.length
+          visibleInBatch += seen.filter(Boolean).length
         }
       }
     }
   assert.ok(settings > 10_000)
-  assert.ok(visible > 500 && drawn <= 2 * visible, `${drawn} drawn, ${visible} visible`)
+  t.diagnostic(`${settings} settings: ${drawn} drawn, ${visible} visible`)
+  t.diagnostic(`in batches: ${drawnInBatch} instances drawn, ${visibleInBatch} visible`)
+  assert.ok(visible > 500 && drawn <= 2 * visible)
+  assert.ok(visibleInBatch > 100 && drawnInBatch <= 2 * visibleInBatch)
 })
 
-/** The vertices in the world, each computed by itself in double. */
+/** A batch of a ball and a ring, each at two places. */
+function batched() {
+  const geometries = [
+    new THREE.SphereGeometry(1.2, 24, 16),
+    new THREE.TorusGeometry(1, 0.4, 12, 32),
+  ]
+  const [vertices, indices] = ['position', 'index'].map((name) =>
+    geometries.reduce((sum, each) => sum + (each[name] ?? each.attributes[name]).count, 0),
+  )
+  const mesh = new THREE.BatchedMesh(4, vertices, indices, new THREE.MeshBasicMaterial())
+  const ids = geometries.map((each) => mesh.addGeometry(each))
+  for (const [i, x] of [-3, -1, 1, 3].entries())
+    mesh.setMatrixAt(
+      mesh.addInstance(ids[i % 2]),
+      new THREE.Matrix4()
+        .makeRotationY(i)
+        .scale(new THREE.Vector3(1, 0.7, 0.9))
+        .setPosition(x, i, 0),
+    )
+  return mesh
+}
+
+/** Which instances of a batch three.js draws for a camera. */
+function drawnOf(mesh, camera) {
+  mesh.onBeforeRender({}, undefined, camera, mesh.geometry, mesh.material)
+  return [...mesh._indirectTexture.image.data.slice(0, mesh._multiDrawCount)]
+}
+
+/** The vertices of each instance in the world, each computed by itself in double. */
 function placesOf(mesh, space, { uniforms }) {
   const height = uniforms.height.value
   const { millis } = mesh.userData
@@ -282,24 +320,20 @@ function placesOf(mesh, space, { uniforms }) {
     place.z += height * Math.sin(3 * place.x + millis / 500)
     return place
   }
-  const matrices = mesh.isInstancedMesh
-    ? [0, 1].map((i) => {
-        const matrix = new THREE.Matrix4()
-        mesh.getMatrixAt(i, matrix)
-        return matrix
-      })
-    : [new THREE.Matrix4()]
-  const { position } = mesh.geometry.attributes
+  const isMany = mesh.isInstancedMesh || mesh.isBatchedMesh
   const posed = space === 'rest' ? withLifted(mesh, lift) : mesh
-  const places = []
-  for (const matrix of matrices)
-    for (let i = 0; i < position.count; i += 1) {
-      const place = posed.getVertexPosition(i, new THREE.Vector3())
+  return Array.from({ length: isMany ? (mesh.instanceCount ?? mesh.count) : 1 }, (_, instance) => {
+    const matrix = new THREE.Matrix4()
+    if (isMany) mesh.getMatrixAt(instance, matrix)
+    const { vertexStart = 0, vertexCount = mesh.geometry.attributes.position.count } =
+      mesh.isBatchedMesh ? mesh.getGeometryRangeAt(mesh.getGeometryIdAt(instance)) : {}
+    return Array.from({ length: vertexCount }, (_, i) => {
+      const place = posed.getVertexPosition(vertexStart + i, new THREE.Vector3())
       if (space === 'local') lift(place)
       place.applyMatrix4(matrix).applyMatrix4(mesh.matrixWorld)
-      places.push(space === 'world' ? lift(place) : place)
-    }
-  return places
+      return space === 'world' ? lift(place) : place
+    })
+  })
 }
 
 /** The mesh, the vertices of its geometry moved before anything else is. */
