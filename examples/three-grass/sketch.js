@@ -7,39 +7,47 @@ import { warp } from 'warpjet/three'
 const renderer = new THREE.WebGLRenderer({ antialias: true })
 renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
 renderer.shadowMap.enabled = true
+renderer.toneMapping = THREE.ACESFilmicToneMapping
 document.body.append(renderer.domElement)
 
 const scene = new THREE.Scene()
-scene.background = new THREE.Color('#cfe3f1')
-scene.fog = new THREE.Fog('#cfe3f1', 9, 17)
+// An evening in summer: a low sun behind the field, and haze in front of the sky.
+scene.background = new THREE.Color('#f3e3c8')
+scene.fog = new THREE.Fog('#f3e3c8', 6, 14)
 const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50)
-camera.position.set(3.5, 2, 6)
+camera.position.set(2.6, 1.7, 6.4)
 const controls = new OrbitControls(camera, renderer.domElement)
 controls.target.set(0, 0.4, 0)
 controls.maxPolarAngle = 1.5
 controls.enableDamping = true
 
-const sun = new THREE.DirectionalLight('#fff1cf', 3.5)
-sun.position.set(-4, 5, 2)
+const sun = new THREE.DirectionalLight('#ffd9a0', 6)
+sun.position.set(-5, 4, -3)
 sun.castShadow = true
 sun.shadow.mapSize.set(2048, 2048)
-sun.shadow.bias = -0.001
+sun.shadow.normalBias = 0.01
 Object.assign(sun.shadow.camera, { left: -6, right: 6, top: 6, bottom: -6, far: 16 })
-scene.add(sun, new THREE.HemisphereLight('#d9ecff', '#3a4a1c', 1.3))
+scene.add(sun, new THREE.HemisphereLight('#ffeedd', '#4a5a24', 2.2))
 
 const ground = new THREE.Mesh(
   new THREE.CircleGeometry(12, 48).rotateX(-Math.PI / 2),
-  new THREE.MeshStandardMaterial({ color: '#4f6b28', roughness: 1 }),
+  new THREE.MeshStandardMaterial({ color: '#39491a', roughness: 1 }),
 )
 ground.receiveShadow = true
 scene.add(ground)
 
 // Ten thousand blades, each with a place, a height and a colour of its own.
 const blade = new THREE.ConeGeometry(0.025, 1, 5, 8).translate(0, 0.5, 0).scale(1, 1, 0.4)
+// Little light comes down to where they grow.
+const { position: place } = blade.attributes
+const shade = Float32Array.from({ length: 3 * place.count }, (_, i) => {
+  return 0.25 + 0.9 * place.getY(Math.floor(i / 3))
+})
+blade.setAttribute('color', new THREE.BufferAttribute(shade, 3))
 const count = 10_000
 const grass = new THREE.InstancedMesh(
   blade,
-  new THREE.MeshStandardMaterial({ roughness: 0.7, side: THREE.DoubleSide }),
+  new THREE.MeshStandardMaterial({ roughness: 0.6, vertexColors: true }),
   count,
 )
 const one = new THREE.Object3D()
@@ -51,7 +59,7 @@ for (let i = 0; i < count; i++) {
   one.scale.set(1, 0.5 + 0.5 * Math.random(), 1)
   one.updateMatrix()
   grass.setMatrixAt(i, one.matrix)
-  grass.setColorAt(i, color.setHSL(0.22 + 0.06 * Math.random(), 0.6, 0.3 + 0.12 * Math.random()))
+  grass.setColorAt(i, color.setHSL(0.17 + 0.09 * Math.random(), 0.6, 0.3 + 0.14 * Math.random()))
 }
 grass.castShadow = grass.receiveShadow = true
 scene.add(grass)

@@ -12,21 +12,48 @@ renderer.toneMapping = THREE.ACESFilmicToneMapping
 document.body.append(renderer.domElement)
 
 const scene = new THREE.Scene()
-scene.background = new THREE.Color('#b8d4e3')
-scene.fog = new THREE.Fog('#b8d4e3', 18, 42)
+// As the haze below is shown.
+scene.fog = new THREE.Fog('#ced5d8', 14, 34)
 const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100)
-camera.position.set(7, 4.5, 9)
+camera.position.set(6, 3.2, 8)
 const controls = new OrbitControls(camera, renderer.domElement)
+controls.target.set(0, 0.8, 0)
 controls.maxPolarAngle = 1.5
 controls.enableDamping = true
 
 const sun = new THREE.DirectionalLight('#fff3d6', 4)
 sun.position.set(6, 9, -4)
 sun.castShadow = true
-sun.shadow.mapSize.set(1024, 1024)
+sun.shadow.mapSize.set(2048, 2048)
 sun.shadow.normalBias = 0.03
+sun.shadow.bias = -0.002
 Object.assign(sun.shadow.camera, { left: -8, right: 8, top: 8, bottom: -8, far: 30 })
-scene.add(sun, new THREE.HemisphereLight('#cfe8ff', '#0b3a4a', 1.2))
+scene.add(sun)
+
+// The sky, around the sun and down to the haze on the horizon: what is seen, and what the water mirrors.
+function sky([width, height] = [256, 128]) {
+  const data = new Float32Array(4 * width * height)
+  const [haze, zenith, deep] = ['#cbdde8', '#3d7fb0', '#0a3a45'].map((hex) => new THREE.Color(hex))
+  const toSun = sun.position.clone().normalize()
+  const [way, color] = [new THREE.Vector3(), new THREE.Color()]
+  for (let i = 0; i < width * height; i++) {
+    const longitude = 2 * Math.PI * (((i % width) + 0.5) / width - 0.5)
+    const latitude = Math.PI * ((Math.floor(i / width) + 0.5) / height - 0.5)
+    way.setFromSphericalCoords(1, Math.PI / 2 - latitude, Math.PI / 2 - longitude)
+    if (way.y < 0) color.lerpColors(haze, deep, Math.min(1, Math.max(0, -3 * way.y - 0.5)))
+    else color.lerpColors(haze, zenith, 1 - (1 - way.y) ** 6)
+    const glow = Math.max(0, way.dot(toSun)) ** 60
+    color.toArray(data, 4 * i)
+    for (let k = 0; k < 3; k++) data[4 * i + k] += glow * [2, 1.7, 1.2][k]
+    data[4 * i + 3] = 1
+  }
+  const texture = new THREE.DataTexture(data, width, height, THREE.RGBAFormat, THREE.FloatType)
+  texture.mapping = THREE.EquirectangularReflectionMapping
+  texture.minFilter = texture.magFilter = THREE.LinearFilter
+  texture.needsUpdate = true
+  return texture
+}
+scene.background = scene.environment = sky()
 
 // Waves that go round in circles, as Gerstner's do: crests get sharp, and the water comes and goes.
 const waves = [
@@ -51,7 +78,7 @@ function swell({ glsl, position, millis, uniforms }) {
 
 const sea = new THREE.Mesh(
   new THREE.PlaneGeometry(44, 44, 220, 220).rotateX(-Math.PI / 2),
-  new THREE.MeshPhysicalMaterial({ vertexColors: true, roughness: 0.2, clearcoat: 0.4 }),
+  new THREE.MeshStandardMaterial({ vertexColors: true, roughness: 0.12 }),
 )
 sea.castShadow = sea.receiveShadow = true
 scene.add(sea)
@@ -65,7 +92,7 @@ const { position, normal } = sea.geometry.attributes
 const calm = { positions: position.array, normals: normal.array }
 
 // Where the water turns over it is white, and only slowly becomes water again.
-const [water, white] = [new THREE.Color('#0f6b7c'), new THREE.Color('#f4fbff')]
+const [water, white] = [new THREE.Color('#0a4a58'), new THREE.Color('#f4fbff')]
 const foam = new Float32Array(position.count)
 const colors = new THREE.Float32BufferAttribute(new Float32Array(3 * position.count), 3)
 sea.geometry.setAttribute('color', colors)
@@ -84,7 +111,9 @@ function breakWaves(millis, seconds) {
 const boat = new THREE.Group()
 const wood = new THREE.MeshStandardMaterial({ color: '#8c4a2f', roughness: 0.6 })
 const deck = new THREE.MeshStandardMaterial({ color: '#d8b27a', roughness: 0.7 })
+// The sun shines through the sails.
 const cloth = new THREE.MeshStandardMaterial({ color: '#fff7e8', side: THREE.DoubleSide })
+cloth.emissive.set('#7d6f58')
 const hull = new THREE.SphereGeometry(1, 48, 16, 0, 7, Math.PI / 2, Math.PI / 2)
 const sail = (...corners) =>
   new THREE.ShapeGeometry(new THREE.Shape(corners.map(([z, y]) => new THREE.Vector2(z, y))))

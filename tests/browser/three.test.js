@@ -1,6 +1,7 @@
 // 'warpjet/three' with WebGLRenderer: a motion that matrices can do, done by a warp and by three.js itself, is the same picture,
 // shadows and all, on the three.js of today and on the oldest that is supported.
 import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { leavePage } from './support/browser.js'
@@ -124,4 +125,33 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         assert.ok(differing > 100, `${name} without ${sabotage}: ${differing} pixels differ`)
       }
     })
+  })
+
+for (const file of ['README.md', 'web/docs/three.md'])
+  test(`the first listing of ${file} runs as it stands`, async () => {
+    const text = readFileSync(new URL(`../../${file}`, import.meta.url), 'utf8')
+    const [, code] = /^# ?.*three\.js\n[^]*?```js\n([^]*?)```/m.exec(
+      text.replaceAll('\n## ', '\n# '),
+    )
+    const { page, messages } = await pages.listing(code)
+    const counted = () =>
+      page.evaluate(async () => {
+        const canvas = await new Promise(function look(found) {
+          const there = document.querySelector('canvas')
+          if (there) found(there)
+          else requestAnimationFrame(() => look(found))
+        })
+        await new Promise(requestAnimationFrame)
+        await new Promise(requestAnimationFrame)
+        const gl = canvas.getContext('webgl2')
+        const pixels = new Uint8Array(4 * canvas.width * canvas.height)
+        gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels)
+        return pixels.filter((byte, i) => i % 4 === 2 && byte > 64).length
+      })
+    const first = await counted()
+    await page.waitForTimeout(300)
+    const second = await counted()
+    assert.deepEqual(messages, [])
+    assert.ok(first > 5000 && second !== first, `${first} pixels, then ${second}`)
+    await leavePage(page)
   })

@@ -21,16 +21,16 @@ const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
     'warpjet/three/webgpu': '/dist/three.webgpu.js',
     ...imports,
   },
-})}</script>
-<script type="module" src="/tests/browser/support/three/`
+})}</script>`
 
-/** → { open(version, script), close() }; what a page prints is in its `messages`. */
+/** → { open(version, script), listing(code), close() }; what a page prints is in its `messages`. */
 export async function threePages(flags) {
   const browser = await launchBrowser(flags)
   const pages = await servePages()
   return {
     async open(version, script = 'page.js', imports) {
-      const text = `${html(version, imports)}${script}"></script>`
+      const from = `/tests/browser/support/three/${script}`
+      const text = `${html(version, imports)}<script type="module" src="${from}"></script>`
       const opened = await openPage(browser, pages.page(text))
       await opened.page
         .waitForFunction(() => document.title === 'ready', null, { timeout: 30_000 })
@@ -39,6 +39,9 @@ export async function threePages(flags) {
         })
       return opened
     },
+    /** A page of what a document shows. */
+    listing: (code) =>
+      openPage(browser, pages.page(`${html('three')}<script type="module">${code}</script>`)),
     async close() {
       await browser.close()
       await pages.close()
