@@ -3,6 +3,7 @@ import { type BatchedMesh, Box3, type InstancedMesh, Matrix4, Sphere, Vector3 } 
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import type { ThreeWarp } from './kept.js'
 import { type Warpable, boxOf, isMoved, poseState, posedBox, posedFrom, sphereOf } from './pose.js'
+import { remembered } from './remembered.js'
 import type { WarpSpace } from './settings.js'
 import { fillOf } from './surface.js'
 
@@ -35,20 +36,6 @@ function rangeOf(uv: Parameters<typeof boxOf>[0]) {
       max[k] = Math.max(max[k]!, value)
     }
   return { min, max }
-}
-
-/** Remembers what `work` gave for as long as `state` gives the same numbers. */
-export function remembered<Result>(state: () => number[], work: () => Result): () => Result {
-  let last: number[] | undefined
-  let result: Result
-  return () => {
-    const now = state()
-    if (last?.length !== now.length || now.some((number, i) => number !== last![i])) {
-      result = work()
-      last = now
-    }
-    return result
-  }
 }
 
 /** What changes where a warped object is. */

@@ -1,7 +1,15 @@
 // An offset function as three.js needs it: called once, then texts for its shaders, and the same warp on the CPU.
-import { type KeptWarp, keepWarp, readOptions, writeWarp } from '../compile/warp-text.js'
+import { type FrameUniforms, frameOf } from '../compile/frame.js'
+import {
+  type KeptWarp,
+  type WarpText,
+  isOfFrame,
+  keepWarp,
+  readOptions,
+  writeWarp,
+} from '../compile/warp-text.js'
 import { runOnCpu } from '../compile/compile-warp.js'
-import type { Target } from '../module/kept-module.js'
+import type { Known, Target } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
 import { millisUniform, outputs } from '../compile/host-names.js'
 import { WarpError } from '../checks/errors.js'
@@ -9,8 +17,10 @@ import { checkCallback } from '../checks/options.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { withUniforms } from '../inputs/declared-uniforms.js'
 import { drawInputs, variationInputs } from '../inputs/inputs.js'
+import { imageShape } from '../expression/shapes.js'
 import type { Declared } from '../module/result.js'
 import type { OffsetFunction } from '../types/types.js'
+import { remembered } from './remembered.js'
 import type { Settings } from './settings.js'
 import { type Uniform, onCpu, readUniforms } from './uniforms.js'
 import { warpProgram } from '../cpu/warp-program.js'
@@ -22,6 +32,8 @@ export interface Text {
   code: string
   declarations: string
   attributes: Declared[]
+  /** Which vec4s of the frame it reads. */
+  frame: string[]
 }
 
 /** A warp for three.js, whatever it is put on. */
@@ -44,6 +56,8 @@ export interface ThreeWarp {
   runs: boolean
   /** The numbers that it depends on now. */
   numbers: () => number[]
+  /** Those of the frame that the text reads, computed in double and within whole periods: see compile/frame.ts. */
+  frame: () => FrameUniforms
   /** What `evaluate` and its companions take as `uniforms`. */
   given: () => { millis: number }
   /** The same for the same text. */
@@ -78,6 +92,13 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
   )
   const texts = new Map<string, Text>()
   const isRead = (name: string) => positionText.uniforms.some((uniform) => uniform.name === name)
+  const numbers = () => [
+    ...(isRead('millis') ? [millis.value] : []),
+    ...uniforms.filter(({ label }) => isRead(label)).flatMap(({ numbers }) => numbers()),
+  ]
+  const known = knownTo(warp, uniforms)
+  const computed = frameOf(warp, known)
+  const byLabel = new Map(uniforms.map((uniform) => [uniform.label, uniform]))
   return {
     settings,
     uniforms,
@@ -88,21 +109,20 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
     reads: new Set(positionText.attributes.map(({ name }) => name)),
     write: (target, turned, names) => {
       const key = JSON.stringify([target, turned, names])
-      const { code, declarations, attributes } =
-        texts.get(key) ?? writeFor(warp, turned, target, names)
-      texts.set(key, { code, declarations, attributes })
+      if (!texts.has(key)) texts.set(key, textOf(writeFor(warp, turned, target, names, known)))
       return texts.get(key)!
     },
     cpu,
     offsets,
     runs: cpu[warpProgram].program() !== undefined,
-    numbers: () => [
-      ...(isRead('millis') ? [millis.value] : []),
-      ...uniforms.filter(({ label }) => isRead(label)).flatMap(({ numbers }) => numbers()),
-    ],
+    numbers,
+    frame: remembered(
+      numbers,
+      () => computed?.(({ name }) => byLabel.get(name)?.numbers() ?? [millis.value]) ?? {},
+    ),
     given: () => ({ millis: millis.value }),
     key: lazily(() => {
-      const { code, declarations } = writeFor(warp, 'tangent', 'glsl300')
+      const { code, declarations } = writeFor(warp, 'tangent', 'glsl300', {}, known)
       const types = uniforms.map(({ shape }) => shape.join('x'))
       return hash([settings.space, types, code, declarations].join('\n'))
     }),
@@ -114,13 +134,29 @@ function writeFor(
   turned: Turned,
   target: Target,
   names: Record<string, string> = {},
+  known?: Known,
 ) {
   const settings = {
     ...warp.settings,
     normals: turned !== 'position',
     tangents: turned === 'tangent',
   }
-  return writeWarp({ ...warp, settings }, target, { names }).text
+  return writeWarp({ ...warp, settings }, target, { names, known }).text
+}
+
+const textOf = ({ code, declarations, attributes, uniforms }: WarpText): Text => ({
+  code,
+  declarations,
+  attributes,
+  frame: uniforms.filter(isOfFrame).map(({ name }) => name),
+})
+
+/** What is the same for a whole frame: the time, and uniforms but images. */
+function knownTo({ inputs }: KeptWarp, uniforms: readonly Uniform[]): Known {
+  const labels = new Set(
+    uniforms.filter(({ shape }) => shape !== imageShape).map(({ label }) => label),
+  )
+  return ({ name, number }) => number === inputs.millis || labels.has(name)
 }
 
 /** What the shaders of three.js do not have. */

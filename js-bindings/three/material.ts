@@ -165,6 +165,16 @@ function inShader(warp: ThreeWarp, fill: () => Material) {
       },
     }),
     ...Object.fromEntries(warp.uniforms.map(({ label, inShader }) => [label, inShader])),
+    ...Object.fromEntries(
+      Object.keys(warp.frame()).map((name) => [
+        name,
+        {
+          get value() {
+            return warp.frame()[name]
+          },
+        },
+      ]),
+    ),
   }
 }
 

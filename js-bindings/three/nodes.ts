@@ -187,6 +187,9 @@ function uniformsOf(warp: ThreeWarp): Record<string, AnyNode> {
       return self.value
     }),
     ...Object.fromEntries(
+      Object.keys(warp.frame()).map((name) => [name, number([1, 4], () => warp.frame()[name])]),
+    ),
+    ...Object.fromEntries(
       warp.uniforms.map(({ label, shape, inShader }) => [
         label,
         shape === imageShape
@@ -260,7 +263,7 @@ const wgslTypes: Record<string, string> = {
 
 /** What the function takes, by name and type. */
 function parametersOf(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): [string, string][] {
-  const { attributes } = warp.write(isWebGPU ? 'wgsl' : 'glsl300', turned, namesIn(isWebGPU))
+  const { attributes, frame } = warp.write(isWebGPU ? 'wgsl' : 'glsl300', turned, namesIn(isWebGPU))
   const read = new Set(attributes.map(({ name }) => name))
   const optional: [string, string, string][] = [
     ['uv', 'warpjetUv', 'vec2'],
@@ -275,6 +278,7 @@ function parametersOf(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): [stri
       .filter(([name]) => read.has(name))
       .map(([, name, type]): [string, string] => [name, type]),
     [millisUniform, 'float'],
+    ...frame.map((name): [string, string] => [name, 'vec4']),
     ...warp.uniforms.map(({ label, shape }): [string, string] => [label, typeOf(shape)]),
   ]
 }

@@ -12,9 +12,10 @@ import {
   type Sphere,
   type Vector3,
 } from 'three'
-import { instancesOf, remembered, sphereAround, stateOf, warpedBox } from './extent.js'
+import { instancesOf, sphereAround, stateOf, warpedBox } from './extent.js'
 import type { ThreeWarp } from './kept.js'
 import { type Warpable, posedBox } from './pose.js'
+import { remembered } from './remembered.js'
 import { warpedGeometry } from './surface.js'
 
 export type Raycast = (raycaster: Raycaster, intersects: Intersection[]) => void

@@ -13,7 +13,7 @@ import {
 import { WarpError, describe } from '../checks/errors.js'
 import { noteApproximation } from '../checks/notes.js'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
-import { type Extent, extentInBatch, extentOf, remembered, stateOf } from './extent.js'
+import { type Extent, extentInBatch, extentOf, stateOf } from './extent.js'
 import { type ThreeWarp, keep } from './kept.js'
 import {
   type ShadowMaterials,
@@ -24,6 +24,7 @@ import {
 } from './material.js'
 import type { Warpable } from './pose.js'
 import { type Raycast, raycastOf } from './rays.js'
+import { remembered } from './remembered.js'
 import { checkForAll, refusing, weaveForAll } from './renderers.js'
 import { type Settings, type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
 import type { ThreeUniforms, ValuesOf } from './uniforms.js'

@@ -95,6 +95,9 @@ function declarationsFor(warp: ThreeWarp, isLit: boolean) {
     `uniform highp float ${millisUniform};`,
     'uniform highp vec4 warpjetFill;',
     ...warp.uniforms.map(({ label, shape }) => `uniform highp ${typeOf(shape)} ${label};`),
+    ...[...new Set(texts.flatMap(({ text }) => text.frame))].map(
+      (name) => `uniform highp vec4 ${name};`,
+    ),
     ...variation.map(({ name }) => `attribute vec3 ${variationAttribute(name)};`),
     byTangent(texts, ({ declarations }) => declarations),
   ].join('\n')

@@ -70,13 +70,16 @@ for (const backend of ['webgl', 'webgpu'])
       assert.ok(moved > seen)
     })
 
-    test('MeshNormalMaterial shows the normals of a wave, and so does a node', async () => {
+    test('MeshNormalMaterial shows the normals of a wave, also after a week, and so does a node', async () => {
       for (const asNode of [false, true]) {
         const { worst, unwarped } = await page.evaluate((settings) => three.normals(settings), {
           backend,
           asNode,
         })
-        assert.ok(worst <= 3 && unwarped > 30, `${worst} of 255, ${unwarped} without the warp`)
+        assert.ok(
+          Math.max(...worst) <= 3 && unwarped > 30,
+          `${worst} of 255, ${unwarped} without the warp`,
+        )
       }
     })
 

@@ -81,9 +81,12 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       if (version === 'three') await isSame('plain', { options: { reversedDepthBuffer: true } })
     })
 
-    test('MeshNormalMaterial shows the normals of a wave', async () => {
+    test('MeshNormalMaterial shows the normals of a wave, also after a week', async () => {
       const { worst, unwarped } = await page.evaluate(() => three.normals())
-      assert.ok(worst <= 3 && unwarped > 30, `${worst} of 255, ${unwarped} without the warp`)
+      assert.ok(
+        Math.max(...worst) <= 3 && unwarped > 30,
+        `${worst} of 255, ${unwarped} without the warp`,
+      )
     })
 
     test('an image among the uniforms', async () => {

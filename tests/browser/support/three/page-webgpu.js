@@ -73,7 +73,7 @@ async function normals({ backend, asNode }) {
     asNode ? new THREE.MeshNormalNodeMaterial() : undefined,
   )
   const target = new THREE.RenderTarget(size, size, { type: THREE.FloatType })
-  const read = async () => {
+  const read = async (millis) => {
     renderer.setRenderTarget(target)
     renderer.render(scene, camera)
     renderer.setRenderTarget(null)
@@ -81,7 +81,7 @@ async function normals({ backend, asNode }) {
     const shown = Array.from(numbers, (x) =>
       x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055,
     )
-    return wave.worstOf(shown, backend === 'webgl')
+    return wave.worstOf(shown, { isUpwards: backend === 'webgl', millis })
   }
   const unwarped = await read()
   let update
@@ -90,8 +90,12 @@ async function normals({ backend, asNode }) {
     Object.assign(mesh.material, { positionNode: made.node, needsUpdate: true })
     update = made.update
   } else update = warp(mesh, wave.offset).update
-  update(wave.millis)
-  return { worst: await read(), unwarped }
+  const worst = []
+  for (const millis of wave.moments) {
+    update(millis)
+    worst.push(await read(millis))
+  }
+  return { worst, unwarped }
 }
 
 async function image({ backend }) {

@@ -97,18 +97,23 @@ export function normals() {
   renderer = rendererFor({})
   const { scene, camera, mesh, size } = wave.waveScene()
   const target = new THREE.WebGLRenderTarget(size, size)
-  const read = () => {
+  const read = (millis) => {
     renderer.setRenderTarget(target)
     renderer.render(scene, camera)
     const bytes = new Uint8Array(4 * size * size)
     renderer.readRenderTargetPixels(target, 0, 0, size, size, bytes)
     renderer.setRenderTarget(null)
-    return wave.worstOf(Array.from(bytes, (byte) => byte / 255))
+    return wave.worstOf(
+      Array.from(bytes, (byte) => byte / 255),
+      { millis },
+    )
   }
   const unwarped = read()
   const warped = warp(mesh, wave.offset)
-  warped.update(wave.millis)
-  const worst = read()
+  const worst = wave.moments.map((millis) => {
+    warped.update(millis)
+    return read(millis)
+  })
   warped.dispose()
   target.dispose()
   return { worst, unwarped }
