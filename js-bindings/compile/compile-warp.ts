@@ -2,7 +2,7 @@
 import { type Emits, compileOffset } from './offset.js'
 import { type CpuWarp, createCpuWarp } from '../cpu/cpu-warp.js'
 import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
-import { makeProgram } from '../module/kept-module.js'
+import { type Known, makeProgram } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
 import { warpResults } from '../wasm/tables.js'
 import type { OffsetFunction, UniformValues } from '../types/types.js'
@@ -31,23 +31,25 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
 
 /**
  * What is kept of an offset function, on the CPU. With `place: 'offset'` it gives how far a vertex moves, in place of where. `nameOf`
- * tells what the user calls an input that the text calls otherwise.
+ * tells what the user calls an input that the text calls otherwise. With `known` it reads the vec4s of the frame, which `declared`
+ * has then, in place of what they are computed from.
  */
 export const runOnCpu = (
   warp: KeptWarp,
   declared: DeclaredUniforms,
   place: 'position' | 'offset' = 'position',
   nameOf = (name: string) => name,
+  known?: Known,
 ): CpuWarp =>
   createCpuWarp({
     declared,
     program: lazily(() => {
-      const program = programOf(warp, place)
+      const program = programOf(warp, place, known)
       const inputs = program?.inputs.map((each) => ({ ...each, name: nameOf(each.name) }))
       return program && { ...program, inputs: inputs! }
     }),
     directionProgram: lazily(() =>
-      makeProgram(warp.module, [warpResults.position, warpResults.direction].map(onSurface)),
+      makeProgram(warp.module, [warpResults.position, warpResults.direction].map(onSurface), known),
     ),
     hasNormals: warp.settings.normals,
     varies: warp.varies,
@@ -57,8 +59,12 @@ export const runOnCpu = (
   })
 
 /** In the order of numbersOf in cpu-warp.ts. */
-function programOf({ module, settings }: KeptWarp, place: 'position' | 'offset') {
+function programOf(
+  { module, settings }: KeptWarp,
+  place: 'position' | 'offset',
+  known: Known | undefined,
+) {
   const { [place]: position, normal, tangent, determinant } = warpResults
   const results = settings.normals ? [position, normal, tangent, determinant] : [position]
-  return makeProgram(module, results.map(onSurface))
+  return makeProgram(module, results.map(onSurface), known)
 }

@@ -93,9 +93,16 @@ export const writeText = (
 export const resultsOf = (module: KeptModule): Variable[] =>
   reading(module, (core, open) => readLines(core.outputLines(open)))
 
-/** For the CPU, of results by number; nothing if it would call a function of the host. */
-export const makeProgram = (module: KeptModule, results: readonly number[]): Program | undefined =>
-  reading(module, (core, open) => programOf(core, open, results))
+/** For the CPU, of results by number; nothing if it would call a function of the host. With `known` it reads vec4s of the frame. */
+export const makeProgram = (
+  module: KeptModule,
+  results: readonly number[],
+  known?: Known,
+): Program | undefined =>
+  reading(module, (core, open) => {
+    separate(core, open, known)
+    return programOf(core, open, results)
+  })
 
 function programOf(core: Core, open: Reading, results: readonly number[]): Program | undefined {
   for (const number of results) core._wantResult(open, number)

@@ -83,13 +83,6 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
   const positionText = writeFor(warp, 'position', 'glsl300')
   refuseOthers(method, writeFor(warp, 'tangent', 'glsl300'), uniforms)
   const millis = { value: 0 }
-  const silent = { ...warp, settings: { ...warp.settings, isAccepted: true } }
-  const cpu = runOnCpu(silent, onCpu(uniforms))
-  const offsets = runOnCpu(
-    { ...silent, settings: { ...silent.settings, normals: false } },
-    onCpu(uniforms),
-    'offset',
-  )
   const texts = new Map<string, Text>()
   const isRead = (name: string) => positionText.uniforms.some((uniform) => uniform.name === name)
   const numbers = () => [
@@ -99,6 +92,20 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
   const known = knownTo(warp, uniforms)
   const computed = frameOf(warp, known)
   const byLabel = new Map(uniforms.map((uniform) => [uniform.label, uniform]))
+  const frame = remembered(
+    numbers,
+    () => computed?.(({ name }) => byLabel.get(name)?.numbers() ?? [millis.value]) ?? {},
+  )
+  const declaredOnCpu = onCpu(uniforms, frame)
+  const silent = { ...warp, settings: { ...warp.settings, isAccepted: true } }
+  const cpu = runOnCpu(silent, declaredOnCpu, 'position', undefined, known)
+  const offsets = runOnCpu(
+    { ...silent, settings: { ...silent.settings, normals: false } },
+    declaredOnCpu,
+    'offset',
+    undefined,
+    known,
+  )
   return {
     settings,
     uniforms,
@@ -116,10 +123,7 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
     offsets,
     runs: cpu[warpProgram].program() !== undefined,
     numbers,
-    frame: remembered(
-      numbers,
-      () => computed?.(({ name }) => byLabel.get(name)?.numbers() ?? [millis.value]) ?? {},
-    ),
+    frame,
     given: () => ({ millis: millis.value }),
     key: lazily(() => {
       const { code, declarations } = writeFor(warp, 'tangent', 'glsl300', {}, known)
