@@ -165,9 +165,11 @@ for (const name of ['in', 'around', 'given', 'suspended'])
 
 test('mounted and unmounted a thousand times, nothing is left', async (t) => {
   const cycle = (times) => page.evaluate((times) => window.cycle(times), times)
-  const { heap: before, ...counts } = await cycle(50)
+  // Until all code is compiled: until then the heap grows by a megabyte without a <Warp>, too.
+  const { heap: before, ...counts } = await cycle(400)
   const { heap, ...countsAfter } = await cycle(1000)
   t.diagnostic(`heap ${before} before, ${heap} after; ${JSON.stringify(counts)}`)
   assert.deepEqual(countsAfter, counts)
-  assert.ok(heap < before + 5e5, `the heap grew from ${before} to ${heap}`)
+  // A warp that stayed would be some ten kilobytes, and React mounts each twice.
+  assert.ok(heap < before + 2e6, `the heap grew from ${before} to ${heap}`)
 })
