@@ -9,9 +9,11 @@
 set(fast_sources src/graph/simplify.cpp)
 set(fast_evaluation_sources
   src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp src/eval/registers.cpp)
-target_compile_options(warpjet_core PRIVATE -Oz)
-set_source_files_properties(${fast_sources} ${fast_evaluation_sources} PROPERTIES COMPILE_OPTIONS -O3)
-set_source_files_properties(js-bindings/wasm/core.cpp js-bindings/wasm/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
+list(TRANSFORM fast_sources PREPEND "${PROJECT_SOURCE_DIR}/")
+list(TRANSFORM fast_evaluation_sources PREPEND "${PROJECT_SOURCE_DIR}/")
+set(small_sources ${core_sources})
+list(REMOVE_ITEM small_sources ${fast_sources} ${fast_evaluation_sources})
+set_source_files_properties(${small_sources} js-bindings/wasm/core.cpp js-bindings/wasm/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
 # Of meshes, what runs once per file or name in it.
 set_source_files_properties(
@@ -25,7 +27,7 @@ set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp TARGET_DIRECTORY warpje
 # What computes four vertices at a time. The core links none of it, for link-time optimisation would give SIMD to all
 # functions of a module that has one with it.
 set_source_files_properties(js-bindings/wasm/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
-set_property(SOURCE src/eval/blocks.cpp TARGET_DIRECTORY warpjet_core APPEND PROPERTY COMPILE_OPTIONS -msimd128)
+set_source_files_properties(src/eval/blocks.cpp TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
 
 # emcc renamed the setting in 3.1.25. No function calls itself over nodes, so the stack can be small.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)
@@ -54,7 +56,6 @@ warpjet_module(core .wasm js-bindings/wasm/core.cpp)
 add_library(warpjet_fast OBJECT ${fast_sources})
 target_include_directories(warpjet_fast PRIVATE src)
 target_compile_options(warpjet_fast PRIVATE -fno-exceptions -fno-rtti)
-list(TRANSFORM fast_sources PREPEND "${PROJECT_SOURCE_DIR}/")
 list(REMOVE_ITEM core_sources ${fast_sources})
 set_property(TARGET warpjet_core PROPERTY SOURCES ${core_sources} $<TARGET_OBJECTS:warpjet_fast>)
 target_sources(warpjet_core_wasm PRIVATE $<TARGET_OBJECTS:warpjet_fast>)

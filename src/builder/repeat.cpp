@@ -10,7 +10,7 @@ namespace warpjet {
 
 namespace {
 
-constexpr std::string_view method = "repeat";
+constexpr std::string_view repeatMethod = "repeat";
 
 }  // namespace
 
@@ -19,13 +19,13 @@ int Builder::openRepeat(int steps) {
   std::uint64_t all = static_cast<std::uint64_t>(steps);
   for (const Repeat& repeat : repeats_) all *= std::max(graph_.loop(repeat.fold.loop).steps, 1u);
   if (all > mostSteps) {
-    refuse(method, {"it takes at most ", std::to_string(mostSteps),
-                    " steps, those of repeats within each other multiplied, but these are ",
-                    std::to_string(all), "."});
+    refuse(repeatMethod, {"it takes at most ", std::to_string(mostSteps),
+                          " steps, those of repeats within each other multiplied, but these are ",
+                          std::to_string(all), "."});
     return failed;
   }
   if (repeats_.size() == deepestLoops) {
-    refuse(method,
+    refuse(repeatMethod,
            {"repeats stand at most ", std::to_string(deepestLoops), " deep in each other."});
     return failed;
   }
@@ -49,14 +49,15 @@ int Builder::closeRepeat() {
   std::vector<NodeId> nodes;
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (next[i].shape() != repeat.shapes[i]) {
-      refuse(method, {"state ", std::to_string(i + 1), " starts as ", shapeName(repeat.shapes[i]),
-                      ", but becomes ", shapeName(next[i].shape()), "."});
+      refuse(repeatMethod,
+             {"state ", std::to_string(i + 1), " starts as ", shapeName(repeat.shapes[i]),
+              ", but becomes ", shapeName(next[i].shape()), "."});
       return failed;
     }
     nodes.insert(nodes.end(), next[i].nodes().begin(), next[i].nodes().end());
   }
   const std::vector<NodeId> outcomes = closeFold(graph_, repeat.fold, nodes);
-  if (!checkPossible(outcomes, graph_.size(), method)) return failed;
+  if (!checkPossible(outcomes, graph_.size(), repeatMethod)) return failed;
   return addAll(repeat.shapes, outcomes);
 }
 

@@ -4,14 +4,14 @@ namespace warpjet {
 
 namespace {
 
-constexpr std::array<const Dialect*, ops::languageCount> all{&glsl300, &glsl100, &wgsl};
+constexpr std::array<const Dialect*, ops::languageCount> everyDialect{&glsl300, &glsl100, &wgsl};
 
 }  // namespace
 
-std::span<const Dialect* const> dialects() { return all; }
+std::span<const Dialect* const> dialects() { return everyDialect; }
 
 const Dialect* findDialect(std::string_view name) {
-  for (const Dialect* dialect : all) {
+  for (const Dialect* dialect : everyDialect) {
     if (dialect->name == name) return dialect;
   }
   return nullptr;

@@ -11,7 +11,8 @@
 
 namespace warpjet {
 
-// So many vertices go to the warp at once: enough that the call costs nothing, few enough for caches.
+// So many vertices go to the warp at once: enough that the call costs nothing, few enough for
+// caches.
 constexpr std::size_t batchSize = 1 << 14;
 
 using Weights = std::array<float, 3>;
