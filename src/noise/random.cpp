@@ -10,7 +10,7 @@ namespace {
 // float. The factors are 4096 over powers of the golden ratio and of its kin in three dimensions,
 // the real root of x³ = x + 1 (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
 // 2018), made odd.
-constexpr double steps = 4096;
+constexpr double denominator = 4096;
 constexpr double factorsOfTwo[] = {1, 2531}, factorsOfThree[] = {1, 3091, 2333};
 
 // A cube folded onto the surface of the polytope whose corners lie on the axes, as in McEwan,
@@ -35,7 +35,7 @@ Numbers foldedCube(Expression hash, int dimensions) {
 Numbers randomNumbers(Expression hash, int count) {
   const double* factors = count < 3 ? factorsOfTwo : factorsOfThree;
   Numbers numbers;
-  for (int i = 0; i < count; ++i) numbers.push_back(fract(hash * (factors[i] / steps)));
+  for (int i = 0; i < count; ++i) numbers.push_back(fract(hash * (factors[i] / denominator)));
   return numbers;
 }
 
