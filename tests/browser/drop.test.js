@@ -5,7 +5,7 @@ import { after, before, describe, test } from 'node:test'
 import { createServer } from 'vite'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
 import { config, desktop, difference, path, patience, pixels } from './support/bench.js'
-import { launchBrowser, openPage } from './support/browser.js'
+import { bytesOf, launchBrowser, openPage } from './support/browser.js'
 import { sphereMesh } from './support/mesh.js'
 import { png } from './support/png.js'
 import { serveSite } from './support/site.js'
@@ -202,7 +202,7 @@ describe('the page for one’s own model', () => {
       page.getByRole('button', { name: 'Download' }).click(),
     ])
     assert.equal(download.suggestedFilename(), 'ball-twist.glb')
-    const mesh = await loadMesh(readFileSync(await download.path()))
+    const mesh = await loadMesh(await bytesOf(download))
     assert.equal(mesh.indices.length, 3 * 1024)
     assert.ok(Math.abs(mesh.material.baseColor[1] - 0.8) < 1e-6)
     // The page's twist: 4 · 0.5 radians a unit of 0.02, about the ball's upright axis.

@@ -45,7 +45,10 @@ const lower = (context, { exceptions = [], before = '' } = {}) =>
     const response = await route.fetch()
     if (exceptions.includes(name)) return route.fulfill({ response })
     if (name.startsWith('three-'))
-      return route.fulfill({ response, body: (before && twoFrames) + (await smaller(response)) })
+      return route.fulfill({
+        response,
+        body: (before === still ? twoFrames : '') + (await smaller(response)),
+      })
     const body = `${await response.text()}
 {
   const { createCanvas, pixelDensity } = p5.prototype

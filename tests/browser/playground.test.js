@@ -1,11 +1,11 @@
 // The playground: what one writes is what one sees, mistakes cost nothing, and a link brings a sketch back.
 import assert from 'node:assert/strict'
-import { mkdirSync, readFileSync } from 'node:fs'
+import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { pathToFileURL } from 'node:url'
 import { createServer } from 'vite'
 import { config, desktop, difference, path, phone } from './support/bench.js'
-import { launchBrowser, openPage } from './support/browser.js'
+import { bytesOf, launchBrowser, openPage } from './support/browser.js'
 import {
   canvasPixels,
   dragNumber,
@@ -253,7 +253,7 @@ describe('the playground', () => {
   }
 
   test('saves the picture', async () => {
-    const bytes = readFileSync(await (await saved('Picture (PNG)')).path())
+    const bytes = await bytesOf(await saved('Picture (PNG)'))
     assert.equal(bytes.subarray(1, 4).toString(), 'PNG')
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [120, 90])
   })

@@ -58,3 +58,10 @@ export async function leavePage(page) {
   await page.goto(new URL('/', page.url()).href)
   left.set(browser, page)
 }
+
+/** What the page gave to be saved. The browser may be one that other files of tests use, and then tells no path. */
+export async function bytesOf(download) {
+  const chunks = []
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk)
+  return Buffer.concat(chunks)
+}
