@@ -1,6 +1,6 @@
 // The page for a visitor's own model: dropped files, warps, the file that comes back, and what is said of a broken one.
 import assert from 'node:assert/strict'
-import { mkdirSync, readFileSync } from 'node:fs'
+import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { createServer } from 'vite'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
