@@ -2,7 +2,6 @@
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { chromium } from 'playwright-core'
 import { testFlags } from './flags.mjs'
 
 /** Where `lend` of tests/browser/support finds them: a folder for what is taken, and the addresses. */
@@ -10,6 +9,8 @@ export const variable = 'WARPJET_BROWSERS'
 
 /** Starts `count` browsers for the processes that `work` starts, and stops them after it. */
 export async function withBrowsers(count, work) {
+  // Set-up, which comes before it in one process, installs it.
+  const { chromium } = await import('playwright-core')
   const options = { executablePath: process.env.WARPJET_CHROMIUM, args: testFlags }
   const servers = await Promise.all(
     Array.from({ length: count }, () => chromium.launchServer(options)),
