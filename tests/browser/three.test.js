@@ -50,6 +50,11 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         })
     })
 
+    test('materials of shadows that the object has already', async () => {
+      for (const light of ['directional', 'point'])
+        await isSame('materials of shadows of its own', { light })
+    })
+
     test('in the world', async () => {
       for (const name of [
         'plain',

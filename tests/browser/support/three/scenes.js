@@ -215,6 +215,17 @@ export const shapes = {
     const alphaMap = normalMap()
     return new THREE.Mesh(knot(), standard({ alphaMap, alphaTest: 0.5 }))
   },
+  'materials of shadows of its own': () => {
+    const mesh = new THREE.Mesh(knot(), standard())
+    const holes = { alphaMap: normalMap(), alphaTest: 0.5 }
+    mesh.customDepthMaterial = new THREE.MeshDepthMaterial({
+      depthPacking: THREE.RGBADepthPacking,
+      ...holes,
+    })
+    mesh.customDistanceMaterial = new THREE.MeshDistanceMaterial(holes)
+    return mesh
+  },
+  ShadowMaterial: () => new THREE.Mesh(knot(), new THREE.ShadowMaterial({ opacity: 0.8 })),
   ...Object.fromEntries(
     [
       ['Basic', { color: 0x80ff40 }],
