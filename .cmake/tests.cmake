@@ -17,8 +17,8 @@ foreach(shard RANGE 1 ${shards})
                        ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
 endforeach()
 
-# A dozen files at once, since reading the table is most of the time of each: a third of the time in all. The wasm build, which
-# grows by 2% so, has each by itself, and finds an include that is missing.
+# A dozen files at once, since reading the table is most of the time of each: a third of the time in all. The wasm build has
+# each by itself, and finds an include that is missing.
 set_target_properties(warpjet_core warpjet_glsl PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
 # What these have for themselves has the name of what others have.
 set_source_files_properties(src/diff/differentiator.cpp src/emit/sums.cpp src/eval/blocks.cpp src/eval/idioms.cpp
