@@ -36,7 +36,8 @@ if(NOT WARPJET_SANITIZE)
   add_test(NAME own_rows COMMAND own_row_tests --gtest_brief=1)
 endif()
 
-# Half of the time of compiling. ccache keeps nothing that clang compiles with a precompiled header, and then that costs more than it saves.
+# Half of the time of compiling. ccache keeps nothing that clang compiles with a precompiled header, and then that costs more
+# than it saves.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_precompile_headers(warpjet_core PRIVATE
     <algorithm> <array> <cmath> <cstdint> <functional> <initializer_list> <optional> <span> <string> <string_view>
