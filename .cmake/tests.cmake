@@ -21,7 +21,8 @@ endforeach()
 # each by itself, and finds an include that is missing.
 set_target_properties(warpjet_core warpjet_glsl PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
 # What these have for themselves has the name of what others have.
-set_source_files_properties(src/diff/differentiator.cpp src/emit/sums.cpp src/eval/blocks.cpp src/eval/idioms.cpp
+set_source_files_properties(src/diff/differentiator.cpp src/diff/together.cpp src/emit/sums.cpp src/eval/blocks.cpp src/eval/code_writer.cpp
+                            src/eval/each_lane.cpp src/eval/idioms.cpp src/eval/machine_code.cpp
                             src/frame/frame.cpp src/graph/simplify.cpp src/texture/texture.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
@@ -36,13 +37,17 @@ if(NOT WARPJET_SANITIZE)
   add_test(NAME own_rows COMMAND own_row_tests --gtest_brief=1)
 endif()
 
-# Half of the time of compiling. ccache keeps nothing that clang compiles with a precompiled header, and then that costs more
-# than it saves.
+# What most files read, read once: two thirds of the time of compiling the tests. ccache keeps nothing that clang compiles with a
+# precompiled header, and then that costs more than it saves.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  target_precompile_headers(warpjet_core PRIVATE
+  set(common_headers
     <algorithm> <array> <cmath> <cstdint> <functional> <initializer_list> <optional> <span> <string> <string_view>
-    <unordered_map> <utility> <vector>)
-  target_precompile_headers(warpjet_tests PRIVATE <gtest/gtest.h>)
+    <unordered_map> <utility> <vector> <graph/expression.hpp>)
+  target_precompile_headers(warpjet_core PRIVATE ${common_headers})
+  # In quotes they would be those of the core, without the rows of its own.
+  target_precompile_headers(own_row_tests PRIVATE ${common_headers})
+  target_precompile_headers(warpjet_tests PRIVATE
+    <gtest/gtest.h> <algebra/value.hpp> <builder/builder.hpp> <emit/emit.hpp>)
 endif()
 
 # The targets that `npm run fuzz` feeds. Given files, they run each once, without libFuzzer too: the corpus is a test.
@@ -81,6 +86,7 @@ target_link_libraries(warpjet_table PRIVATE warpjet_mesh warpjet_core)
 
 # What `npm run bench:evaluate` compares the wasm with.
 add_executable(warpjet_bench_evaluate EXCLUDE_FROM_ALL .scripts/bench/evaluate.cpp
-               src/eval/blocks.cpp src/eval/registers.cpp src/graph/schedule.cpp)
+               src/eval/blocks.cpp src/eval/each_lane.cpp src/eval/registers.cpp src/graph/schedule.cpp src/ops/ops.cpp src/ops/interval.cpp
+               src/ops/whole.cpp)
 target_include_directories(warpjet_bench_evaluate PRIVATE src)
 target_compile_options(warpjet_bench_evaluate PRIVATE -Wno-stringop-overflow)  # GCC 12 at -O3 sees one where none can be

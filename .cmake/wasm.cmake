@@ -8,7 +8,7 @@
 # node: at -O2 or -Os a warp of 3,000 nodes takes 2.7 times as long, and what -O3 in more files than this one gains is 6%.
 set(fast_sources src/graph/simplify.cpp)
 set(fast_evaluation_sources
-  src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp src/eval/registers.cpp)
+  src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp)
 list(TRANSFORM fast_sources PREPEND "${PROJECT_SOURCE_DIR}/")
 list(TRANSFORM fast_evaluation_sources PREPEND "${PROJECT_SOURCE_DIR}/")
 set(small_sources ${core_sources})
@@ -28,6 +28,9 @@ set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp TARGET_DIRECTORY warpje
 # functions of a module that has one with it.
 set_source_files_properties(js-bindings/wasm/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
 set_source_files_properties(src/eval/blocks.cpp TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
+set_source_files_properties(
+  src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp
+  TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS "-msimd128;-Oz")
 
 # emcc renamed the setting in 3.1.25. No function calls itself over nodes, so the stack can be small.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)

@@ -1,5 +1,6 @@
-// npm run bench:evaluate: how many vertices a second a warp moves on the CPU, positions and normals, by warp.evaluate, by
-// the same function written by hand in JavaScript, and by the same C++ compiled natively with -O3.
+// npm run bench:evaluate: how many vertices a second a warp moves on the CPU, positions and normals, by warp.evaluate, by the
+// interpreter that it has where an engine compiles nothing, by the same function written by hand in JavaScript, and by the same
+// C++ compiled natively with -O3; and how long making the machine code takes.
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -10,19 +11,36 @@ import { cmakeBuild } from './lib/cmake.mjs'
 import { path } from './lib/files.mjs'
 import { main } from './lib/terminal.mjs'
 
+/** The library once more, where the engine compiles nothing after what the library itself consists of. */
+async function interpretedLibrary(offset) {
+  const library = await import('../dist/warpjet.min.js')
+  const warp = library.compileWarp(offset)
+  const once = () => warp.evaluateAt([1, 2, 3], { uniforms: { millis: 0 } })
+  once()
+  const { Module } = WebAssembly
+  WebAssembly.Module = function () {
+    throw new WebAssembly.CompileError('forbidden')
+  }
+  once()
+  WebAssembly.Module = Module
+  return library
+}
+
 await main(async () => {
   await build()
   await cmakeBuild('release', 'warpjet_bench_evaluate')
   const { compileWarp } = await import('../dist/warpjet.js')
   const { rows, warps } = await import('./bench/evaluate-rows.mjs')
+  const interpreted = await interpretedLibrary(warps.twist.warp)
 
   console.log('Millions of vertices a second, positions and normals; medians of rounds in turn.\n')
   console.log(
-    'warp               vertices   evaluate    by hand     native   evaluate / by hand   native / evaluate   largest difference',
+    'warp               vertices   evaluate  interpreter    by hand     native   evaluate / by hand   native / evaluate   native / interpreter   largest difference',
   )
   for (const { name, vertices, rounds } of rows) {
     const { warp: offset, byHand } = warps[name]
     const warp = compileWarp(offset)
+    const plain = interpreted.compileWarp(offset)
     const mesh = randomMesh(vertices)
     const uniforms = { millis: 1234 }
     const results = {
@@ -31,14 +49,18 @@ await main(async () => {
     }
     const native = nativeRunner(warp, mesh, 1234)
 
-    const times = { evaluate: [], byHand: [], native: [] }
+    const times = { evaluate: [], interpreter: [], byHand: [], native: [] }
+    const warmUps = vertices > 100_000 ? 2 : 20 // until the engine has taken its best compiler
     let moved
-    for (let round = -1; round < rounds; round++) {
+    for (let round = -warmUps; round < rounds; round++) {
       const evaluate = seconds(() => (moved = warp.evaluate(mesh, { uniforms })))
+      if (round < -1) continue
+      const interpreter = seconds(() => plain.evaluate(mesh, { uniforms }))
       const hand = seconds(() => byHand(mesh, 1234, results))
       const compiled = native.seconds()
-      if (round < 0) continue // warm-up
+      if (round < 0) continue
       times.evaluate.push(evaluate)
+      times.interpreter.push(interpreter)
       times.byHand.push(hand)
       times.native.push(compiled)
     }
@@ -49,14 +71,48 @@ await main(async () => {
       name.padEnd(16),
       vertices.toLocaleString('en').padStart(10),
       speed('evaluate'),
+      speed('interpreter').padStart(12),
       speed('byHand'),
       speed('native'),
       ratio('byHand', 'evaluate').padStart(20),
       ratio('evaluate', 'native').padStart(19),
+      ratio('interpreter', 'native').padStart(22),
       largestDifference(moved, results).toExponential(1).padStart(20),
     )
   }
+
+  console.log(
+    '\nMilliseconds until the first vertex is moved, and microseconds of one more by evaluateAt.\n',
+  )
+  console.log('warp               machine code   interpreter   evaluateAt')
+  for (const [name, { warp: offset }] of Object.entries(warps))
+    console.log(name.padEnd(18), ...startUp(compileWarp, offset))
 })
+
+/** By machine code, which the second call makes, and by the interpreter, which the first has; the shortest of some. */
+function startUp(compileWarp, offset) {
+  const at = { normal: [0, 1, 0], uniforms: { millis: 1234 } }
+  const best = { interpreter: Infinity, code: Infinity, next: Infinity }
+  const keep = (name, work) => (best[name] = Math.min(best[name], 1000 * seconds(work)))
+  for (let round = 0; round < 15; round++) {
+    const warp = compileWarp(offset)
+    const once = () => warp.evaluateAt([1, 2, 3], at)
+    // What depends on the inputs is found before.
+    warp.evaluateAt([1, 2, 3], { uniforms: at.uniforms })
+    keep('interpreter', once)
+    keep('code', once)
+    const many = 500
+    keep('next', () => {
+      for (let i = 0; i < many; i++) once()
+    })
+    best.many = many
+  }
+  return [
+    best.code.toFixed(2).padStart(12),
+    best.interpreter.toFixed(2).padStart(13),
+    ((1000 * best.next) / best.many).toFixed(1).padStart(12),
+  ]
+}
 
 function median(numbers) {
   return numbers.toSorted((a, b) => a - b)[numbers.length >> 1]
@@ -96,7 +152,7 @@ function largestDifference(moved, results) {
 
 /** The program and the mesh in a file; each run of the native program times one pass over the mesh. */
 function nativeRunner(warp, { positions, normals }, millis) {
-  const { program } = warp[Symbol.for('warpjet.program')]
+  const program = warp[Symbol.for('warpjet.program')].program()
   const folder = mkdtempSync(join(tmpdir(), 'warpjet-'))
   const file = join(folder, 'program')
   const sizes = program.inputs.map(({ shape: [columns, rows] }) => columns * rows)
@@ -104,6 +160,7 @@ function nativeRunner(warp, { positions, normals }, millis) {
     program.words.length,
     program.instructions,
     sizes.length,
+    program.inputs.findIndex((input) => input.name === 'millis'),
     ...sizes,
   ])
   const time = new Float32Array([millis])

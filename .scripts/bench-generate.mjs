@@ -53,7 +53,7 @@ for (const [sines, runs] of [
   console.log(
     String(NODES_OF_A_SINE * sines).padStart(13),
     time.toFixed(2).padStart(11),
-    (((time * 1e6) / NODES_OF_A_SINE) * sines).toFixed(0).padStart(13),
+    ((time * 1e6) / (NODES_OF_A_SINE * sines)).toFixed(0).padStart(13),
     String(code.length).padStart(12),
     count(/\bsin\(/g),
     count(/\bcos\(/g),

@@ -7,6 +7,7 @@ import { inline } from './lib/inline.mjs'
 import { locked } from './lib/lock.mjs'
 import { reportSizes } from './lib/sizes.mjs'
 import { Stop, isMain, main } from './lib/terminal.mjs'
+import { viteBuild } from './lib/vite.mjs'
 import { setup } from './setup.mjs'
 
 const scripts = ['.scripts/build.mjs', '.scripts/lib', 'package-lock.json']
@@ -127,12 +128,10 @@ function generateModules() {
 const writeGenerated = (name, text) => writeFileSync(path(generated, name), text)
 
 async function bundle() {
-  const vite = await import('vite')
   const { modules, singleModules, scripts } = await import('./vite.library.mjs')
   for (const file of walk('dist', /\.js(\.map)?$/)) rmSync(path(file))
-  await vite.build(modules)
-  for (const module of singleModules) await vite.build(module)
-  for (const script of scripts()) await vite.build(script)
+  await viteBuild(modules, ...singleModules)
+  await viteBuild(...scripts())
 }
 
 if (isMain(import.meta))

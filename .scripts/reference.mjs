@@ -1,12 +1,14 @@
-// npm run reference: writes what the tables of operations say as TypeScript types and as a page of the docs, and what the
-// sources of the deformers say as another.
+// npm run reference: writes what the tables of operations say as TypeScript types and as pages of the docs, what the sources of
+// the deformers say as another, and the page of each example.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname } from 'node:path'
 import { path } from './lib/files.mjs'
 import { good, isMain, main } from './lib/terminal.mjs'
 import { deformersText } from './reference/deformers.mjs'
+import { examplePages } from './reference/example-pages.mjs'
 import { meshNumberedText, numberedText } from './reference/numbered.mjs'
 import { pageText } from './reference/page.mjs'
+import { plotsText } from './reference/plots.mjs'
 import { readTable } from './reference/table.mjs'
 import { typesText } from './reference/types.mjs'
 import { setup } from './setup.mjs'
@@ -20,7 +22,9 @@ export async function staleFiles() {
     'js-bindings/wasm/tables.ts': numberedText(table),
     'js-bindings/wasm/mesh-tables.ts': meshNumberedText(table),
     'web/docs/operations.md': pageText(table),
+    'web/docs/plots.md': plotsText(table),
     'web/docs/deformers.md': deformersText(),
+    ...examplePages(),
   }
   const stale = []
   for (const [file, text] of Object.entries(texts)) {

@@ -1,5 +1,6 @@
 /**
- * 'warpjet/three': warps what three.js draws with WebGLRenderer. `three` is the application's own, from 0.159 on.
+ * 'warpjet/three': warps what three.js draws with WebGLRenderer, and with WebGPURenderer where
+ * 'warpjet/three/webgpu' is imported too. `three` is the application's own, from 0.159 on.
  */
 export { warp, type WarpedObject } from './three/warp.js'
 export { warpMaterial, type Warped, type WarpedMaterial } from './three/material.js'

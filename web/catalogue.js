@@ -1,4 +1,7 @@
-/** What the gallery shows, in order. `name` is the folder in examples/. */
+/**
+ * What the gallery shows, in order. `name` is the folder in examples/; `scripts` are those beside p5.warpjet, of one example or of
+ * all in a section; those with three.js name the `background` of their page.
+ */
 export const sections = [
   {
     title: 'The figures of the paper',
@@ -124,7 +127,7 @@ export const sections = [
     title: 'Deformers',
     source:
       'From warpjet/deformers, ready made. Twist, taper, stretch and bend are those of Barr, Global and Local Deformations of Solid Primitives, 1984',
-    isCompact: true,
+    scripts: ['deformers'],
     examples: [
       {
         name: 'deformer-twist',
@@ -212,6 +215,7 @@ export const sections = [
     examples: [
       {
         name: 'composition',
+        scripts: ['deformers'],
         figure: 'chain, add, blend, mask, inSpace',
         title: 'Warps made of warps',
         text: 'To twist and then to bend is something else than to bend and then to twist; added, neither sees what the other did. All end up as one function, and its normals are as exact as those of its parts.',
@@ -237,24 +241,28 @@ export const sections = [
     examples: [
       {
         name: 'glsl-terrain',
+        scripts: ['glsl'],
         figure: 'GLSL',
         title: 'Terrain from a text',
         text: 'Octaves that turn and shrink, in the manner of Shadertoy, are the height of a plane. The text has a loop, a matrix and two functions, and says nothing of normals; the light is exact all the same.',
       },
       {
         name: 'glsl-waves',
+        scripts: ['glsl'],
         figure: 'GLSL',
         title: 'Gerstner waves',
         text: 'Four waves carry the water round in circles, as they stand in many shaders: crests are sharp, troughs are wide, and the normal follows from the text.',
       },
       {
         name: 'glsl-noise',
+        scripts: ['glsl'],
         figure: 'GLSL',
         title: 'Noise of a package',
         text: 'The simplex noise that half the web uses, read from its package as it is, displaces a sphere. Its derivative, which nobody wrote, turns the normal.',
       },
       {
         name: 'strands-exact-normals',
+        scripts: ['glsl'],
         figure: 'p5.strands',
         title: 'Strands, before and after',
         text: 'A sketch in p5.strands with operators, an if and a loop. Left it is lit as if nothing had moved; right exactNormals has read the shader and turns its normals.',
@@ -267,6 +275,7 @@ export const sections = [
       },
       {
         name: 'ray-marched-field',
+        scripts: ['glsl'],
         figure: 'differentiate',
         title: 'A field with its gradient',
         text: 'Blobs as a field of distances, ray-marched. Left the light takes four more evaluations of the field, right one of the function of value and gradient that was made of its text.',
@@ -295,39 +304,46 @@ export const sections = [
   {
     title: 'With three.js',
     source: 'warpjet/three: one line, and light, shadows, rays and culling follow',
+    host: 'three',
     examples: [
       {
         name: 'three-sea',
+        background: '#ced5d8',
         figure: 'Waves',
         title: 'Sea',
         text: 'Four waves that go round in circles, as Gerstner found in 1804. Where foldover finds the water turned over it foams, and the boat asks inverseAt what of the calm sea has come under it.',
       },
       {
         name: 'three-grass',
+        background: '#f3e3c8',
         figure: 'Instances',
         title: 'Grass in the wind',
         text: 'Ten thousand blades in one InstancedMesh, warped in the world, where the wind blows the same way for all of them. Noise wanders over the field, and light and shadows bend along.',
       },
       {
         name: 'three-terrain',
+        background: '#c5d8e8',
         figure: 'Rays',
         title: 'Terrain to point at',
         text: 'A plane that ridged noise makes mountains of. The flag stands where the pointer meets them, upright on the slope; a click plants it. Drag to turn.',
       },
       {
         name: 'three-corridor',
+        background: '#34405f',
         figure: 'Bones',
         title: 'Through a bending corridor',
         text: 'A skinned figure walks straight ahead, and one warp in the world takes it, the walls and the arches around a bend. Its shadow goes along, and the camera follows its bounds.',
       },
       {
         name: 'three-glass',
+        background: '#b9b2a6',
         figure: 'Tangents',
         title: 'Glass',
         text: 'A vase of hammered glass, the hammering a map of normals. The warp turns the tangents of the vase with its normals, so that dents stay dents while flutes wind around it.',
       },
       {
         name: 'three-lanterns',
+        background: '#070b18',
         figure: 'Culling',
         title: 'Ten thousand lanterns',
         text: 'Twenty-five tiles of four hundred lanterns each, on a swell. Three.js leaves out every tile that the warp takes out of sight; the small picture shows from above which it draws.',

@@ -64,7 +64,8 @@
   }
   document.head.append(
     Object.assign(document.createElement('style'), {
-      textContent: 'canvas { touch-action: pan-y !important }',
+      // Half a pixel too much would make the frame scroll, in place of the page.
+      textContent: 'canvas { touch-action: pan-y !important } html { overflow: hidden }',
     }),
   )
 }

@@ -1,53 +1,74 @@
 /**
- * Runs examples only where somebody looks: a stage holds a frame while it is in view and is empty otherwise, since a
- * browser keeps about sixteen WebGL contexts, and thirteen sketches at once would make each of them slow.
+ * Runs an example only while somebody looks: a stage holds a frame while it is in view, and its picture alone otherwise. With
+ * another sketch, the new frame begins unseen and takes the place of the old one once it has drawn.
  */
 const REPORT_EVERY = 500 // ms
 
-const performances = new WeakMap()
+/** `report` gets { frames, rate, code } as long as it runs. → { setSketch(text), setPaused(isPaused) } */
+export function makeStage(place, { page, title }, report) {
+  let shown, coming, sketch, timer
+  let isSeen = false
+  let isPaused = true
 
-const inView = new IntersectionObserver(
-  (entries) => {
-    for (const { target, isIntersecting, intersectionRatio } of entries) {
-      const { start, stop } = performances.get(target)
-      if (!isIntersecting) stop()
-      else if (intersectionRatio >= 0.3) start()
-    }
-  },
-  { threshold: [0, 0.3] },
-)
-
-/** Fills `stage` with the example while it is in view. `report` gets { frames, rate, code } as long as it runs. */
-export function perform(stage, { name, title }, report) {
-  let frame, timer
-
-  function start() {
-    if (frame) return
-    frame = document.createElement('iframe')
-    frame.src = `examples/${name}/gallery.html`
-    frame.title = title
-    stage.append(frame)
-    timer = setInterval(observer(frame, report), REPORT_EVERY)
+  function begin() {
+    coming?.remove()
+    const frame = document.createElement('iframe')
+    Object.assign(frame, { src: page, title, className: 'coming' })
+    // The recorder in the frame runs that in the place of the sketch there.
+    if (sketch) frame.sketch = URL.createObjectURL(new Blob([sketch], { type: 'text/javascript' }))
+    coming = frame
+    place.append(frame)
+    const look = setInterval(() => {
+      if (frame !== coming) return clearInterval(look)
+      if (!frame.contentWindow?.frameCount) return
+      clearInterval(look)
+      shown?.remove()
+      ;[shown, coming] = [frame, undefined]
+      frame.className = 'shown'
+      clearInterval(timer)
+      timer = setInterval(observer(frame, report), REPORT_EVERY)
+    }, 50)
   }
 
-  function stop() {
-    if (!frame) return
+  function end() {
     clearInterval(timer)
-    frame.remove()
-    frame = undefined
+    for (const frame of [shown, coming]) frame?.remove()
+    shown = coming = undefined
     report({ frames: 0, rate: 0 })
   }
 
-  performances.set(stage, { start, stop })
-  inView.observe(stage)
+  function follow() {
+    const isWanted = isSeen && !isPaused
+    if (isWanted && !shown && !coming) begin()
+    if (!isWanted && (shown || coming)) end()
+  }
+
+  new IntersectionObserver(
+    ([{ isIntersecting }]) => {
+      isSeen = isIntersecting
+      follow()
+    },
+    { threshold: [0, 0.3] },
+  ).observe(place)
+
+  return {
+    setSketch(text) {
+      sketch = text
+      if (shown || coming) begin()
+    },
+    setPaused(now) {
+      isPaused = now
+      follow()
+    },
+  }
 }
 
-/** Reads the frame's p5 counter and what the recorder kept. `rate` is in frames a second, 0 at first. */
+/** Reads the frame's counter and what the recorder kept. `rate` is in frames a second, 0 at first. */
 function observer(frame, report) {
   let frames = 0
   let time
   return () => {
-    const { frameCount = 0, recordedCode = [] } = frame.contentWindow
+    const { frameCount = 0, recordedCode = [] } = frame.contentWindow ?? {}
     if (frameCount === frames) return
     const now = performance.now()
     const rate = frames ? (1000 * (frameCount - frames)) / (now - time) : 0

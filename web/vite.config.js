@@ -1,8 +1,9 @@
-// The gallery's build, and with it its other pages: `npm start` serves them,
-// `vite build --config web/vite.config.js` writes them to .build/gallery.
+// The site: `npm start` serves it, `npm run site` writes it to .build/site.
 import { fileURLToPath } from 'node:url'
 import { exampleFiles } from './plugins/example-files.js'
+import { offline } from './plugins/offline.js'
 import { quietClient } from './plugins/quiet-client.js'
+import { sitePagesPlugin, siteScripts } from './plugins/site-pages.js'
 
 const path = (relative) => fileURLToPath(new URL(relative, import.meta.url))
 
@@ -13,7 +14,7 @@ export default {
   appType: 'mpa',
   publicDir: false,
   cacheDir: path('../.build/vite'),
-  plugins: [exampleFiles(), quietClient()],
+  plugins: [sitePagesPlugin(), exampleFiles(), offline(), quietClient()],
   server: { fs: { allow: [path('..')] } },
   optimizeDeps: {
     include: [
@@ -32,20 +33,30 @@ export default {
       '@observablehq/plot',
       'gl-matrix',
       'lil-gui',
+      'minisearch',
     ],
   },
   build: {
-    outDir: path('../.build/gallery'),
+    outDir: path('../.build/site'),
     emptyOutDir: true,
+    // The playground is one.
+    chunkSizeWarningLimit: 800,
     // Making the models takes most of a build.
     rolldownOptions: {
-      input: [
-        'index.html',
-        'bench/index.html',
-        'bench/results.html',
-        'drop/index.html',
-        'playground/index.html',
-      ].map(path),
+      input: {
+        ...siteScripts,
+        ...Object.fromEntries(
+          ['bench/index', 'bench/results', 'drop/index', 'playground/index'].map((name) => [
+            name.replace('/', '-'),
+            path(`${name}.html`),
+          ]),
+        ),
+      },
+      // The pages of the site name theirs before it is built.
+      output: {
+        entryFileNames: ({ name }) =>
+          name.startsWith('site/') ? '[name].js' : 'assets/[name]-[hash].js',
+      },
       checks: { pluginTimings: false },
     },
   },

@@ -40,4 +40,16 @@ export const aims = [
     ratio: (records) => find(records, 'warpjet')?.firstToPositions,
     isMet: (ratio) => ratio <= 2,
   },
+  {
+    of: 'first ×',
+    to: 'by hand ≤ 1.15',
+    ratio: (records) => find(records, 'warpjet')?.firstToByHand,
+    isMet: (ratio) => ratio <= 1.15,
+  },
+  {
+    of: 'characters ×',
+    to: 'by hand ≤ 1.3',
+    ratio: (records) => find(records, 'warpjet')?.charactersToByHand,
+    isMet: (ratio) => ratio <= 1.3,
+  },
 ]

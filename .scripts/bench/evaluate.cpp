@@ -19,7 +19,7 @@ std::vector<T> read(std::ifstream& file, std::size_t count) {
 
 int main(int, char** arguments) {
   std::ifstream file(arguments[1], std::ios::binary);
-  const auto header = read<std::uint32_t>(file, 3);
+  const auto header = read<std::uint32_t>(file, 4);
   const auto sizes = read<std::uint32_t>(file, header[2]);
   const auto words = read<std::uint32_t>(file, header[0]);
   const std::size_t vertices = read<std::uint32_t>(file, 1)[0];
@@ -27,12 +27,11 @@ int main(int, char** arguments) {
   const auto millis = read<float>(file, 1);
   if (!file) return 1;
 
-  // As compileWarp has them: position, normal, uv, color, millis, and others that these do not
-  // read.
+  // As compileWarp has them: position, normal, and others that these do not read, but for the time.
   const std::vector<float> zeros(16);
   std::vector<Stream> inputs{{positions.data(), 3, false}, {normals.data(), 3, false}};
   for (std::size_t i = 2; i < sizes.size(); ++i)
-    inputs.push_back({i == 4 ? millis.data() : zeros.data(), sizes[i], true});
+    inputs.push_back({i == header[3] ? millis.data() : zeros.data(), sizes[i], true});
   std::vector<bool> isUniform;
   for (const Stream& input : inputs) isUniform.insert(isUniform.end(), input.size, input.isUniform);
 

@@ -5,7 +5,7 @@ import { camelCase, recordsOf } from '../../web/bench/records.js'
 export const columns = (
   'date,commit,chromium,renderer,size_px,rounds,clock,row,vertices,nodes,method,h,frame_ms,frame_low_ms,frame_high_ms,' +
   'to_positions,to_warpjet,uncapped_fps,capped_fps,first_ms,first_to_positions,generation_ms,' +
-  'error_degrees,error_median_degrees,js_heap_mb,wasm_heap_mb'
+  'error_degrees,error_median_degrees,js_heap_mb,wasm_heap_mb,characters,characters_to_by_hand,first_to_by_hand'
 ).split(',')
 
 /** More digits than this are noise. */

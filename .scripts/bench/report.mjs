@@ -1,5 +1,5 @@
 // What the terminal shows of the measurements: a table for each row, and how they stand to what is aimed at.
-import { degrees, plain } from '../../web/bench/figures.js'
+import { degrees, plain, whole } from '../../web/bench/figures.js'
 import { paint } from '../lib/terminal.mjs'
 import { aims } from './aims.mjs'
 import { alike, fixed, table } from './table.mjs'
@@ -24,6 +24,7 @@ export const legend = indented(
       'where that share can be large if there is no GPU, and with vsync, as a display would show',
     ],
     ['first', 'milliseconds from source text to the first frame'],
+    ['text', 'characters that the method itself writes, without the shader around them'],
     ['generate', 'milliseconds to write the source text'],
     [
       'error',
@@ -67,6 +68,9 @@ const rowColumns = (records) => [
   ...rateColumns,
   figures(['first', 'ms'], 'firstMs', alike(records.map(({ firstMs }) => firstMs))),
   figures(['×', 'positions'], 'firstToPositions', fixed(2)),
+  figures(['×', 'by hand'], 'firstToByHand', fixed(2)),
+  figures(['text', 'characters'], 'characters', whole),
+  figures(['×', 'by hand'], 'charactersToByHand', fixed(2)),
   figures(['generate', 'ms'], 'generationMs', plain),
   figures(['error', '°'], 'errorDegrees', degrees),
   figures(['', 'h'], 'h', plain),

@@ -59,7 +59,9 @@ async function nodeTests(folder) {
   if (!files.length) throw new Stop(`There are no tests in ${folder}.`)
   // Node's own choice is one file fewer than there are cores. The browsers of two files fill each other's pauses.
   const concurrency = `--test-concurrency=${availableParallelism()}`
-  await node('--test', '--test-reporter=spec', concurrency, ...files)
+  // A file of its own never takes so long; one that hangs is to fail, not to keep all others from being heard of.
+  const limit = `--test-timeout=${15 * 60_000}`
+  await node('--test', '--test-reporter=spec', concurrency, limit, ...files)
 }
 
 const browser = () => withBrowsers(availableParallelism(), () => nodeTests('tests/browser'))

@@ -38,10 +38,12 @@ const isCurrent = (name) => read(`${project}/${name}`) === read(path('tests/pack
 async function installBundlers() {
   for (const name of lists) copyFileSync(path('tests/package', name), `${project}/${name}`)
   const options = ['--ignore-scripts', '--prefer-offline', '--no-audit', '--no-fund']
-  if ((await exitCode('npm', ['ci', ...options], { cwd: project })) === 0) return
+  // It takes half a minute, and on a network that stands still an hour.
+  const install = () => exitCode('npm', ['ci', ...options], { cwd: project, timeout: 300_000 })
+  if ((await install()) === 0 || (await install()) === 0) return
   // So that the next run tries again.
   for (const name of lists) rmSync(`${project}/${name}`)
-  if ((await capture('npm', ['ping'])) === null)
+  if ((await capture('npm', ['ping'], { timeout: 30_000 })) === null)
     throw new NotRun('the npm registry, which has the bundlers, cannot be reached')
   throw new Stop('npm cannot install what tests/package/package.json names.')
 }

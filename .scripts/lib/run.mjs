@@ -9,20 +9,23 @@ export async function run(command, args, options = {}) {
   if (code !== 0) throw new Stop(`${basename(command)} ${args[0] ?? ''} failed (${code})`)
 }
 
-export function exitCode(command, args, { env = {}, cwd = root } = {}) {
-  const child = spawn(command, args, { cwd, env: { ...process.env, ...env }, stdio: 'inherit' })
+/** The exit status, the signal that ended it, or the error's code. After `timeout` milliseconds it is ended. */
+export function exitCode(command, args, { env = {}, cwd = root, timeout } = {}) {
+  const options = { cwd, env: { ...process.env, ...env }, stdio: 'inherit', timeout }
+  const child = spawn(command, args, options)
   return new Promise((resolve) => {
     child.on('error', (error) => resolve(error.code))
     child.on('close', (code, signal) => resolve(code ?? signal))
   })
 }
 
-/** What the program prints on stdout, or null if it cannot be started or fails. */
-export function capture(command, args, { env = {} } = {}) {
+/** What the program prints on stdout, or null if it cannot be started, fails, or takes longer than `timeout` milliseconds. */
+export function capture(command, args, { env = {}, timeout } = {}) {
   const child = spawn(command, args, {
     cwd: root,
     env: { ...process.env, ...env },
     stdio: ['ignore', 'pipe', 'ignore'],
+    timeout,
   })
   let text = ''
   child.stdout.setEncoding('utf8').on('data', (part) => (text += part))

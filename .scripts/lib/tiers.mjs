@@ -18,6 +18,10 @@ export const leftOut = {
     'tests/browser/bench-results.test.js': 'likewise the page of its results',
     'tests/browser/drop.test.js':
       'the page for one’s own model changes seldom; what it calls has its tests every day',
+    'tests/browser/site.test.js':
+      'it opens every page twice, which takes minutes; site.test.js of tests/js holds their links, and gallery.test.js opens some',
+    'tests/browser/docs.test.js':
+      'each block starts a p5 of its own, which takes minutes in all; what they call has its tests every day',
     'tests/browser/playground.test.js':
       'each of its sketches starts a p5 of its own, which takes minutes in all; the page ships to nobody',
     'tests/browser/script.test.js':

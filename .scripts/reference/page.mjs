@@ -111,6 +111,7 @@ From glsl-autodiff: ${sentence(aliases)}.
 \`glsl.repeat(count, start, (state, i) => next)\` is a loop of the shader. The function is called once, with expressions of the
 state and of the step's number from 0 on, and returns the next state; a state is a number, a vector, or an object of them.
 
+<!-- run inside glsl.vec3(z.mult(0.1), 0) -->
 \`\`\`js
 const { z } = glsl.repeat(8, { z: position.xy(), size: 1 }, ({ z, size }, i) => ({
   z: z.yx().mult(1.7).add(i).sin().mult(size),
@@ -126,6 +127,7 @@ of the state can be taken of what \`repeat\` gives, not inside its function.
 
 ## Your own functions
 
+<!-- run inside bump(position).mult(0.2) -->
 \`\`\`js
 const bump = glsl.fn({
   name: 'bump',

@@ -23,10 +23,10 @@ function draw() {
   directionalLight('#fff0dd', -0.5, 0.8, -0.9)
   directionalLight('#4463d6', 0.8, -0.3, 0.2)
 
-  translate(0, 30)
+  translate(0, -30)
   rotateX(-0.35)
   rotateY(0.5)
-  scale(1.4)
+  scale(1.1)
   fill('#ff8a5b')
   specularMaterial(140)
   shininess(60)

@@ -23,5 +23,5 @@ function draw() {
   specularMaterial(160)
   shininess(80)
   ripple()
-  plane(520, 420, 160, 160)
+  plane(400, 360, 160, 160)
 }

@@ -45,15 +45,16 @@ function draw() {
   shininess(25)
   ball(-202, '#f2c14e', plain)
   ball(0, '#f0883e', warped)
-  ball(202, '#d9432f', twice)
+  // Noise of noise of noise is fine, and wants more vertices.
+  ball(202, '#d9432f', twice, 240)
 }
 
-function ball(x, color, warp) {
+function ball(x, color, warp, detail = 160) {
   push()
   translate(x, 0)
   rotateY(millis() / 9000)
   warp()
   fill(color)
-  sphere(88, 160, 120)
+  sphere(88, detail, 0.75 * detail)
   pop()
 }

@@ -31,7 +31,7 @@ function draw() {
   background('#151823')
   ambientLight(60)
   directionalLight(255, 225, 185, cos(time), sin(time), -0.7)
-  directionalLight(60, 80, 130, -cos(time), -sin(time), -0.9)
+  directionalLight(88, 80, 74, -cos(time), -sin(time), -0.9)
   translate(0, -10, -60)
   rotateX(0.65)
   rotateZ(0.3)

@@ -76,6 +76,7 @@ export function vertexCode(warp: KeptWarp, uniforms: readonly Labelled[], isWGSL
   })
   const readsColor = texts[0]!.attributes.some(({ name }) => name === 'color')
   const images = uniforms.filter(({ shape }) => shape === imageShape)
+  const whereOn = (text: string) => `#ifdef WARPJET\n${text}\n#endif`
   return {
     CUSTOM_VERTEX_DEFINITIONS: [
       ...images.map(({ label }) =>
@@ -83,17 +84,19 @@ export function vertexCode(warp: KeptWarp, uniforms: readonly Labelled[], isWGSL
           ? `var ${label}Sampler: sampler;\nvar ${label}: texture_2d<f32>;`
           : `uniform highp sampler2D ${label};`,
       ),
-      chosen(texts.map(({ declarations }) => declarations)),
+      whereOn(chosen(texts.map(({ declarations }) => declarations))),
     ].join('\n'),
-    CUSTOM_VERTEX_UPDATE_NORMAL: [
-      '{',
-      ...uniforms.filter(({ shape }) => shape !== imageShape).map((each) => local(each, isWGSL)),
-      readsColor ? colorOfVertex[target] : '',
-      missing('UV1', 'uvUpdated', 2, isWGSL),
-      missing('NORMAL', 'normalUpdated', 3, isWGSL),
-      chosen(texts.map(({ code }, i) => `${code}\n${results[i]}`)),
-      '}',
-    ].join('\n'),
+    CUSTOM_VERTEX_UPDATE_NORMAL: whereOn(
+      [
+        '{',
+        ...uniforms.filter(({ shape }) => shape !== imageShape).map((each) => local(each, isWGSL)),
+        readsColor ? colorOfVertex[target] : '',
+        missing('UV1', 'uvUpdated', 2, isWGSL),
+        missing('NORMAL', 'normalUpdated', 3, isWGSL),
+        chosen(texts.map(({ code }, i) => `${code}\n${results[i]}`)),
+        '}',
+      ].join('\n'),
+    ),
   }
 }
 

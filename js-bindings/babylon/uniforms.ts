@@ -1,4 +1,4 @@
-// The uniforms of a warp in Babylon.js: the option's values, or those that `values` has in their place.
+// The uniforms of a warp in Babylon.js: the option's values, and those that are set in their place.
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { isCallable } from '../checks/options.js'
@@ -7,6 +7,7 @@ import {
   type DeclaredUniforms,
   numbersFor,
   readDeclared,
+  unknownUniform,
   withUniforms,
 } from '../inputs/declared-uniforms.js'
 import type { OffsetFunction } from '../types/types.js'
@@ -41,12 +42,7 @@ function vectorOf(value: unknown): unknown {
 
 const now = (given: unknown) => plain(isCallable(given) ? (given as () => unknown)() : given)
 
-export function readUniforms(
-  method: string,
-  offset: OffsetFunction,
-  option: object | undefined,
-  values: Record<string, unknown>,
-) {
+export function readUniforms(method: string, offset: OffsetFunction, option: object | undefined) {
   const wrapped =
     option &&
     Object.fromEntries(
@@ -57,21 +53,23 @@ export function readUniforms(
     )
   const declared = readDeclared(method, wrapped)
   const labels = new Map([...declared.keys()].map((name, i) => [name, `warpjet${i}`]))
+  const values: Record<string, unknown> = {}
   const uniforms = [...declared].map(([name, { shape }]): BabylonUniform => {
-    const place = `The warp's uniform "${name}"`
-    const given = () => now(values[name] ?? (option as Record<string, unknown>)[name])
     const label = labels.get(name)!
-    if (shape !== imageShape)
-      return { label, shape, numbers: () => numbersFor(place, shape, given()) }
-    const image = () => {
-      const { texture } = (given() ?? {}) as { texture?: BaseTexture }
-      if (texture) return texture
-      throw new WarpError(
-        `${place} must be a texture of Babylon.js, but is ${describe(values[name])}.`,
-      )
-    }
-    image()
-    return { label, shape, numbers: () => [], image }
+    let given: unknown = (option as Record<string, unknown>)[name]
+    const read = readerOf(`The warp's uniform "${name}"`, shape)
+    read(given)
+    Object.defineProperty(values, name, {
+      enumerable: true,
+      get: () => given,
+      set(value) {
+        // Looked at here, where the mistake is.
+        read(value)
+        given = value
+      },
+    })
+    if (shape !== imageShape) return { label, shape, numbers: () => read(given) as number[] }
+    return { label, shape, numbers: () => [], image: () => read(given) as BaseTexture }
   })
   const onCpu: DeclaredUniforms = new Map(
     uniforms.map(({ label, shape, numbers, image }) => [
@@ -85,5 +83,22 @@ export function readUniforms(
     ]),
   )
   const labelled = withUniforms(method, offset, declared, (name) => labels.get(name)!)
-  return { labelled, uniforms, onCpu }
+  return { labelled, uniforms, onCpu, values: sealed(method, values) }
 }
+
+/** The numbers of a uniform, or its texture; throws for what is neither. */
+const readerOf = (place: string, shape: Shape) => (value: unknown) => {
+  if (shape !== imageShape) return numbersFor(place, shape, now(value))
+  const { texture } = (now(value) ?? {}) as { texture?: BaseTexture }
+  if (texture) return texture
+  throw new WarpError(`${place} must be a texture of Babylon.js, but is ${describe(value)}.`)
+}
+
+/** A name that is none says so. */
+const sealed = (method: string, values: Record<string, unknown>) =>
+  new Proxy(values, {
+    set(target, name, value) {
+      if (Object.hasOwn(target, name)) return Reflect.set(target, name, value)
+      throw unknownUniform(method, String(name), Object.keys(target))
+    },
+  })

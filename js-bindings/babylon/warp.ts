@@ -20,6 +20,7 @@ import { declarationsOf, names, send, vertexCode } from './shader.js'
 import { type BabylonUniform, readUniforms } from './uniforms.js'
 
 const method = 'BabylonWarp'
+const pluginName = 'Warpjet'
 
 export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValues> {
   /** What the offset function reads as `uniforms`: numbers, lists of numbers, `Vector3`s, textures, or functions that give
@@ -34,10 +35,11 @@ export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValu
  * Throws a `WarpError` for an offset that returns no vec3 or misuses an operation, and for wrong options.
  */
 export class BabylonWarp<const Uniforms extends UniformValues = {}> extends MaterialPluginBase {
-  /** Milliseconds, which the offset may read. */
-  millis = 0
-  /** By name, values in place of the option's: `warp.values.height = 0.5`. */
-  readonly values: { [Name in keyof Uniforms]?: Uniforms[Name] } = {}
+  /** By name the values that the option gave, which may be set: `warp.values.height = 0.5`. Throws a `WarpError` for another
+   * name and for what cannot be such a value. */
+  readonly values: { [Name in keyof Uniforms]: Uniforms[Name] | (() => Uniforms[Name]) }
+  private time = 0
+  private isOn = true
   private readonly warp: KeptWarp
   private readonly uniforms: readonly BabylonUniform[]
   private readonly reads: ReadonlySet<string>
@@ -53,14 +55,16 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
       throw new WarpError(
         `${method}: a material of Babylon.js was expected, but ${describe(material)} came.`,
       )
+    if (material.pluginManager?.getPlugin(pluginName))
+      throw new WarpError(
+        `${method}: the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,
+      )
     checkCallback(method, offset)
     checkOptions(method, options, ['uniforms'])
-    const values = {}
-    const { labelled, uniforms, onCpu } = readUniforms(
+    const { labelled, uniforms, onCpu, values } = readUniforms(
       method,
       offset as OffsetFunction,
       options.uniforms,
-      values,
     )
     const warp = keepWarp(
       labelled,
@@ -68,9 +72,9 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
     )
     const text = writeWarp(warp, 'glsl300').text
     refuse(uniforms, text.uniforms)
-    super(material, 'Warpjet', 200, { WARPJET: true }, false)
+    super(material, pluginName, 200, { WARPJET: true }, false)
     this.warp = warp
-    this.values = values
+    this.values = values as never
     this.uniforms = uniforms
     this.reads = new Set(text.attributes.map(({ name }) => name))
     this.cpu = runOnCpu({ ...warp, settings: { ...warp.settings, isAccepted: true } }, onCpu)
@@ -82,6 +86,33 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
         material,
         material.getScene(),
       )
+  }
+
+  /** Milliseconds, which the offset may read. Throws a `WarpError` for what is no finite number. */
+  get millis() {
+    return this.time
+  }
+
+  set millis(time: number) {
+    if (!Number.isFinite(time))
+      throw new WarpError(
+        `${method}: millis must be a number of milliseconds, such as performance.now(), but is ${describe(time)}.`,
+      )
+    this.time = time
+  }
+
+  /** `false` draws the material as it is without the warp. A plugin stays with its material as long as that lives. */
+  get isEnabled() {
+    return this.isOn
+  }
+
+  set isEnabled(isEnabled: boolean) {
+    this.isOn = isEnabled
+    this.markAllDefinesAsDirty()
+  }
+
+  override prepareDefines(defines: MaterialDefines) {
+    Object.assign(defines, { WARPJET: this.isOn })
   }
 
   /**

@@ -24,10 +24,19 @@ export const anyNumber: Kind = { word: '', isRight: (value) => typeof value === 
 export function firstWrong(numbers: ArrayLike<unknown>, kind: Kind) {
   if (numbers instanceof Float32Array) {
     if (kind === anyNumber) return -1
-    // A finite number makes 0 here, any other NaN: several times as fast as asking each.
-    let zero = 0
-    for (let i = 0; i < numbers.length; i++) zero += numbers[i]! * 0
-    if (zero === 0) return -1
+    // A finite number makes 0 here, any other NaN: several times as fast as asking each. Four sums at a time, none of which
+    // waits for another.
+    const { length } = numbers
+    let [a, b, c, d] = [0, 0, 0, 0]
+    let i = 0
+    for (; i + 3 < length; i += 4) {
+      a += numbers[i]! * 0
+      b += numbers[i + 1]! * 0
+      c += numbers[i + 2]! * 0
+      d += numbers[i + 3]! * 0
+    }
+    for (; i < length; i++) a += numbers[i]! * 0
+    if (a + b + c + d === 0) return -1
   }
   for (let i = 0; i < numbers.length; i++) if (!kind.isRight(numbers[i])) return i
   return -1

@@ -1,5 +1,5 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
-import { type Emits, compileOffset } from './offset.js'
+import { type Emits, type ValuesOfFrame, compileOffset } from './offset.js'
 import { type CpuWarp, createCpuWarp } from '../cpu/cpu-warp.js'
 import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
 import { type Known, makeProgram } from '../module/kept-module.js'
@@ -25,14 +25,21 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   given: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): CompiledWarp {
-  const { warp, declared, text, emits } = compileOffset(given as OffsetFunction, options)
-  return { ...text, ...emits, ...runOnCpu(warp, declared) }
+  const { warp, declared, text, emits, known, valuesOfFrame } = compileOffset(
+    given as OffsetFunction,
+    options,
+  )
+  return {
+    ...text,
+    ...emits,
+    ...runOnCpu(warp, declared, 'position', undefined, known, known && valuesOfFrame),
+  }
 }
 
 /**
  * What is kept of an offset function, on the CPU. With `place: 'offset'` it gives how far a vertex moves, in place of where. `nameOf`
- * tells what the user calls an input that the text calls otherwise. With `known` it reads the vec4s of the frame, which `declared`
- * has then, in place of what they are computed from.
+ * tells what the user calls an input that the text calls otherwise. With `known` it reads the vec4s of the frame in place of what
+ * they are computed from; `valuesOfFrame` gives them, unless `declared` has them.
  */
 export const runOnCpu = (
   warp: KeptWarp,
@@ -40,9 +47,11 @@ export const runOnCpu = (
   place: 'position' | 'offset' = 'position',
   nameOf = (name: string) => name,
   known?: Known,
+  valuesOfFrame?: ValuesOfFrame,
 ): CpuWarp =>
   createCpuWarp({
     declared,
+    valuesOfFrame,
     program: lazily(() => {
       const program = programOf(warp, place, known)
       const inputs = program?.inputs.map((each) => ({ ...each, name: nameOf(each.name) }))

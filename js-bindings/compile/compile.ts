@@ -93,7 +93,7 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
       throw new WarpError('gen: the function must be a plain one, not async and no generator.')
     return [session.finish(), returned]
   }
-  const [module, returned] = withSession(target, run, { debug })
+  const [module, returned] = withSession(target, run, { asks: true, debug })
   const { code, declarations } = writeText(module, target, {}, maxDepthPerVariable)
   if (declarations.includes('warpjet'))
     throw new WarpError(

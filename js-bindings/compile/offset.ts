@@ -35,8 +35,13 @@ export function compileOffset(given: OffsetFunction, options: WarpOptions) {
     return writeWarp(warp, checkTarget(target), { ...more, known }).text
   }
   const frame = lazily(() => known && frameOf(warp, known))
-  const frameUniforms = (given: Uniforms = {}) => valuesOf(warp, declared, given, frame())
-  return { warp, declared, text, emits: { emit, frameUniforms } }
+  const valuesOfFrame: ValuesOfFrame = (method, given) =>
+    valuesOf(method, warp, declared, given, frame())
+  const frameUniforms = (given: Uniforms = {}) => {
+    checkUniforms('frameUniforms', given, new Set(declared.keys()))
+    return valuesOfFrame('frameUniforms', given)
+  }
+  return { warp, declared, text, known, valuesOfFrame, emits: { emit, frameUniforms } }
 }
 
 /** All of a draw call but which one of several instances is drawn. */
@@ -50,13 +55,12 @@ function knownOf({ inputs }: KeptWarp, declared: DeclaredUniforms): Known {
 }
 
 function valuesOf(
+  method: string,
   { inputs }: KeptWarp,
   declared: DeclaredUniforms,
-  given: Uniforms,
+  given: Readonly<Record<string, unknown>>,
   frame: ReturnType<typeof frameOf>,
 ): FrameUniforms {
-  const method = 'frameUniforms'
-  checkUniforms(method, given, declared.keys())
   const names = new Map(frameInputs.map((name) => [inputs[name], name]))
   const missing: string[] = []
   const found = frame?.((variable) => {
@@ -77,10 +81,16 @@ function valuesOf(
       .some(Number.isNaN)
   )
     throw new WarpError(
-      `${method}: the warp reads "${missing[0]}"; give it a value, as in frameUniforms({ ${missing[0]}: 0 }).`,
+      `${method}: the warp reads "${missing[0]}"; give it a value, as in { ${missing[0]}: 0 }.`,
     )
   return found ?? {}
 }
+
+/** The vec4s of the frame, from uniforms that were checked. */
+export type ValuesOfFrame = (
+  method: string,
+  given: Readonly<Record<string, unknown>>,
+) => FrameUniforms
 
 /** What a compiled warp has beside its text. */
 export interface Emits {

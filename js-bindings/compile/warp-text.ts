@@ -67,6 +67,8 @@ export interface WarpOptions<
    * uniforms `warpjetFrame0`, …: then float32 keeps its digits however long a page runs.
    */
   perFrame?: boolean
+  /** `true`: comments say which lines of the sketch each statement comes from. */
+  debug?: boolean
 }
 
 /** An offset function as shader text. */
@@ -108,10 +110,13 @@ export function readOptions(method: string, offset: OffsetFunction, options: War
     'tangents',
     'surfaceVariation',
     'perFrame',
+    'debug',
   ])
   checkNames(method, options)
-  const { normals = true, tangents = false, surfaceVariation = false, perFrame = false } = options
-  for (const [name, value] of Object.entries({ normals, tangents, surfaceVariation, perFrame }))
+  const { normals = true, tangents = false, surfaceVariation = false } = options
+  const { perFrame = false, debug = false } = options
+  const choices = { normals, tangents, surfaceVariation, perFrame, debug }
+  for (const [name, value] of Object.entries(choices))
     if (typeof value !== 'boolean')
       throw new WarpError(
         `${method}: the option "${name}" must be true or false, but is ${describe(value)}.`,
@@ -123,7 +128,7 @@ export function readOptions(method: string, offset: OffsetFunction, options: War
   const isAccepted = options.surfaceVariation === false
   const target = checkTarget(options.target)
   const shown = { normals, tangents, surfaceVariation }
-  return { method, target, ...shown, isAccepted, ...readNames(shown, options) }
+  return { method, target, debug, ...shown, isAccepted, ...readNames(shown, options) }
 }
 
 type Shown = Record<'normals' | 'tangents' | 'surfaceVariation', boolean>
@@ -184,8 +189,8 @@ export function keepWarp(
   settings: Settings,
   { moves = false } = {},
 ): KeptWarp {
-  const { method, target, names, normals, surfaceVariation, isAccepted } = settings
-  return withSession(target, (session) => {
+  const { method, target, names, normals, surfaceVariation, isAccepted, debug } = settings
+  const record = (session: Session): KeptWarp => {
     const given: Record<string, Expression> = {}
     for (const [name, label] of Object.entries(names))
       given[name] = session.input(
@@ -204,7 +209,8 @@ export function keepWarp(
     const module = session.finish()
     const jacobian = moves ? resultsOf(module).length - 1 : undefined
     return { module, settings, inputs, varies, isApproximate, jacobian }
-  })
+  }
+  return withSession(target, record, { debug })
 }
 
 function askJacobian(session: Session, offset: Expression, position: Expression) {

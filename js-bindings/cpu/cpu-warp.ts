@@ -1,6 +1,8 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
 import { WarpError, describe } from '../checks/errors.js'
-import { type Stream, boundProgram, inputsRead, runProgram } from '../wasm/evaluation.js'
+import { boundProgram } from '../wasm/evaluation.js'
+import type { Stream } from '../wasm/machine-code.js'
+import { runProgram } from '../wasm/run-program.js'
 import { type VertexInput, variationInputs, vertexInputs } from '../inputs/inputs.js'
 import type { Program } from '../module/kept-module.js'
 import { noteApproximation } from '../checks/notes.js'
@@ -8,19 +10,17 @@ import { runInDouble } from './double.js'
 import { type Moved, type Triple, inverse } from './inverse.js'
 import { readNumbers } from '../checks/numbers.js'
 import { checkOptions } from '../checks/options.js'
-import type { Variable } from '../expression/shapes.js'
-import { withDeclared } from '../inputs/declared-uniforms.js'
 import {
   type Box,
   type Range,
   type Uniforms,
   type Vertices,
   arrayNames,
-  checkUniforms,
   checkVertices,
   readRanges,
   uniformsOf,
 } from '../inputs/vertices.js'
+import { originsOf } from './origins.js'
 import { type WarpProgram, warpProgram } from './warp-program.js'
 
 /** Flat arrays in the order of the vertices that came. */
@@ -122,6 +122,11 @@ const numbersOf = {
 
 type Result = keyof typeof numbersOf
 
+const pointOptions = [
+  ...Object.keys(vertexInputs).filter((name) => name !== 'position'),
+  'uniforms',
+]
+
 const unitVectors: readonly Triple[] = [
   [1, 0, 0],
   [0, 1, 0],
@@ -132,12 +137,12 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
   function run<Name extends Result>(
     method: string,
     mesh: Vertices,
+    vertices: number,
     uniforms: Uniforms | undefined,
     wanted: readonly Name[],
     out: Partial<Record<Name, Float32Array>> = {},
   ): Record<Name, Float32Array> {
     const program = programOf(method, warp)
-    const vertices = checkVertices(method, mesh)
     const numbers = wanted.flatMap((name) => numbersOf[name])
     const streams = originsOf(method, warp, program, numbers, uniforms).map((origin): Stream => {
       const { input, isRead, values: shared } = origin
@@ -174,25 +179,24 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       const { out, ...rest } = options ?? {}
       checkOptions('evaluate: out', out, ['positions', 'normals', 'tangents'])
       const uniforms = uniformsOf('evaluate', options && rest)
-      return run('evaluate', mesh, uniforms, turned(mesh), out as Partial<WarpedVertices>)
+      const given = out as Partial<WarpedVertices>
+      const vertices = checkVertices('evaluate', mesh)
+      return run('evaluate', mesh, vertices, uniforms, turned(mesh), given)
     },
 
     evaluateAt(position, inputs = {}) {
-      const known = Object.keys(vertexInputs).filter((name) => name !== 'position')
-      checkOptions('evaluateAt', inputs ?? null, [...known, 'uniforms'])
-      readNumbers('evaluateAt: the position', position, 3)
-      const mesh: Record<string, number[]> = {}
-      for (const [name, value] of Object.entries({ ...inputs, position }))
-        if (name in vertexInputs && value !== undefined)
-          mesh[arrayNames[name as VertexInput]] = readNumbers(
-            `evaluateAt: the ${name}`,
-            value,
-            vertexInputs[name as VertexInput],
-          )
-      const vertex = mesh as unknown as Vertices
+      checkOptions('evaluateAt', inputs ?? null, pointOptions)
+      const vertex: Vertices = { positions: readNumbers('evaluateAt: the position', position, 3) }
+      for (const key of Object.keys(inputs)) {
+        const name = key as VertexInput
+        const value = inputs[key as 'normal']
+        if (key === 'uniforms' || value === undefined) continue
+        vertex[arrayNames[name]] = readNumbers(`evaluateAt: the ${key}`, value, vertexInputs[name])
+      }
       const { positions, normals, tangents } = run(
         'evaluateAt',
         vertex,
+        1,
         inputs.uniforms,
         turned(vertex),
       ) as WarpedVertices
@@ -257,7 +261,8 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     foldover(mesh, options) {
       const uniforms = uniformsOf('foldover', options)
       refuseWithoutNormals('foldover', warp)
-      const { determinant } = run('foldover', mesh, uniforms, ['determinant'])
+      const vertices = checkVertices('foldover', mesh)
+      const { determinant } = run('foldover', mesh, vertices, uniforms, ['determinant'])
       const mask = Uint8Array.from(determinant, (value) => Number(!(value > 0)))
       return { mask, count: mask.reduce((sum, folded) => sum + folded, 0) }
     },
@@ -287,50 +292,4 @@ function programOf(method: string, warp: WarpProgram, make = warp.program): Prog
   throw new WarpError(
     `${method}: this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.`,
   )
-}
-
-/** Where a program's input comes from. */
-interface Origin {
-  /** If it differs by vertex, which it is. */
-  input?: VertexInput
-  /** Whether the results depend on it. */
-  isRead: boolean
-  /** The numbers that all vertices share; zeros if it differs by vertex, or is not read and may be missing. */
-  values: number[]
-}
-
-/** The program's inputs in order, the uniforms checked. */
-function originsOf(
-  method: string,
-  { declared, inputs }: WarpProgram,
-  program: Program,
-  wanted: readonly number[],
-  given: Uniforms | undefined,
-): Origin[] {
-  // The first of two inputs that are one.
-  const names = new Map(
-    Object.entries(inputs)
-      .reverse()
-      .map(([input, number]) => [number, input]),
-  )
-  const nameOf = (variable: Variable) => names.get(variable.number)
-  const parameters = program.inputs.filter((variable) => !nameOf(variable))
-  checkUniforms(method, given, [...declared.keys(), ...parameters.map(({ name }) => name)])
-  const uniforms = withDeclared(method, declared, given, parameters)
-  const read = inputsRead(program, wanted)
-  return program.inputs.map((variable, i) => {
-    const isRead = read[i]!
-    const size = variable.shape[0] * variable.shape[1]
-    const values = Array<number>(size).fill(0)
-    const name = nameOf(variable) ?? variable.name
-    if (nameOf(variable) && name in vertexInputs)
-      return { input: name as VertexInput, isRead, values }
-    const value = uniforms[name]
-    if (value !== undefined)
-      return { isRead, values: readNumbers(`${method}: the uniform "${name}"`, value, size) }
-    if (!isRead) return { isRead, values }
-    throw new WarpError(
-      `${method}: the warp reads "${name}"; give it a value in the uniforms, as in { ${JSON.stringify(name)}: ${size === 1 ? 0 : `[${values}]`} }.`,
-    )
-  })
 }

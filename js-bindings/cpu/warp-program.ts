@@ -6,6 +6,10 @@ import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
 export interface WarpProgram {
   /** The option `uniforms`. */
   declared: DeclaredUniforms
+  /** The uniforms that the program reads in place of others, from the values of these. */
+  valuesOfFrame?:
+    | ((method: string, given: Readonly<Record<string, unknown>>) => Record<string, number[]>)
+    | undefined
   program: () => Program | undefined
   /** Its results are the position and what the tangent's direction becomes. */
   directionProgram: () => Program | undefined

@@ -28,7 +28,7 @@ export class Expression {
   [Symbol.toPrimitive](hint: string): string {
     if (hint === 'string') return expressionAsText
     throw new WarpError(
-      "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add warpjet.operators.min.js, with which they do.",
+      "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add the script warpjet.operators.min.js or import 'warpjet/operators', with which they do.",
     )
   }
 }

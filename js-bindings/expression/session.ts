@@ -28,9 +28,12 @@ export interface Recorded {
   module: KeptModule
 }
 
-/** What `gen` alone has: results that expressions ask for by `.output(name)`, and the lines of the sketch. */
-export interface Gen {
-  debug: boolean
+/** How a run is recorded. */
+export interface Recording {
+  /** Whether expressions ask for results by `.output(name)`, as `gen` alone has it. */
+  asks?: boolean
+  /** Whether statements say which lines of the sketch they are from. */
+  debug?: boolean
 }
 
 export class Session {
@@ -47,7 +50,7 @@ export class Session {
   constructor(
     /** The language of texts of the sketch that do not say theirs. */
     readonly target: Target,
-    private readonly gen?: Gen,
+    private readonly recording: Recording = {},
   ) {
     this.id = this.core._openSession()
   }
@@ -75,7 +78,7 @@ export class Session {
 
   private expression(handle: number): Expression {
     if (handle === failed) this.refuse()
-    if (this.gen?.debug) this.core.comment(this.open('debug'), callerOutside())
+    if (this.recording.debug) this.core.comment(this.open('debug'), callerOutside())
     return new Expression(this, handle)
   }
 
@@ -264,7 +267,7 @@ export class Session {
 
   /** Asks for a result by the method of an expression. */
   ask(name: unknown, value: Expression, method: string) {
-    if (!this.gen)
+    if (!this.recording.asks)
       throw new WarpError(
         `${method}: only gen takes results this way; return the expression from the function instead.`,
       )

@@ -4,9 +4,10 @@ import { WarpError, describe, describeShape } from '../checks/errors.js'
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import type { Session } from '../expression/session.js'
-import { drawInputs, inputSizes, variationInputs } from '../inputs/inputs.js'
+import { drawInputs, inputSizes, markWhole, variationInputs } from '../inputs/inputs.js'
 import type { WarpInputs } from '../types/types.js'
 import { imageSizeText } from './function-text.js'
+import { type Given as Value, Halves, halvesOf } from './halves.js'
 import type { Named, External } from './listing.js'
 import { article } from './options.js'
 import type { Given } from './replay.js'
@@ -41,10 +42,13 @@ export function bindExternals(
 ): Pick<Given, 'external' | 'texture' | 'imageSize'> {
   const declared = (inputs.uniforms ?? {}) as unknown as Record<string, unknown>
   const isDeclared = (name: string) => Object.hasOwn(declared, name)
-  const made = new Map<number, Expression>()
-  const find = (external: External): Expression => {
+  const made = new Map<number, Value>()
+  const find = (external: External): Value => {
     const { name, type, isAttribute } = external
-    if (!isAttribute && isDeclared(name)) return checked(method, glsl, external, declared[name])
+    if (!isAttribute && isDeclared(name)) {
+      if (isWhole(type)) (declared as Marking)[markWhole]?.(name)
+      return checked(method, glsl, external, declared[name])
+    }
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
@@ -82,7 +86,7 @@ function checked(
   glsl: Builder,
   { name, type, shape }: External,
   declared: unknown,
-): Expression {
+): Value {
   if (typeof declared === 'string')
     throw new WarpError(
       `${method}: the uniform ${name} is ${article(type)} in the text, but an image was given.`,
@@ -91,6 +95,7 @@ function checked(
     throw new WarpError(
       `${method}: the uniform ${name} must be a number or an expression, but is ${describe(declared)}.`,
     )
+  if (typeof declared === 'number' && /^u?int$/.test(type)) return halvesOf(glsl, declared)
   const value = typeof declared === 'number' ? glsl.val!(declared) : (declared as Expression)
   const given = value.session.shapeOf(value)
   if (`${given}` === `${shape}`) return value
@@ -99,8 +104,15 @@ function checked(
   )
 }
 
+const isWhole = (type: string) => /^(?:u?int|[iu]vec\d)$/.test(type)
+
+/** Of inputs/declared-uniforms.ts. */
+interface Marking {
+  [markWhole]?: (name: string) => void
+}
+
 /** A variable of the host's shader: a parameter of a function, or a uniform. */
-export function parameterOf(method: string, glsl: Builder, { name, type }: Named): Expression {
+export function parameterOf(method: string, glsl: Builder, { name, type }: Named): Value {
   const [, word, base, digit] = /^([iub]?)(float|int|uint|bool|vec|mat)(\dx?\d?)?$/.exec(type) ?? []
   if (base === undefined || digit?.includes('x'))
     throw new WarpError(
@@ -111,7 +123,17 @@ export function parameterOf(method: string, glsl: Builder, { name, type }: Named
   // What the shader has as another type of numbers is read as floats.
   const isOther = word !== '' || !['float', 'vec', 'mat'].includes(base)
   const { target } = glsl.val!(0).session as Session
-  const floats = target === 'wgsl' ? (kind ? `${kind}f` : 'f32') : kind || 'float'
-  const label = isOther ? `${floats}(${name})` : name
-  return glsl[kind ? `${kind}Param` : 'param']!(label)
+  const isWgsl = target === 'wgsl'
+  const floats = isWgsl ? (kind ? `${kind}f` : 'f32') : kind || 'float'
+  const labelled = (label: string) => glsl[kind ? `${kind}Param` : 'param']!(label)
+  if (!isWhole(type) || target === 'glsl100') return labelled(isOther ? `${floats}(${name})` : name)
+  const isUnsigned = type.startsWith('u')
+  const of = (number: number, isUnsigned: boolean) =>
+    isWgsl && kind
+      ? `${kind}${isUnsigned ? 'u' : 'i'}(${number})`
+      : `${number}${isUnsigned ? 'u' : ''}`
+  return new Halves(
+    labelled(`${floats}(${name} & ${of(0xffff, isUnsigned)})`),
+    labelled(`${floats}(${name} >> ${of(16, isUnsigned || isWgsl)})`),
+  )
 }

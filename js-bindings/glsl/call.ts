@@ -6,6 +6,7 @@ import { frontEndKey } from '../checks/front-end.js'
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import { bindExternals } from './bind.js'
+import { type Given, halvesOf } from './halves.js'
 import { type FunctionHead, type Named, withSource } from './listing.js'
 import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
 import { pack, replay } from './replay.js'
@@ -64,10 +65,11 @@ function argument(
   { type }: Named,
   operand: unknown,
   place: number,
-): Expression {
+): Given {
   const refuse = (came: string): never => {
     throw new WarpError(`${name}: argument ${place} must be ${article(type)}, but is ${came}.`)
   }
+  if (typeof operand === 'number' && /^u?int$/.test(type)) return halvesOf(glsl, operand)
   const value = typeof operand === 'number' ? glsl.val!(operand) : operand
   if (!isExpression(value)) return refuse(describe(operand))
   const expression = value as Expression

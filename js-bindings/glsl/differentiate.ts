@@ -85,7 +85,8 @@ function derivativesOf(
   const outside = bindExternals('differentiate', glsl, externals, {})
   const value = pack(glsl, head.type, replay(glsl, listing, { arguments: operands, ...outside }))
   const place = head.parameters.findIndex(({ name }) => name === by)
-  const input = operands[place]!
+  // Floats, as checkHead says.
+  const input = operands[place] as Expression
   const isNumber = head.parameters[place]!.type === 'float'
   if (isNumber) {
     const slope = glsl.derivative!(value, input)

@@ -3,6 +3,7 @@
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import { getGlsl } from '../wasm/glsl.js'
+import { type Given as Value, halfOf, wholeOf } from './halves.js'
 import type { Listing } from './listing.js'
 import { type Routine, record } from './record.js'
 
@@ -11,9 +12,9 @@ let operations: string[] | undefined
 
 export interface Given {
   /** The arguments of the function, in order. */
-  arguments: readonly Expression[]
+  arguments: readonly Value[]
   /** The uniform or attribute of that place among the externals. */
-  external: (place: number) => Expression
+  external: (place: number) => Value
   /** The texel at a vec2 of the image of that place: between the texels, or that with these numbers. */
   texture: (place: number, at: Expression, isFetched: boolean) => Expression
   /** Its width and height. */
@@ -30,8 +31,10 @@ export function replay(glsl: Builder, listing: Listing, given: Given): Expressio
 
   /** Until the end of the list, or of the function whose body it is, whose results it gives then. */
   const replayIn = (glsl: Builder, parameters: Expression[]): Expression[] => {
-    const made: Expression[] = []
-    const listed = (count: number) => Array.from({ length: count }, () => made[word()]!)
+    // The upper half of a whole number that is known to be small is missing.
+    const made: (Expression | undefined)[] = []
+    const listed = (count: number) =>
+      Array.from({ length: count }, () => made[word()] ?? glsl.val!(0))
     const run = (end: string) => {
       while (at < words.length) {
         const name = operations![word()]!
@@ -56,20 +59,27 @@ export function replay(glsl: Builder, listing: Listing, given: Given): Expressio
       const outcomes = glsl.repeat!(steps, stateOf(listed(count)), body)
       made.push(...(Object.values(outcomes) as Expression[]))
     }
-    const operation = (name: string): Expression => {
+    const operation = (name: string): Expression | undefined => {
       switch (name) {
         case 'constant':
           return glsl.val!(constants[word()]!)
         case 'whole':
-          return wholeOf(glsl, constants[word()]!)
+          return constantOf(glsl, constants[word()]!)
         case 'parameter':
           return parameters[word()]!
         case 'argument':
-          return componentOf(given.arguments[word()]!, word(), word())
+          return partOf(given.arguments[word()]!, word(), word())
         case 'uniform':
-          return componentOf(given.external(word()), word(), word())
+          return partOf(given.external(word()), word(), word())
         case 'component':
           return componentOf(made[word()]!, word(), word())
+        case 'intOfHalves':
+        case 'uintOfHalves': {
+          const [low, high] = [1, 2].map((i) => made[words[at + i]!])
+          at += 3
+          if (high) return wholeOf(glsl, low!, high)
+          return glsl[name === 'intOfHalves' ? 'int' : 'bitsOf']!(low!)
+        }
         case 'texel':
         case 'fetchedTexel':
           return given.texture(word(), made[word()]!, name === 'fetchedTexel')
@@ -85,13 +95,20 @@ export function replay(glsl: Builder, listing: Listing, given: Given): Expressio
   return replayIn(glsl, [])
 }
 
-/** A whole number of 32 bits; a float tells only the first 24 of them. */
-function wholeOf(glsl: Builder, value: number): Expression {
-  const int = (part: number) => glsl.int!(glsl.val!(part))
-  if (Math.abs(value) <= 2 ** 24) return int(value)
+function constantOf(glsl: Builder, value: number): Expression {
+  if (Math.abs(value) <= 2 ** 24) return glsl.int!(glsl.val!(value))
   const bits = value | 0
-  return glsl.bitOr!(glsl.shiftLeft!(int(bits >> 16), int(16)), int(bits & 0xffff))
+  return wholeOf(glsl, glsl.val!(bits & 0xffff), glsl.val!(bits >> 16))
 }
+
+/** Of an argument or a uniform, where the layout says of which half, too. */
+function partOf(value: Value, place: number, layout: number): Expression | undefined {
+  const half = halfOf(value, layout >= highHalf)
+  return half && componentOf(half, place, layout % highHalf)
+}
+
+/** Recorder::highHalf. */
+const highHalf = 128
 
 type Methods = Record<string, (...operands: unknown[]) => Expression>
 const methodsOf = (value: Expression) => value as unknown as Methods

@@ -2,7 +2,7 @@
 import type { Session } from '../expression/session.js'
 import { WarpError, describe } from '../checks/errors.js'
 import type { Expression } from '../expression/expression.js'
-import { inputSizes } from './inputs.js'
+import { inputSizes, markWhole } from './inputs.js'
 import { isCallable, isList, own } from '../checks/options.js'
 import { type Shape, type Variable, imageShape, typeOf } from '../expression/shapes.js'
 import type { ImageLike, OffsetFunction, UniformValue, WarpInputs } from '../types/types.js'
@@ -64,8 +64,8 @@ function declare(method: string, name: string, given: Given): DeclaredUniform {
       image: () => (isFunction ? imageFor(`The warp's uniform "${name}"`, given()) : first),
     }
   const numbers = numbersOf(first)
-  const shape = numbers && shapes[numbers.length]
-  if (!shape) {
+  const known = numbers && shapes[numbers.length]
+  if (!known) {
     const came = `${isFunction ? 'its function gives' : 'is'} ${describe(first)}`
     // As three.js has its own uniforms.
     const advice =
@@ -77,6 +77,7 @@ function declare(method: string, name: string, given: Given): DeclaredUniform {
     )
   }
   checkFinite(`${method}: ${place}`, numbers)
+  const shape: Shape = [...known]
   if (!isFunction) return { shape, numbers: () => numbers, isFunction: false }
   return {
     shape,
@@ -102,7 +103,18 @@ export function numbersFor(place: string, shape: Shape, value: unknown, isOwn = 
     )
   }
   checkFinite(place, numbers)
+  if (wholes.has(shape)) checkWhole(place, numbers)
   return numbers
+}
+
+/** The shapes, each of one uniform, of those that shader text reads as whole numbers. */
+const wholes = new WeakSet<Shape>()
+
+/** They reach it as floats, which tell no larger ones apart. */
+function checkWhole(place: string, numbers: readonly number[]) {
+  const large = numbers.find((number) => Math.abs(number) > 2 ** 24)
+  if (large)
+    throw new WarpError(`${place} is read as a whole number, at most 16777216, but is ${large}.`)
 }
 
 /** What has a width and a height: p5's images, graphics, framebuffers and videos, and those of the page. */
@@ -202,6 +214,13 @@ function expressions(
           ? labelOf(name)
           : session.input(labelOf(name), shape, `${method} uniforms.${name}`),
     })
+  Object.defineProperty(known, markWhole, {
+    value: (name: string) => {
+      const { shape, isFunction, numbers } = declared.get(name)!
+      wholes.add(shape)
+      if (!isFunction) checkWhole(`${method}: the uniform "${name}"`, numbers(method))
+    },
+  })
   return new Proxy(known, {
     get(target, name) {
       if (name in target || typeof name === 'symbol') return Reflect.get(target, name)
@@ -239,3 +258,9 @@ export function withDeclared(
   }
   return all
 }
+
+/** That a host is asked for a uniform which the option "uniforms" does not declare; `names` are those that it does. */
+export const unknownUniform = (method: string, name: string, names: readonly string[]) =>
+  new WarpError(
+    `${method}: the warp has no uniform "${name}"; ${names.length ? `there ${names.length > 1 ? 'are' : 'is'} ${names.join(', ')}` : `the option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }`}.`,
+  )

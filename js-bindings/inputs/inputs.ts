@@ -18,6 +18,9 @@ export const variationNames = Object.keys(variationInputs) as VariationInput[]
 /** The attribute of a p5 shape that carries one. */
 export const variationAttribute = (name: string) => `aWarpjet_${name}`
 
+/** Where `uniforms` of an offset function takes the name of one that a text reads as whole numbers. */
+export const markWhole = Symbol.for('warpjet.whole')
+
 /** Of each vertex. The offset function does not get the tangent, which is only turned, nor how the surface varies. */
 export const vertexInputs = {
   position: 3,

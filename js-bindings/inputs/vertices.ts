@@ -102,18 +102,19 @@ export function uniformsOf(method: string, options: unknown): Uniforms | undefin
 }
 
 /** Refuses a uniform that is none of the inputs of a draw call and no parameter of the warp. */
-export function checkUniforms(method: string, uniforms: unknown, parameters: Iterable<string>) {
+export function checkUniforms(method: string, uniforms: unknown, parameters: ReadonlySet<string>) {
   if (uniforms === undefined) return
   if (typeof uniforms !== 'object' || uniforms === null || isList(uniforms))
     throw new WarpError(
       `${method}: uniforms must be an object, such as { millis: 1200 }, but is ${describe(uniforms)}.`,
     )
-  const known = new Set([...Object.keys(drawInputs), ...parameters])
-  for (const name of Object.keys(uniforms))
-    if (!known.has(name))
-      throw new WarpError(
-        `${method}: the warp has no uniform "${name}"; there are ${[...known].join(', ')}.`,
-      )
+  for (const name of Object.keys(uniforms)) {
+    if (Object.hasOwn(drawInputs, name) || parameters.has(name)) continue
+    const known = new Set([...Object.keys(drawInputs), ...parameters])
+    throw new WarpError(
+      `${method}: the warp has no uniform "${name}"; there are ${[...known].join(', ')}.`,
+    )
+  }
 }
 
 export type Range = readonly [low: number, high: number]

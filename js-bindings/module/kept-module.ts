@@ -61,7 +61,7 @@ export interface Text {
   declarations: string
   /** The host's expressions that the text reads. */
   inputs: Variable[]
-  stats: { nodes: number; operations: number; temporaries: number }
+  stats: { nodes: number; operations: number; temporaries: number; vectors: number }
 }
 
 /** A `maxDepth` makes temporaries by depth, and not by how much an expression reads. */
@@ -85,6 +85,7 @@ export const writeText = (
         nodes: core._nodeCount(open),
         operations: core._operationCount(open),
         temporaries: core._temporaryCount(open),
+        vectors: core._vectorCount(open),
       },
     }
   })

@@ -1,5 +1,5 @@
 // What every session takes and gives.
-import { Session, type Gen } from '../expression/session.js'
+import { Session, type Recording } from '../expression/session.js'
 import type { Target } from './kept-module.js'
 import { type TypeName, type Variable, typeOf } from '../expression/shapes.js'
 
@@ -9,7 +9,10 @@ export interface Stats {
   nodes: number
   /** Those of them that compute something. */
   operations: number
+  /** Variables that hold what is read more than once, or what would be too long a line. */
   temporaries: number
+  /** Those of them that are vectors: what is done to several components at once. The others are single. */
+  vectors: number
 }
 
 /** What a text reads, with the type that the host is to declare. */
@@ -40,9 +43,9 @@ export interface CompileOptions {
 export function withSession<Result>(
   target: Target,
   work: (session: Session) => Result,
-  gen?: Gen,
+  recording?: Recording,
 ): Result {
-  const session = new Session(target, gen)
+  const session = new Session(target, recording)
   try {
     return work(session)
   } finally {

@@ -66,7 +66,11 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
   if (!rendererOf(canvas))
     throw new WarpError(
       canvas._renderer?.isP3D
-        ? 'createWarp: this WEBGPU canvas is not ready yet; write "await createCanvas(width, height, WEBGPU)" in an "async function setup()".'
+        ? `createWarp: this WEBGPU canvas is not ready yet; ${
+            sketchOf(canvas) === canvas
+              ? 'write "await createCanvas(width, height, WEBGPU)" in an "async function setup()"'
+              : 'make a p5.Graphics by createGraphics(width, height, WEBGL)'
+          }.`
         : 'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
     )
   const warp = keepFor(canvas, offset, settings)

@@ -6,6 +6,7 @@
 import { compileWarp } from '../compile/compile-warp-text.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { glslOffset } from '../glsl/offset.js'
+import { drawInputs } from '../inputs/inputs.js'
 
 interface ModifiedShader {
   readonly hooks: {
@@ -20,6 +21,11 @@ interface ModifiedShader {
   readonly _vertSrc: string
   modify(hooks: Record<string, string>): ModifiedShader
 }
+
+/** Inputs of an offset that a hook has not: uniforms of the sketch may have their names. */
+const unread = Object.fromEntries(
+  Object.keys(drawInputs).map((name) => [name, `warpjetNo_${name}`]),
+)
 
 /** Each moves positions of a space of its own, and its normals are turned there. */
 const structHooks = ['Vertex getObjectInputs', 'Vertex getWorldInputs', 'Vertex getCameraInputs']
@@ -42,6 +48,10 @@ export function exactNormals<Shader extends object>(shader: Shader): Shader {
       `exactNormals: a shader was expected that modify() or buildMaterialShader() of p5 made in WEBGL, but ${describe(shader)} came.`,
     )
   try {
+    if (/\bfn main\b/.test(given._vertSrc))
+      throw new WarpError(
+        'On a WEBGPU canvas its hooks are WGSL, which is not read; draw it on a WEBGL canvas, or write the motion for createWarp.',
+      )
     const woven = weave(given)
     return woven ? (given.modify(woven) as unknown as Shader) : shader
   } catch (error) {
@@ -205,7 +215,12 @@ vec3 warpjetPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
 }`
   // p5 1.11 may have to do with WebGL 1.
   const target = type === 'Vertex' || shader._vertSrc.includes('300 es') ? 'glsl300' : 'glsl100'
-  const options = { target, names: weaving.names, outputs, surfaceVariation: false } as const
+  const options = {
+    target,
+    names: { ...unread, ...weaving.names },
+    outputs,
+    surfaceVariation: false,
+  } as const
   const offset = glslOffset(source, {
     function: 'warpjetPosition',
     returns: 'position',

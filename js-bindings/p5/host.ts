@@ -7,6 +7,11 @@ export interface Uniform {
   readonly isArray?: boolean
   /** WebGL's number of the type. */
   readonly type?: number
+  /** On WebGPU, where it lies among all, in bytes. */
+  readonly offset?: number
+  readonly offsetEnd?: number
+  /** On WebGPU, of a mat3. */
+  readonly packInPlace?: boolean
   /** Of an image that was set: what p5 draws with. */
   readonly texture?: { readonly width: number; readonly height: number }
 }

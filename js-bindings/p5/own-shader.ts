@@ -23,8 +23,14 @@ export function checkShader(
     throw new WarpError(
       'createWarp: the option "shader" must be one of shapes, such as baseMaterialShader().modify(…); this one has no hooks for the vertices of shapes.',
     )
+  const isWgsl = targetOf(renderer) === 'wgsl'
+  const inGlsl = isWgsl && Object.keys(vertex).find((name) => /^\s*\(\w+ \w/.test(vertex[name]!))
+  if (inGlsl)
+    throw new WarpError(
+      `createWarp: the option "shader" has the hook ${inGlsl.split(' ')[1]} in GLSL; on a WEBGPU canvas write it in WGSL or p5.strands.`,
+    )
   const own = shader._renderer
-  if (own && (targetOf(own) === 'wgsl') !== (targetOf(renderer) === 'wgsl'))
+  if (own && (targetOf(own) === 'wgsl') !== isWgsl)
     throw new WarpError(
       'createWarp: the option "shader" must be made on a canvas of the same kind, WEBGL or WEBGPU, as the one of the warp.',
     )

@@ -24,7 +24,10 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
   type?: WarpType
   /** Left out: `local`. */
   space?: WarpSpace
-  /** GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. */
+  /**
+   * GLSL to put above the warp: the uniforms that the offset names by `glsl.param(…)`, helper functions. On a WEBGPU canvas functions are
+   * WGSL, and uniforms are declared as in GLSL.
+   */
   defs?: string
   /**
    * Normal and uv vary over a surface, and so turns the light of an offset that depends on them; `false`: they count as constant.
@@ -140,7 +143,7 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
 }
 
 /** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */
-const uniformsIn = (defs: string) =>
+export const uniformsIn = (defs: string) =>
   new Set((defs.match(/\buniform\b[^;]*/g) ?? []).flatMap((text) => text.match(/\w+/g)!))
 
 function mustBeOneOf(option: string, choices: string[], value: unknown) {

@@ -11,6 +11,7 @@ import type { WarpSettings } from './settings.js'
 import {
   declaredInputs,
   declaredUniforms,
+  defsFor,
   frameFor,
   knownTo,
   refuseUndeclared,
@@ -40,12 +41,13 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
   const own = settings.shader
   const renderer = rendererOf(canvas)!
   const target = targetOf(renderer)
+  const defs = defsFor(settings, target)
   const weavable = ({ text, parameters }: ReturnType<typeof writeWarp>, base: Shader) => {
     if (target === 'glsl100' && readsInstance(text))
       throw new WarpError('createWarp: the input instance needs WebGL 2 or WebGPU.')
-    const declared = declaredUniforms(settings, parameters)
-    refuseUndeclared(parameters, base, declared, settings, target)
-    const { space, defs, hooks } = settings
+    const declared = declaredUniforms(settings, parameters, target)
+    refuseUndeclared(parameters, base, declared, settings, defs, target)
+    const { space, hooks } = settings
     return { text, space, defs, hooks, uniforms: [...declaredInputs(text.uniforms), ...declared] }
   }
   const names = namesFor(style)
@@ -59,8 +61,7 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
       woven,
       type,
     ))
-  if (settings.defs)
-    checkDefs(shaderFor(own ? 'own' : (settings.type ?? 'specular')), settings.defs, renderer)
+  if (defs.trim()) checkDefs(shaderFor(own ? 'own' : (settings.type ?? 'specular')), defs, renderer)
   return {
     renderer,
     inputs: woven.text.uniforms,

@@ -16,7 +16,7 @@ import {
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
 import { glslType } from './styles.js'
 import { own } from '../checks/options.js'
-import type { WarpSettings } from './settings.js'
+import { type WarpSettings, uniformsIn } from './settings.js'
 
 /** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
 export type WarpUniforms = Record<string, unknown>
@@ -64,12 +64,14 @@ export const declaredInputs = (read: readonly Declared[]): Declared[] => [
   ...read.filter(isOfFrame),
 ]
 
-/** Of those that the warp reads, which `parameters` tells, what the shader is to declare. */
+/** Of those that the warp reads, which `parameters` tells, what the shader is to declare: in WGSL also those of `defs`. */
 export function declaredUniforms(
-  { labels }: WarpSettings,
+  { labels, defs }: WarpSettings,
   parameters: readonly Variable[],
+  target: Target,
 ): Declared[] {
   const all = new Set([...labels.values()].flatMap((label) => [label, `${label}Size`]))
+  if (target === 'wgsl') for (const name of uniformsIn(defs)) all.add(name)
   return parameters.filter(({ name }) => all.has(name)).map(declaredOf)
 }
 
@@ -112,6 +114,12 @@ export function frameFor(kept: KeptWarp, known: Known) {
     }) ?? {}
 }
 
+const declaration = /\buniform\s+(?:\w+p\s+)?(?:float|vec[234]|mat[234]|sampler2D)\s+[\w\s,]+;/g
+
+/** The option `defs` for `target`: in WGSL `declaredUniforms` declares what it has in GLSL's words; lines stay where they are. */
+export const defsFor = ({ defs }: WarpSettings, target: Target) =>
+  target === 'wgsl' ? defs.replace(declaration, (text) => text.replace(/.+/g, '')) : defs
+
 const valueFor = (name: string) =>
   `give it a value by the option { uniforms: { ${name}: 0.5 } }, and read it as uniforms.${name}`
 
@@ -120,14 +128,15 @@ export function refuseUndeclared(
   parameters: readonly Variable[],
   shader: Shader,
   own: readonly Declared[],
-  { defs, uniforms }: WarpSettings,
+  { uniforms }: WarpSettings,
+  defs: string,
   target: Target,
 ) {
   const isWgsl = target === 'wgsl'
   const uniform = isWgsl && /\buniform\s+\w+\s+(\w+)/.exec(defs)
   if (uniform)
     throw new WarpError(
-      `createWarp: on a WEBGPU canvas the option "defs" is WGSL, which declares no uniforms so; ${valueFor(uniform[1]!)}.`,
+      `createWarp: on a WEBGPU canvas the option "defs" declares no uniforms so; ${valueFor(uniform[1]!)}.`,
     )
   const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
   for (const { name } of own) declared.add(name)
@@ -213,7 +222,11 @@ const sampler2D = 0x8b5e
 /** Of the matrices, by WebGL's number. */
 const matrixSizes: Record<number, number> = { [mat2]: 4, 0x8b5b: 9, 0x8b5c: 16 }
 
-function readValue(name: string, value: unknown, { type, isArray: isList = false }: Uniform) {
+function readValue(name: string, value: unknown, uniform: Uniform) {
+  const { type, isArray, offset, offsetEnd, packInPlace } = uniform
+  /** Numbers, on WebGPU. */
+  const items = packInPlace ? 9 : (offsetEnd! - offset!) / 4
+  const isList = isArray ?? items > 1
   if (type === mat2 && !isList)
     throw new WarpError(
       `The warp's uniform "${name}" is a mat2, which this p5 cannot set; declare a mat3, or use p5 2.`,
@@ -225,11 +238,12 @@ function readValue(name: string, value: unknown, { type, isArray: isList = false
     throw new WarpError(
       `The warp's uniform "${name}" must be ${isList ? 'an array of numbers' : 'a number'}, but is ${describe(value)}.`,
     )
-  const size = matrixSizes[type ?? 0]
+  const size = matrixSizes[type ?? 0] ?? (isList && items)
   if (size && Array.isArray(value) && !(value.length === size && value.every(Number.isFinite)))
     throw new WarpError(
-      `The warp's uniform "${name}" must be an array of ${size} numbers, column by column, but is ${describe(value)}.`,
+      `The warp's uniform "${name}" must be an array of ${size} numbers${items < 5 ? '' : ', column by column'}, but is ${describe(value)}.`,
     )
   // p5 1.11 takes neither its own vectors nor its own colours as the value of a uniform.
-  return isList ? componentsOf(value as object) : value
+  const list = isList && componentsOf(value as object)
+  return items && isList ? Array.from(list as number[]).slice(0, items) : list || value
 }

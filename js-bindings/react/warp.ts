@@ -73,14 +73,14 @@ const kindOf = ([name, value]: [string, unknown]) => [
   (value as { length?: number } | null)?.length,
 ]
 
-/** Whether all materials belong to elements, by what fiber leaves there. */
+/** Whether each material is an element inside of the mesh, by what fiber leaves there. */
 function isElement(object: Object3D) {
   let is = true
   object.traverse((part) => {
     for (const material of [(part as Mesh).material ?? []].flat() as (Material & {
-      __r3f?: unknown
+      __r3f?: { parent?: { object?: unknown } | null }
     })[])
-      is &&= material.__r3f !== undefined
+      is &&= material.__r3f?.parent?.object === part
   })
   return is
 }

@@ -16,7 +16,7 @@ import { WarpError } from '../checks/errors.js'
 import { checkCallback } from '../checks/options.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { withUniforms } from '../inputs/declared-uniforms.js'
-import { drawInputs, variationInputs } from '../inputs/inputs.js'
+import { drawInputs } from '../inputs/inputs.js'
 import { imageShape } from '../expression/shapes.js'
 import type { Declared } from '../module/result.js'
 import type { OffsetFunction } from '../types/types.js'
@@ -43,7 +43,6 @@ export interface ThreeWarp {
   handles: Record<string, { value: unknown }>
   /** In milliseconds. */
   millis: { value: number }
-  readsMillis: boolean
   /** Whether the turn depends on how normal and uv vary over the surface. */
   varies: boolean
   /** Which attributes decide where a vertex goes: position, normal, uv, color. */
@@ -111,7 +110,6 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
     uniforms,
     handles,
     millis,
-    readsMillis: isRead('millis'),
     varies: warp.varies,
     reads: new Set(positionText.attributes.map(({ name }) => name)),
     write: (target, turned, names) => {
@@ -172,6 +170,10 @@ function refuseOthers(
   const known = new Set(uniforms.flatMap(({ label }) => [label, `${label}Size`]))
   for (const { name } of text.uniforms) {
     if (name === 'millis' || known.has(name)) continue
+    if (name === 'instance')
+      throw new WarpError(
+        `${method}: the offset reads instance, which three.js does not have; place instances by their matrices, and warp in the space 'world', where each is at a place of its own.`,
+      )
     throw new WarpError(
       name in drawInputs
         ? `${method}: the offset reads ${name}, which three.js does not have; declare it, as in { uniforms: { my${name[0]!.toUpperCase()}${name.slice(1)}: ${name === 'pixelDensity' ? 1 : '[0, 0]'} } }.`
@@ -190,7 +192,3 @@ function hash(text: string) {
   }
   return `${(low >>> 0).toString(36)}${(high >>> 0).toString(36)}`
 }
-
-/** Whether a text reads how the surface varies. */
-export const readsVariation = ({ attributes }: Text) =>
-  attributes.some(({ name }) => name in variationInputs)

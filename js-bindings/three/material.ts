@@ -9,10 +9,11 @@ import {
 } from 'three'
 import { WarpError, describe } from '../checks/errors.js'
 import { millisUniform } from '../compile/host-names.js'
+import { describeOfThree } from './describe.js'
 import { type ThreeWarp, keep } from './kept.js'
 import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
 import type { ThreeUniforms, UniformHandles, ValuesOf } from './uniforms.js'
-import { isWoven, weave } from './weave.js'
+import { hasChunks, weave } from './weave.js'
 import { fillOf } from './surface.js'
 
 /** What a warped material and a warped object have. */
@@ -39,8 +40,8 @@ export interface WarpedMaterial<
 
 /**
  * A material whose vertices a warp moves and whose normals it turns, for who places it by hand:
- * `Object.assign(mesh, warpMaterial(material, offset))` has its shadows too; that nothing visible is culled and that rays
- * meet what is seen is done by `warp`. Takes every material of three.js that makes vertices from geometry, also one with an
+ * what it gives as `material`, `customDepthMaterial` and `customDistanceMaterial` goes to the mesh's properties of these names,
+ * so that shadows follow too; that nothing visible is culled and that rays meet what is seen is done by `warp`. Takes every material of three.js that makes vertices from geometry, also one with an
  * `onBeforeCompile` of its own, which is called first. Throws a `WarpError` for any other.
  */
 export function warpMaterial<Kind extends Material, const Uniforms extends ThreeUniforms = {}>(
@@ -81,8 +82,9 @@ export function checkMaterial(method: string, material: unknown): asserts materi
   const { isMaterial, type, ...is } = (material ?? {}) as Material & Record<string, unknown>
   if (!isMaterial)
     throw new WarpError(
-      `${method}: a material of three.js was expected, but ${describe(material)} came.`,
+      `${method}: a material of three.js was expected, but ${describeOfThree(material)} came.`,
     )
+  checkUnwarped(method, material as Material)
   if (is.isNodeMaterial)
     throw new WarpError(
       `${method}: ${type} is a material of WebGPURenderer; import ${method} from 'warpjet/three/webgpu'.`,
@@ -91,11 +93,27 @@ export function checkMaterial(method: string, material: unknown): asserts materi
     throw new WarpError(
       `${method}: a sprite always faces the camera and has no surface to warp; use a Mesh with a PlaneGeometry.`,
     )
-  if (is.isShaderMaterial && !isWoven(String(is.vertexShader)))
+  if (is.isShaderMaterial && !hasChunks(String(is.vertexShader)))
     throw new WarpError(
       `${method}: the vertex shader of this ${type} has no "#include <begin_vertex>" and "#include <project_vertex>", between which a warp goes; write it of three's chunks.`,
     )
 }
+
+/** Two warps in one shader would not compile. */
+export function checkUnwarped(method: string, material: Material) {
+  if (!carriers.has(material)) return
+  const name = material.name ? `the ${material.type} "${material.name}"` : `the ${material.type}`
+  throw new WarpError(
+    `${method}: ${name} is warped already, by another call; give the object a material of its own, as with material.clone(), or warp the group of all that have this one.`,
+  )
+}
+
+/** Materials that have a warp in them: those of ours, and those that are shared. */
+const carriers = new WeakSet<Material>()
+
+/** That a material is to be warped from now on, or no longer. */
+export const mark = (material: Material, isWarped: boolean) =>
+  void (isWarped ? carriers.add(material) : carriers.delete(material))
 
 /** A warped material, and how it becomes what it was. */
 export interface Woven {
@@ -130,8 +148,9 @@ export function weaveInto(
   ) {
     onBeforeCompile.call(this, shader, renderer)
     Object.assign(shader.uniforms, uniforms)
-    const source = shader.vertexShader
-    if (!woven.has(source)) woven.set(source, weave(source, warp))
+    const { vertexShader, vertexTangents = true } = shader
+    const source = `${vertexTangents} ${vertexShader}`
+    if (!woven.has(source)) woven.set(source, weave(vertexShader, warp, vertexTangents))
     shader.vertexShader = woven.get(source)!
   }
   const key = `warpjet ${warp.key()} ${earlierKey}`
@@ -141,10 +160,12 @@ export function weaveInto(
     return this.isNodeMaterial ? customProgramCacheKey.call(this) : key
   }
   made.needsUpdate = true
+  mark(made, true)
   return {
     material: made,
     restore() {
       if (!isShared) return made.dispose()
+      mark(made, false)
       if (isOwn) made.onBeforeCompile = onBeforeCompile
       else delete (made as Partial<Material>).onBeforeCompile
       if (isOwnKey) made.customProgramCacheKey = customProgramCacheKey

@@ -32,7 +32,8 @@ export function poseState(object: Warpable): number[] {
   const { attributes } = object.geometry
   const state = [
     object.geometry.id,
-    ...['position', 'normal', 'uv', 'color'].map((name) => versionOf(attributes[name])),
+    ...Object.values(attributes).map((attribute) => versionOf(attribute as Attribute)),
+    ...Object.values(object.geometry.morphAttributes).flat().map(versionOf),
     ...((object as Mesh).morphTargetInfluences ?? []),
   ]
   if (isSkinned(object))
@@ -110,17 +111,25 @@ function boundsAtRest(attribute: Attribute) {
   const version = versionOf(attribute)
   const known = boxes.get(attribute)
   if (known?.version === version) return known
-  const box = new Box3().setFromBufferAttribute(attribute as BufferAttribute)
-  const sphere = new Sphere(box.getCenter(new Vector3()), box.isEmpty() ? -1 : 0)
-  for (let i = 0; i < attribute.count; i++) {
-    const distance = sphere.center.distanceTo(
-      place.fromBufferAttribute(attribute as BufferAttribute, i),
-    )
-    sphere.radius = Math.max(sphere.radius, distance)
-  }
+  const positions = numbersOf(attribute, 3)
+  const box = new Box3().setFromArray(positions)
+  const center = box.getCenter(new Vector3())
+  const sphere = new Sphere(center, box.isEmpty() ? -1 : farthest(positions, center))
   const made = { version, box, sphere }
   boxes.set(attribute, made)
   return made
+}
+
+// Plain numbers: of a large mesh this is a good part of the first frame.
+function farthest(positions: Float32Array, from: Vector3): number {
+  let most = 0
+  for (let i = 0; i < positions.length; i += 3) {
+    const x = positions[i]! - from.x
+    const y = positions[i + 1]! - from.y
+    const z = positions[i + 2]! - from.z
+    most = Math.max(most, x * x + y * y + z * z)
+  }
+  return Math.sqrt(most)
 }
 
 /** Around what morph targets make of all that is in `box`: never too small. */
@@ -148,12 +157,12 @@ const scaled = ({ min, max }: Box3, factor: number) => {
 /** By bone, a box around the vertices at rest that it moves; nothing where weights do not sum to 1. */
 const bonesOf = new WeakMap<
   BufferGeometry,
-  { version: number; boxes: Map<number, Box3> | undefined }
+  { version: string; boxes: Map<number, Box3> | undefined }
 >()
 
 function boxesOfBones(geometry: BufferGeometry) {
   const { position, skinIndex, skinWeight } = geometry.attributes as Record<string, Attribute>
-  const version = versionOf(position)
+  const version = [position, skinIndex, skinWeight].map(versionOf).join()
   const known = bonesOf.get(geometry)
   if (known?.version === version) return known.boxes
   let boxes: Map<number, Box3> | undefined = new Map<number, Box3>()

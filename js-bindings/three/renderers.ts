@@ -1,7 +1,9 @@
 // What three.js draws with: WebGLRenderer, and WebGPURenderer once 'warpjet/three/webgpu' is imported, which brings what it needs.
 import type { Material, Mesh } from 'three'
 import { WarpError } from '../checks/errors.js'
+import { noteReplaced } from '../checks/notes.js'
 import type { ThreeWarp } from './kept.js'
+import { nameOf } from './describe.js'
 import { type Woven, checkMaterial, weaveInto } from './material.js'
 import type { WarpSpace } from './settings.js'
 
@@ -41,14 +43,21 @@ export function weaveForAll(given: Material, warp: ThreeWarp): Woven {
   }
 }
 
-/** Of an object that is warped now: throws when a renderer comes that would draw it as it was, or otherwise. */
+/** Of an object that is warped now: throws when a renderer comes that would draw it as it was, or otherwise, and says once if
+ * its material is another than at first. */
 export function refusing(
   { method, space }: { method: string; space: WarpSpace },
   object: Mesh,
+  isReplaced: () => boolean,
 ): Mesh['onBeforeRender'] {
   const { onBeforeRender } = object
   const present = nodes
+  let isNoted = false
   return function (this: Mesh, renderer, ...others) {
+    if (!isNoted && isReplaced()) {
+      isNoted = true
+      noteReplaced(method, nameOf(object))
+    }
     if ('isWebGPURenderer' in renderer) {
       const problem = present
         ? present.obstacle(space, object)

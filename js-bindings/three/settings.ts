@@ -3,7 +3,7 @@ import { WarpError, describe } from '../checks/errors.js'
 import { checkOptions } from '../checks/options.js'
 import type { UniformExpressions, UniformValue, WarpInputs } from '../types/types.js'
 import type { Vec3 } from '../types/expressions.js'
-import type { ThreeUniforms } from './uniforms.js'
+import type { PlainOf, ThreeUniforms } from './uniforms.js'
 
 /**
  * What `position` is measured in. `'local'`: the units of the geometry, after morph targets and bones, before the matrix of
@@ -12,7 +12,7 @@ import type { ThreeUniforms } from './uniforms.js'
  */
 export type WarpSpace = 'local' | 'rest' | 'world'
 
-export const spaces: readonly WarpSpace[] = ['local', 'rest', 'world']
+const spaces: readonly WarpSpace[] = ['local', 'rest', 'world']
 
 export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
   /** `'local'` unless given. */
@@ -26,9 +26,15 @@ export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
   surfaceVariation?: false
 }
 
-/** From a vertex to the offset that moves it; `mouse`, `size` and `pixelDensity` are p5's and not there. */
+/** What only p5 has. */
+type OfP5 =
+  'mouse' | 'mouseX' | 'mouseY' | 'size' | 'width' | 'height' | 'pixelDensity' | 'instance'
+
+/** From a vertex to the offset that moves it; the mouse, the canvas and `instance` are p5's and not there. */
 export type ThreeOffset<Values = {}> = (
-  inputs: Omit<WarpInputs, 'uniforms'> & { uniforms: UniformExpressions<Values> },
+  inputs: Omit<WarpInputs, 'uniforms' | OfP5> & {
+    uniforms: UniformExpressions<PlainOf<Values>>
+  },
 ) => Vec3
 
 export interface Settings {

@@ -9,13 +9,10 @@ import {
   Sphere,
   Vector3,
 } from 'three'
+import { variationNames } from '../inputs/inputs.js'
+import type { Vertices } from '../inputs/vertices.js'
 import type { ThreeWarp } from './kept.js'
 import { type Warpable, verticesOf } from './pose.js'
-
-interface Arrays {
-  positions: Float32Array
-  normals?: Float32Array
-}
 
 /** `toWorld` is for a warp of that space: the geometry is in it then. */
 export function warpedGeometry(
@@ -27,7 +24,7 @@ export function warpedGeometry(
   const { geometry } = object
   const vertices = verticesOf(object, !isRest, fillOf(object.material))
   const { positions, normals } = warp.cpu.evaluate(
-    toWorld ? { ...vertices, ...inWorld(vertices as Arrays, toWorld) } : vertices,
+    toWorld ? inWorld(vertices, toWorld) : vertices,
     { uniforms: warp.given() },
   )
   const made = new BufferGeometry()
@@ -54,12 +51,61 @@ export function fillOf(material: Material | Material[]): number[] {
   return [color?.r ?? 1, color?.g ?? 1, color?.b ?? 1, opacity]
 }
 
-function inWorld({ positions, normals }: Arrays, toWorld: Matrix4): Arrays {
+/** As the shader has vertices in the world: see weave.ts. */
+function inWorld(vertices: Vertices, toWorld: Matrix4): Vertices {
   const covariant = new Matrix3().getNormalMatrix(toWorld)
-  return {
-    positions: each(positions, (vector) => vector.applyMatrix4(toWorld)),
+  const { positions, normals, ...others } = vertices as unknown as Arrays
+  const ofUvs = gradientsOfUvs.flatMap((name) => {
+    const numbers = others[name]
+    return numbers ? [[name, each(numbers, (v) => v.applyMatrix3(covariant))] as const] : []
+  })
+  const made: Arrays = {
+    ...others,
+    ...Object.fromEntries(ofUvs),
+    positions: each(positions!, (vector) => vector.applyMatrix4(toWorld)),
     ...(normals && { normals: each(normals, (v) => v.applyMatrix3(covariant).normalize()) }),
   }
+  if (normals && gradientsOfNormals.every((name) => name in others))
+    Object.assign(made, turnedGradients(vertices as unknown as Arrays, covariant))
+  return made as unknown as Vertices
+}
+
+type Arrays = Record<string, Float32Array>
+
+const gradients = variationNames.map((name) => `${name}s`)
+const gradientsOfNormals = gradients.filter((name) => name.startsWith('normal'))
+const gradientsOfUvs = gradients.filter((name) => !name.startsWith('normal'))
+
+/**
+ * The rows of the derivative of the normal. That is C n / |C n| in the world, C being `covariant`: its derivative loses what
+ * would change its length, and is by the position in the world, which the transpose of C leads back from.
+ */
+function turnedGradients(vertices: Arrays, covariant: Matrix3): Arrays {
+  const rows = gradientsOfNormals.map((name) => vertices[name]!)
+  const turned = rows.map((numbers) => new Float32Array(numbers.length))
+  const back = covariant.clone().transpose()
+  const varies = new Matrix3()
+  const normal = new Vector3()
+  const column = new Vector3()
+  const along = new Vector3()
+  for (let i = 0; i < rows[0]!.length; i += 3) {
+    normal.fromArray(vertices.normals!, i).applyMatrix3(covariant)
+    const length = normal.length() || 1
+    normal.divideScalar(length)
+    rows.forEach((numbers, k) =>
+      column.fromArray(numbers, i).toArray(varies.elements as unknown as number[], 3 * k),
+    )
+    varies.premultiply(covariant).multiply(back)
+    along.copy(normal).applyMatrix3(varies)
+    turned.forEach((numbers, k) =>
+      column
+        .fromArray(varies.elements, 3 * k)
+        .addScaledVector(along, -normal.getComponent(k))
+        .divideScalar(length)
+        .toArray(numbers, i),
+    )
+  }
+  return Object.fromEntries(gradientsOfNormals.map((name, k) => [name, turned[k]!]))
 }
 
 function each(numbers: Float32Array, work: (vector: Vector3) => Vector3) {

@@ -8,6 +8,7 @@ import {
   type DeclaredUniforms,
   numbersFor,
   readDeclared,
+  unknownUniform,
   unlisted,
 } from '../inputs/declared-uniforms.js'
 
@@ -34,6 +35,27 @@ type ValueOf<Given> = Given extends () => infer Value ? Value : Given
 export type ValuesOf<Given> = { -readonly [Name in keyof Given]: Widened<ValueOf<Given[Name]>> }
 
 type Widened<Value> = Value extends number ? number : Value extends boolean ? boolean : Value
+
+/** By what an offset function has for them, the values as lists of numbers and images. */
+export type PlainOf<Values> = { readonly [Name in keyof Values]: Plain<Values[Name]> }
+
+type Plain<Value> = Value extends Vector2
+  ? readonly [number, number]
+  : Value extends Vector3 | Color
+    ? readonly [number, number, number]
+    : Value extends Vector4 | Quaternion
+      ? readonly [number, number, number, number]
+      : Value extends Matrix3
+        ? Numbers<9>
+        : Value extends Matrix4
+          ? Numbers<16>
+          : Value extends Texture
+            ? { readonly width: number; readonly height: number }
+            : Value
+
+interface Numbers<Count> extends ArrayLike<number> {
+  readonly length: Count & number
+}
 
 /** As in three.js: `warped.uniforms.amount.value = 2`. A vector may be changed in place. */
 export type UniformHandles<Values> = {
@@ -125,10 +147,7 @@ const sealed = (method: string, handles: Record<string, { value: unknown }>) =>
       // What promises, React and JSON look for.
       if (['then', 'toJSON', '$$typeof', 'constructor', 'toString', 'valueOf'].includes(name))
         return Reflect.get(target, name)
-      const names = Object.keys(target)
-      throw new WarpError(
-        `${method}: the warp has no uniform "${name}"; ${names.length ? `there are ${names.join(', ')}` : `the option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }`}.`,
-      )
+      throw unknownUniform(method, name, Object.keys(target))
     },
     set(_, name) {
       throw new WarpError(

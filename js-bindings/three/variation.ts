@@ -1,7 +1,8 @@
 // How normals and uvs vary over a geometry, for offsets that depend on them: kept with it, as attributes.
 import { BufferAttribute, type BufferGeometry } from 'three'
-import { WarpError, describe } from '../checks/errors.js'
+import { WarpError } from '../checks/errors.js'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import { describeOfThree } from './describe.js'
 import { fromBufferGeometry } from './geometry.js'
 
 /**
@@ -14,7 +15,7 @@ export async function addSurfaceVariation<Geometry extends BufferGeometry>(
 ): Promise<Geometry> {
   if (!geometry?.isBufferGeometry)
     throw new WarpError(
-      `addSurfaceVariation: a BufferGeometry was expected, but ${describe(geometry)} came.`,
+      `addSurfaceVariation: a BufferGeometry was expected, such as mesh.geometry, but ${describeOfThree(geometry)} came.`,
     )
   const mesh = fromBufferGeometry(geometry)
   const { surfaceVariation } = await import('../mesh.js')

@@ -10,9 +10,10 @@ import {
   type Raycaster,
   Sphere,
 } from 'three'
-import { WarpError, describe } from '../checks/errors.js'
+import { WarpError } from '../checks/errors.js'
 import { noteApproximation } from '../checks/notes.js'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import { describeOfThree, nameOf } from './describe.js'
 import { type Extent, extentInBatch, extentOf, stateOf } from './extent.js'
 import { type ThreeWarp, keep } from './kept.js'
 import {
@@ -55,6 +56,7 @@ export function warp<const Uniforms extends ThreeUniforms = {}>(
   const settings = readOptions('warp', options)
   const parts = partsOf(settings, object)
   const kept = keep(offset as never, settings)
+  for (const part of parts) checkInputs(kept, part)
   const materials = new Map<Material, Woven>()
   const done = parts.map((part) => putOn(kept, part, materials))
   return {
@@ -75,7 +77,7 @@ export function warp<const Uniforms extends ThreeUniforms = {}>(
 function partsOf({ method }: Settings, object: Object3D): Warpable[] {
   if (!object?.isObject3D)
     throw new WarpError(
-      `${method}: a Mesh, Points, a Line or a group of them was expected, but ${describe(object)} came.`,
+      `${method}: a Mesh, Points, a Line or a group of them was expected, but ${describeOfThree(object)} came.`,
     )
   const parts: Warpable[] = []
   object.traverse((part) => {
@@ -100,7 +102,18 @@ function partsOf({ method }: Settings, object: Object3D): Warpable[] {
   )
 }
 
-const nameOf = ({ name, type }: Object3D) => (name ? `the ${type} "${name}"` : `this ${type}`)
+/** What the offset reads of each vertex is there. */
+function checkInputs({ reads, settings }: ThreeWarp, part: Warpable) {
+  const remedies = {
+    normal: 'call geometry.computeVertexNormals() first',
+    uv: 'give it texture coordinates first',
+  }
+  for (const [name, remedy] of Object.entries(remedies))
+    if (reads.has(name) && !part.geometry.attributes[name])
+      throw new WarpError(
+        `${settings.method}: the offset reads ${name}, but the geometry of ${nameOf(part)} has no attribute "${name}"; ${remedy}.`,
+      )
+}
 
 interface Part {
   object: Warpable
@@ -143,9 +156,9 @@ function putOn(warp: ThreeWarp, object: Warpable, materials: Map<Material, Woven
   const shadows = shadowMaterials(warp, surface, object as ShadowMaterials)
   const extent = extentOf(warp, object)
   const raycast = raycastOf(warp, object, object.raycast, () => extent().sphere)
-  const onBeforeRender = refusing(warp.settings, object as Mesh)
   object.material = Array.isArray(before) ? before.map(wovenOf) : wovenOf(before)
   const after = object.material
+  const onBeforeRender = refusing(warp.settings, object as Mesh, () => object.material !== after)
   const putBack = replacing(object, {
     ...values(shadows),
     ...values({ raycast, onBeforeRender }),
@@ -189,7 +202,7 @@ const hasVariation = ({ geometry }: Warpable) =>
 function inBatch(warp: ThreeWarp, object: BatchedMesh) {
   if (!warp.runs) return { perObjectFrustumCulled: false }
   const { getBoundingBoxAt, getBoundingSphereAt } = object
-  // One method calls the other, and keeps what it found.
+  // Of three.js, the sphere asks for the box of the object, which would be the warped one.
   const atRest = Object.create(object, { getBoundingBoxAt: { value: getBoundingBoxAt } }) as object
   const find = remembered(
     () => stateOf(warp, object),

@@ -1,9 +1,17 @@
 // `warpMaterial` and `warpNode` for WebGPURenderer, on WebGPU and on WebGL 2, and what `warp` needs for it.
 import type { Material } from 'three'
+import type { Node } from 'three/webgpu'
 import { WarpError } from '../checks/errors.js'
 import { type ThreeWarp, keep } from './kept.js'
-import { type Warped, type Woven, checkMaterial as checkOfWebGL, updateOf } from './material.js'
-import { type AnyNode, nodeFor, obstacle } from './nodes.js'
+import {
+  type Warped,
+  type Woven,
+  checkMaterial as checkOfWebGL,
+  checkUnwarped,
+  mark,
+  updateOf,
+} from './material.js'
+import { nodeFor, obstacle } from './nodes.js'
 import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
 import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 import { provideNodes } from './renderers.js'
@@ -19,6 +27,7 @@ interface NodeMaterial extends Material {
 function checkMaterial(method: string, material: unknown): asserts material is Material {
   const { isNodeMaterial, vertexNode, type } = (material ?? {}) as NodeMaterial
   if (!isNodeMaterial) checkOfWebGL(method, material)
+  else checkUnwarped(method, material as Material)
   const { isShaderMaterial } = material as { isShaderMaterial?: boolean }
   if (isShaderMaterial)
     throw new WarpError(
@@ -47,10 +56,12 @@ function weaveInto(
   if (castShadowPositionNode)
     material.castShadowPositionNode = nodeFor(warp, castShadowPositionNode)
   material.needsUpdate = true
+  mark(material, true)
   return {
     material,
     restore() {
       if (!isShared) return material.dispose()
+      mark(material, false)
       if (had) material.positionNode = positionNode
       else delete material.positionNode
       if (castShadowPositionNode) material.castShadowPositionNode = castShadowPositionNode
@@ -90,7 +101,7 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
 
 export interface WarpNode<Uniforms = {}> extends Omit<Warped<Uniforms>, 'dispose'> {
   /** For `positionNode` of any material of nodes; it turns `normalLocal` and `tangentLocal` too. */
-  readonly node: AnyNode
+  readonly node: Node
 }
 
 /** The warp as a node: `material.positionNode = warpNode(offset).node`. */
@@ -99,5 +110,9 @@ export function warpNode<const Uniforms extends ThreeUniforms = {}>(
   options: WarpOptions<Uniforms> = {},
 ): WarpNode<ValuesOf<Uniforms>> {
   const warp = keep(offset as never, readOptions('warpNode', options))
-  return { node: nodeFor(warp), uniforms: warp.handles as never, update: updateOf(warp) }
+  return {
+    node: nodeFor(warp) as unknown as Node,
+    uniforms: warp.handles as never,
+    update: updateOf(warp),
+  }
 }

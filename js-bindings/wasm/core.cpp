@@ -296,6 +296,10 @@ EMSCRIPTEN_KEEPALIVE int temporaryCount(Reading* reading) {
   return static_cast<int>(reading->text.emitted.temporaries);
 }
 
+EMSCRIPTEN_KEEPALIVE int vectorCount(Reading* reading) {
+  return static_cast<int>(reading->text.emitted.vectors);
+}
+
 // Asks for one more result in the program, by number.
 EMSCRIPTEN_KEEPALIVE void wantResult(Reading* reading, int number) {
   reading->results.push_back(static_cast<std::uint32_t>(number));

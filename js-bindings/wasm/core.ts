@@ -46,6 +46,7 @@ export interface Core {
   _nodeCount(reading: Reading): number
   _operationCount(reading: Reading): number
   _temporaryCount(reading: Reading): number
+  _vectorCount(reading: Reading): number
   _knowInput(reading: Reading, number: number): void
   _separate(reading: Reading): number
   _wantResult(reading: Reading, number: number): void

@@ -11,6 +11,8 @@
 
 #include "eval/blocks.hpp"
 #include "eval/bounds.hpp"
+#include "eval/each_lane.hpp"
+#include "eval/machine_code.hpp"
 
 using namespace warpjet;
 
@@ -37,6 +39,33 @@ std::vector<Sink> sinks(const Array* arrays, int count) {
   return all;
 }
 
+// Their addresses are offsets.
+std::vector<Placement> placements(const Array* arrays, int count) {
+  std::vector<Placement> all;
+  for (int i = 0; i < count; ++i)
+    all.push_back({static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(arrays[i].values)),
+                   arrays[i].size, arrays[i].isUniform != 0});
+  return all;
+}
+
+// What JavaScript reads of it stands first.
+struct MadeCode {
+  const std::uint8_t* module = nullptr;
+  std::uint32_t moduleSize = 0;
+  const std::uint32_t* shared = nullptr;
+  std::uint32_t sharedCount = 0;
+  std::uint32_t sharedAt = 0;
+  MachineCode code;
+
+  explicit MadeCode(MachineCode made) : code(std::move(made)) {
+    module = code.module.data();
+    moduleSize = static_cast<std::uint32_t>(code.module.size());
+    shared = code.shared.data();
+    sharedCount = static_cast<std::uint32_t>(code.shared.size());
+    sharedAt = code.sharedAt;
+  }
+};
+
 std::span<const std::uint32_t> words(const std::uint32_t* first, int count) {
   return {first, static_cast<std::size_t>(count)};
 }
@@ -53,7 +82,7 @@ EMSCRIPTEN_KEEPALIVE BlockEvaluator* openEvaluator(const std::uint32_t* program,
   const std::vector<Stream> given = streams(inputs, inputCount);
   std::vector<bool> isUniform;
   for (const Stream& stream : given)
-    isUniform.insert(isUniform.end(), stream.size, stream.isUniform);
+    isUniform.resize(isUniform.size() + stream.size, stream.isUniform);
   return new BlockEvaluator(
       allocateRegisters(words(program, size), static_cast<std::uint32_t>(instructions),
                         words(wanted, wantedCount), isUniform),
@@ -88,6 +117,26 @@ EMSCRIPTEN_KEEPALIVE void bound(const std::uint32_t* program, int size, int inst
   std::copy(found.begin(), found.end(), results);
 }
 
+// Machine code for the wanted results, of arrays at these offsets, all of them before `end`; null
+// if it would be too long.
+EMSCRIPTEN_KEEPALIVE MadeCode* makeMachineCode(const std::uint32_t* program, int size,
+                                               int instructions, const std::uint32_t* wanted,
+                                               int wantedCount, const Array* inputs, int inputCount,
+                                               const Array* results, int resultCount, int end) {
+  if (static_cast<std::size_t>(instructions) > mostInstructions) return nullptr;
+  const std::vector<Placement> from = placements(inputs, inputCount);
+  std::vector<bool> isUniform;
+  for (const Placement& input : from)
+    isUniform.resize(isUniform.size() + input.size, input.isUniform);
+  const RegisterProgram made =
+      allocateRegisters(words(program, size), static_cast<std::uint32_t>(instructions),
+                        words(wanted, wantedCount), isUniform);
+  return new MadeCode(
+      machineCode(made, from, placements(results, resultCount), static_cast<std::uint32_t>(end)));
+}
+
+EMSCRIPTEN_KEEPALIVE void dropMachineCode(MadeCode* made) { delete made; }
+
 EMSCRIPTEN_KEEPALIVE void closeEvaluator(BlockEvaluator* evaluator) { delete evaluator; }
 
 EMSCRIPTEN_KEEPALIVE void* allocate(int bytes) {
@@ -95,6 +144,35 @@ EMSCRIPTEN_KEEPALIVE void* allocate(int bytes) {
 }
 
 EMSCRIPTEN_KEEPALIVE void release(void* memory) { std::free(memory); }
+
+// What machine code imports: `Staged` of src/eval/staged.hpp has what else it needs.
+#define LANES(name) \
+  EMSCRIPTEN_KEEPALIVE simd::Floats lanes_##name(simd::Floats x) { return name(Lanes(x)).floats; }
+#define LANES_OF_TWO(name)                                                         \
+  EMSCRIPTEN_KEEPALIVE simd::Floats lanes_##name(simd::Floats x, simd::Floats y) { \
+    return name(Lanes(x), Lanes(y)).floats;                                        \
+  }
+LANES(tan)
+LANES(asin)
+LANES(acos)
+LANES(atan)
+LANES(exp)
+LANES(exp2)
+LANES(log)
+LANES(log2)
+LANES(sinh)
+LANES(cosh)
+LANES(tanh)
+LANES(asinh)
+LANES(acosh)
+LANES(atanh)
+LANES_OF_TWO(atan2)
+LANES_OF_TWO(pow)
+
+EMSCRIPTEN_KEEPALIVE simd::Floats lanes_each_lane(int op, simd::Floats x, simd::Floats y,
+                                                  simd::Floats z) {
+  return eachLane(Op{static_cast<std::uint8_t>(op)}, {Lanes(x), Lanes(y), Lanes(z)}).floats;
+}
 
 // Bytes that are allocated now.
 EMSCRIPTEN_KEEPALIVE int memoryInUse() {

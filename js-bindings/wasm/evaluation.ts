@@ -1,4 +1,4 @@
-// Runs programs on many vertices, in a wasm of its own, since it needs SIMD and the compiler does not. It is loaded when
+// What runs programs on many vertices: a wasm of its own, since it needs SIMD and the compiler does not. It is loaded when
 // the first warp is evaluated, and holds nothing between two calls.
 import { WarpError } from '../checks/errors.js'
 import type { Program } from '../module/kept-module.js'
@@ -7,17 +7,18 @@ import type { Range } from '../inputs/vertices.js'
 import { mathematics } from './mathematics.js'
 import { start } from './start.js'
 
+/** A program, and which of its results. */
+type Asked = [
+  program: number,
+  size: number,
+  instructions: number,
+  wanted: number,
+  wantedCount: number,
+]
+
 /** evaluation.cpp. */
-interface Evaluation {
-  _openEvaluator(
-    program: number,
-    size: number,
-    instructions: number,
-    wanted: number,
-    wantedCount: number,
-    inputs: number,
-    inputCount: number,
-  ): number
+export interface Evaluation {
+  _openEvaluator(...asked: [...Asked, inputs: number, inputCount: number]): number
   _runEvaluator(
     evaluator: number,
     vertices: number,
@@ -27,15 +28,7 @@ interface Evaluation {
     resultCount: number,
   ): void
   _closeEvaluator(evaluator: number): void
-  _markInputs(
-    program: number,
-    size: number,
-    instructions: number,
-    wanted: number,
-    wantedCount: number,
-    marks: number,
-    inputNumbers: number,
-  ): void
+  _markInputs(...asked: [...Asked, marks: number, inputNumbers: number]): void
   _bound(
     program: number,
     size: number,
@@ -46,30 +39,27 @@ interface Evaluation {
     wantedCount: number,
     results: number,
   ): void
+  _makeMachineCode(
+    ...asked: [
+      ...Asked,
+      inputs: number,
+      inputCount: number,
+      results: number,
+      resultCount: number,
+      end: number,
+    ]
+  ): number
+  _dropMachineCode(code: number): void
   _allocate(bytes: number): number
   _release(memory: number): void
   _memoryInUse(): number
 
+  readonly exports: WebAssembly.Exports
+  readonly HEAPU8: Uint8Array
   readonly HEAPU32: Uint32Array
   readonly HEAPF32: Float32Array
   readonly HEAPF64: Float64Array
 }
-
-/** The numbers of an input, `size` a vertex or, if it is uniform, `size` in all. */
-export interface Stream {
-  values: ArrayLike<number>
-  size: number
-  isUniform: boolean
-}
-
-/** Where results go, `results.length` of them a vertex, by their numbers in the program. */
-export interface Sink {
-  values: Float32Array
-  results: readonly number[]
-}
-
-/** So much is in the wasm's memory at a time, whatever the size of the mesh. */
-const verticesAtOnce = 4096
 
 let evaluation: Evaluation | undefined
 
@@ -86,7 +76,7 @@ function getEvaluation(): Evaluation {
 }
 
 /** Does `work` with memory in the wasm, and releases it whatever happens. */
-function withMemory<Result>(work: (core: Evaluation, memory: Memory) => Result): Result {
+export function withMemory<Result>(work: (core: Evaluation, memory: Memory) => Result): Result {
   const core = getEvaluation()
   const memory = new Memory(core)
   try {
@@ -131,53 +121,6 @@ const findInputsRead = (program: Program, wanted: readonly number[]): boolean[] 
     return sizes.map((size) => core.HEAPU32.subarray(at, (at += size)).includes(1))
   })
 
-/** Runs `program` on so many vertices; `inputs` has all of its inputs in order. */
-export function runProgram(
-  program: Program,
-  vertices: number,
-  inputs: readonly Stream[],
-  sinks: readonly Sink[],
-) {
-  withMemory((core, memory) => {
-    const atOnce = Math.min(vertices, verticesAtOnce)
-    const streams = inputs.map(({ size, isUniform }) =>
-      memory.floats(size * (isUniform ? 1 : atOnce)),
-    )
-    const results = sinks.map((sink) => memory.floats(sink.results.length * atOnce))
-    const streamTable = memory.words(
-      inputs.flatMap(({ size, isUniform }, i) => [streams[i]!, size, Number(isUniform)]),
-    )
-    // Laid out as inputs are, of which none of these is uniform.
-    const resultTable = memory.words(
-      sinks.flatMap((sink, i) => [results[i]!, sink.results.length, 0]),
-    )
-    const wanted = memory.list(sinks.flatMap((sink) => sink.results))
-    inputs.forEach(({ values, isUniform }, i) => {
-      if (isUniform) core.HEAPF32.set(values, streams[i]! / 4)
-    })
-
-    const evaluator = core._openEvaluator(
-      ...memory.program(program),
-      ...wanted,
-      streamTable,
-      inputs.length,
-    )
-    memory.evaluator = evaluator
-    for (let first = 0; first < vertices; first += atOnce) {
-      const now = Math.min(atOnce, vertices - first)
-      inputs.forEach(({ values, size, isUniform }, i) => {
-        if (!isUniform) copy(core.HEAPF32, streams[i]! / 4, values, first * size, now * size)
-      })
-      core._runEvaluator(evaluator, now, streamTable, inputs.length, resultTable, sinks.length)
-      sinks.forEach((sink, i) => {
-        const size = sink.results.length
-        const at = results[i]! / 4
-        sink.values.set(core.HEAPF32.subarray(at, at + now * size), first * size)
-      })
-    }
-  })
-}
-
 /** Ranges of wanted results, from those of the program's inputs, number by number. */
 export const boundProgram = (
   program: Program,
@@ -193,19 +136,14 @@ export const boundProgram = (
     return wanted.map((_, i) => [core.HEAPF64[at + 2 * i]!, core.HEAPF64[at + 2 * i + 1]!])
   })
 
-function copy(to: Float32Array, at: number, from: ArrayLike<number>, first: number, count: number) {
-  if (from instanceof Float32Array) to.set(from.subarray(first, first + count), at)
-  else for (let i = 0; i < count; i++) to[at + i] = from[first + i]!
-}
-
 /** What one call allocates in the wasm, released together. */
-class Memory {
+export class Memory {
   private readonly blocks: number[] = []
   evaluator = 0
 
   constructor(private readonly core: Evaluation) {}
 
-  private allocate(bytes: number): number {
+  allocate(bytes: number): number {
     const block = this.core._allocate(Math.max(bytes, 8))
     if (!block) throw new WarpError(tooLarge)
     this.blocks.push(block)
@@ -230,6 +168,11 @@ class Memory {
 
   list(words: readonly number[]): [at: number, count: number] {
     return [this.words(words), words.length]
+  }
+
+  /** Of arrays at these addresses. */
+  table(arrays: readonly { size: number; isUniform: boolean }[], at: readonly number[]): number {
+    return this.words(arrays.flatMap(({ size, isUniform }, i) => [at[i]!, size, Number(isUniform)]))
   }
 
   program({ words, instructions }: Program): [at: number, size: number, instructions: number] {

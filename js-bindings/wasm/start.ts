@@ -12,7 +12,7 @@ export interface Inlined {
 
 /**
  * A new instance of a module that needs none of Emscripten's JavaScript: as that would, it has every function with a `_`
- * before its name, and the memory as arrays.
+ * before its name, and the memory as arrays; `exports` has them as they are.
  */
 export function start<Module>(inlined: Inlined, imports: WebAssembly.ModuleImports = {}): Module {
   const module = compiling(inlined, (bytes) => new WebAssembly.Module(bytes))
@@ -27,6 +27,7 @@ export function start<Module>(inlined: Inlined, imports: WebAssembly.ModuleImpor
   _initialize()
   const named = Object.entries(functions).map(([name, call]) => [`_${name}`, call])
   return Object.defineProperties(Object.fromEntries(named), {
+    exports: { value: exports },
     HEAPU8: { get: () => new Uint8Array(memory.buffer) },
     HEAPU32: { get: () => new Uint32Array(memory.buffer) },
     HEAPF32: { get: () => new Float32Array(memory.buffer) },

@@ -157,6 +157,8 @@ int Builder::swizzle(int handle, int count, unsigned indices) {
 }
 
 void Builder::comment(std::string_view text) {
+  differentiator_.logTo(derived_);
+  derived_.clear();
   const NodeId first{static_cast<std::uint32_t>(commented_)};
   const NodeId end{static_cast<std::uint32_t>(graph_.size())};
   commented_ = graph_.size();
@@ -164,6 +166,15 @@ void Builder::comment(std::string_view text) {
   Comments& comments = module_.comments;
   comments.ranges.push_back({first, end, static_cast<std::uint32_t>(comments.texts.size())});
   comments.texts.emplace_back(text);
+}
+
+// What was made after the last comment has that of the node that it is a derivative of.
+void Builder::commentDerivatives() {
+  Comments& comments = module_.comments;
+  for (const auto& [first, end, of] : derived_) {
+    if (const Comments::Range* range = comments.find(of))
+      comments.ranges.push_back({first, end, std::uint32_t{range->text}});
+  }
 }
 
 }  // namespace warpjet

@@ -16,6 +16,7 @@
 #include "builder/values.hpp"
 #include "diff/differentiator.hpp"
 #include "functions/fold.hpp"
+#include "graph/flags.hpp"
 #include "graph/folds.hpp"
 #include "module/label.hpp"
 #include "module/module.hpp"
@@ -158,6 +159,7 @@ class Builder {
   const std::string_view* impossible(NodeId id) const;
   const std::string_view* findImpossible(std::span<const NodeId> results, std::size_t before);
   void addOutput(std::string_view method, std::string_view name, const Value& value);
+  void commentDerivatives();
 
   // The parts of a sentence, after the method. Sentences are made seldom and in many places.
   using Parts = std::initializer_list<std::string_view>;
@@ -174,8 +176,9 @@ class Builder {
   // By the root of their labels: there may be thousands.
   std::map<std::string, std::vector<std::uint32_t>, std::less<>> numbers_;
   std::size_t commented_ = 0;
+  std::vector<Derived> derived_;  // since the last comment, if there are comments
   std::vector<NodeId> pendingCalls_;
-  std::vector<bool> needed_;  // kept for its memory
+  Flags needed_;  // kept for its memory
   bool wasImpossible_ = false;
   std::string problem_;
 };

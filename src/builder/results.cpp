@@ -38,6 +38,7 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
   const WarpInputs inputs{
       given[0], given[1], given[2], given[3], {given[4], given[5], given[6], given[7], given[8]}};
   const Warp warp = makeWarp(differentiator_, offset, inputs, options);
+  commentDerivatives();
 
   std::vector<std::pair<std::string_view, Value>> results;
   const auto add = [&](std::span<const std::string_view> names, std::span<const Value> values) {

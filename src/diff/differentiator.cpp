@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "diff/partials.hpp"
+#include "diff/together.hpp"
 #include "graph/expression.hpp"
 #include "graph/reachable.hpp"
 
@@ -11,30 +12,8 @@ namespace warpjet {
 
 namespace {
 
-constexpr Op Neg = ops::find("neg"), Mult = ops::find("mult"), Div = ops::find("div"),
-             Atan = ops::find("atan"), Atan2 = ops::find("atan2");
-
-// ±numerator / denominator.
-struct Quotient {
-  Expression numerator, denominator;
-};
-
-std::optional<Quotient> quotientOf(Expression x) {
-  Graph& graph = *x.graph;
-  const bool isNegative = graph.is(x.id, Neg);
-  const NodeId id = isNegative ? graph.operand(x.id, 0) : x.id;
-  if (!graph.is(id, Div)) return {};
-  const Expression numerator{&graph, graph.operand(id, 0)};
-  return Quotient{isNegative ? -numerator : numerator, {&graph, graph.operand(id, 1)}};
-}
-
-// a / y + b / y is (a + b) / y: the derivative of a quotient stays one.
-Expression together(Expression x, Expression y) {
-  const auto a = quotientOf(x), b = quotientOf(y);
-  if (a && b && a->denominator.id == b->denominator.id)
-    return (a->numerator + b->numerator) / a->denominator;
-  return x + y;
-}
+constexpr Op Mult = ops::find("mult"), Div = ops::find("div"), Atan = ops::find("atan"),
+             Atan2 = ops::find("atan2");
 
 // The node whose operands an operation is differentiated by. The angle atan(y / x) turns as
 // atan2(y, x) does, also where the quotient is infinite.
@@ -105,12 +84,12 @@ void Differentiator::findTangent(NodeId id, const Direction& direction) {
   // Not zero; who reads the call asks for the tangent of each argument.
   if (graph_.isList(id) || graph_.isOurCall(id)) return;
   if (const auto common = commonBase(id, direction)) {
-    factor = chainRule(id, [&](NodeId operand) { return tangents[operand].factor; });
+    factor = chainRule(id, tangents, &Differentiator::factorOf);
     base = *common;
     if (!canOverflow(id, tangents)) return;
     factor = graph_.constant(1);
   }
-  base = chainRule(id, [&](NodeId operand) { return whole(tangents[operand]); });
+  base = chainRule(id, tangents, &Differentiator::whole);
 }
 
 // Whether the factor or the base may, though their product does not: 1 / r² near r = 0, where r
@@ -128,9 +107,9 @@ bool Differentiator::canOverflow(NodeId id, const Tangents& tangents) {
   return false;
 }
 
-template <class TangentOf>
-NodeId Differentiator::chainRule(NodeId id, TangentOf tangent) {
+NodeId Differentiator::chainRule(NodeId id, const Tangents& tangents, Part part) {
   Sum sum(graph_);
+  const auto tangent = [&](NodeId operand) { return (this->*part)(tangents[operand]); };
   if (graph_.isCall(id) || graph_.isResult(id)) {
     for (const auto& [argument, partial] : slopesOf(graph_, id))
       sum.add(tangent(argument), [&, by = partial](Expression d) {
@@ -179,8 +158,11 @@ void Differentiator::visit(NodeId id, const Direction& direction) {
   if (id == direction.input) {
     tangent.factor = one;
   } else if (dependsOnInput()) {
+    const std::size_t before = graph_.size();
     findTangent(id, direction);
     if (tangent.base == zero) tangent.factor = zero;
+    if (log_ && graph_.size() > before)
+      log_->push_back({static_cast<NodeId>(before), static_cast<NodeId>(graph_.size()), id});
   }
 }
 

@@ -8,11 +8,17 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "diff/paged.hpp"
 #include "graph/graph.hpp"
 
 namespace warpjet {
+
+// The nodes from `first` to before `end` were made for the derivative of one.
+struct Derived {
+  NodeId first, end, of;
+};
 
 class Differentiator {
  public:
@@ -22,6 +28,9 @@ class Differentiator {
   // Calls of the host's functions on the way must have their partials, and `root` must read no
   // variable of a loop outside of its fold.
   NodeId derivative(NodeId root, NodeId input);
+
+  // From now on it tells what it makes.
+  void logTo(std::vector<Derived>& log) { log_ = &log; }
 
   // What it remembers for later derivatives.
   std::size_t bytes() const { return bytes_; }
@@ -54,8 +63,10 @@ class Differentiator {
   void findTangent(NodeId id, const Direction& direction);
   std::optional<NodeId> commonBase(NodeId id, const Direction& direction) const;
   bool canOverflow(NodeId id, const Tangents& tangents);
-  template <class TangentOf>
-  NodeId chainRule(NodeId id, TangentOf tangent);
+  // What of the operands' tangents the chain rule is of.
+  using Part = NodeId (Differentiator::*)(const Tangent&);
+  NodeId chainRule(NodeId id, const Tangents& tangents, Part part);
+  NodeId factorOf(const Tangent& tangent) { return tangent.factor; }
   NodeId whole(const Tangent& tangent);
 
   // Whether it was, or has to wait for, the derivative of a fold.
@@ -66,6 +77,7 @@ class Differentiator {
   NodeId tangentState(NodeId local, NodeId input);
 
   Graph& graph_;
+  std::vector<Derived>* log_ = nullptr;
   // By the variable of a state and an input, the variable of its derivative.
   std::map<std::pair<NodeId, NodeId>, NodeId> tangentStates_;
   std::map<NodeId, Tangents> tangents_;

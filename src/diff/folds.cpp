@@ -1,5 +1,6 @@
 // The derivative of a fold is a fold of more: of its states and of their derivatives.
 #include "diff/differentiator.hpp"
+#include "graph/flags.hpp"
 #include "graph/reachable.hpp"
 
 namespace warpjet {
@@ -28,11 +29,11 @@ bool Differentiator::findTangents(std::span<const State> states, const Direction
   Tangents& tangents = direction.tangents;
   const NodeId zero = graph_.constant(0), one = graph_.constant(1);
   std::vector<NodeId> nexts;
-  std::vector<bool> moves;
-  for (const auto& [local, start, next] : states) {
-    if (tangents[start].factor == noNode) return false;
-    nexts.push_back(next);
-    moves.push_back(whole(tangents[start]) != zero);
+  Flags moves(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (tangents[states[i].start].factor == noNode) return false;
+    nexts.push_back(states[i].next);
+    moves[i] = whole(tangents[states[i].start]) != zero;
   }
   const auto isKnown = [&](NodeId id) { return tangents[id].factor != noNode; };
   const std::vector<NodeId> body = reachable(graph_, nexts, isKnown);

@@ -1,11 +1,15 @@
 #include "emit/emit.hpp"
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "emit/names.hpp"
+#include "emit/packs.hpp"
 #include "emit/statements.hpp"
 #include "emit/sums.hpp"
 #include "emit/writer.hpp"
+#include "graph/flags.hpp"
 #include "graph/folds.hpp"
 #include "graph/reachable.hpp"
 #include "graph/schedule.hpp"
@@ -26,7 +30,8 @@ class Emitter {
         comments_(comments),
         inputs_(inputs),
         nodes_(reachable(graph, roots())),
-        writer_(graph, dialect) {
+        packs_(graph, dialect),
+        writer_(graph, dialect, packs_) {
     if (graph.has(foldOp)) loops_.emplace(graph, nodes_);
   }
 
@@ -72,7 +77,7 @@ class Emitter {
   }
 
   void findHelped() {
-    std::vector<bool> isUsed(ops::count);
+    Flags isUsed(ops::count);
     for (const NodeId id : nodes_) {
       if (graph_.isOperation(id)) isUsed[index(graph_.node(id).op)] = true;
     }
@@ -84,7 +89,7 @@ class Emitter {
   }
 
   void reserveNames() {
-    std::vector<bool> used(graph_.inputCount()), called(graph_.functionCount());
+    Flags used(graph_.inputCount()), called(graph_.functionCount());
     for (const NodeId id : nodes_) {
       if (graph_.isInput(id)) used[graph_.node(id).operands[0]] = true;
       if (graph_.isCall(id) && !graph_.isOurCall(id)) called[graph_.node(id).operands[1]] = true;
@@ -131,21 +136,19 @@ class Emitter {
 
   void writeStatements() {
     all_ = makeStatements(graph_, nodes_, loops_ ? &*loops_ : nullptr, outputs_, sums_, options_);
+    packStatements(graph_, packs_, all_, options_);
     writeBody(all_[0]);
   }
 
   void writeBody(const Statements& statements) {
     for (const std::uint32_t i : schedule(statements.work)) {
       const Statement& statement = statements.all[i];
-      if (!statement.node) {
+      if (statement.node == noNode)
         assign(*statement.output);
-      } else if (graph_.isFold(*statement.node)) {
-        writeLoop(graph_.loopOf(*statement.node));
-        continue;
-      } else {
-        compute(*statement.node, statement.output);
-      }
-      statements_ += ";\n";
+      else if (graph_.isFold(statement.node))
+        writeLoop(graph_.loopOf(statement.node));
+      else
+        compute(statement);
     }
   }
 
@@ -200,31 +203,56 @@ class Emitter {
     }
   }
 
-  void compute(NodeId id, const Output* output) {
-    writeComment(id);
-    std::string name = output ? output->name : temporaries_.next();
-    if (output) {
+  void compute(const Statement& statement) {
+    const bool isVector = statement.pack != none;
+    const Lanes lanes = isVector ? packs_[statement.pack] : Lanes({&statement.node, 1});
+    writeComments({lanes.begin(), lanes.end()});
+    const std::string name = statement.output ? statement.output->name : temporaries_.next();
+    if (statement.output) {
       statements_ += indent_ + name + " = ";
     } else {
-      define(writer_.typeOf(id), name);
+      const auto vector = dialect_.typeName(ops::Type::Float, vectorOf(lanes.count));
+      define(isVector ? std::string(vector) : writer_.typeOf(lanes[0]), name);
       ++result_.temporaries;
+      result_.vectors += isVector;
     }
-    writer_.writeOperation(statements_, id);
-    writer_.name(id, std::move(name));
+    if (isVector)
+      writer_.writeLanes(statements_, lanes, Packs::As::Statement);
+    else
+      writer_.writeOperation(statements_, lanes[0]);
+    statements_ += ";\n";
+    for (int i = 0; i < lanes.count; ++i)
+      writer_.name(lanes[i], isVector ? name + '.' + "xyzw"[i] : name);
   }
 
   void assign(const Output& output) {
+    writeComments(output.components);
     statements_ += indent_ + output.name + " = ";
     if (const auto& sum = sums_[static_cast<std::size_t>(&output - outputs_.data())]) {
       statements_ += writer_.inputName(sum->input) + " + " + outputs_[sum->output].name;
     } else {
       writer_.writeValue(statements_, output.shape, output.components);
     }
+    statements_ += ";\n";
   }
 
-  void writeComment(NodeId id) {
-    if (const Comments::Range* comment = comments_.find(id))
-      statements_ += indent_ + "// " + comments_.texts[comment->text] + '\n';
+  // Of all nodes that a statement has in it, each once.
+  [[gnu::noinline, gnu::cold]] void writeComments(std::span<const NodeId> roots) {
+    if (comments_.ranges.empty()) return;
+    std::vector<NodeId> nodes(roots.begin(), roots.end());
+    std::vector<std::uint32_t> said;
+    while (!nodes.empty()) {
+      const NodeId id = nodes.back();
+      nodes.pop_back();
+      if (writer_.isNamed(id) || graph_.isLeaf(id)) continue;
+      const Comments::Range* comment = comments_.find(id);
+      if (comment && std::find(said.begin(), said.end(), comment->text) == said.end()) {
+        said.push_back(comment->text);
+        statements_ += indent_ + "// " + comments_.texts[comment->text] + '\n';
+      }
+      if (graph_.isOutcome(id)) continue;
+      for (int i = 0; i < graph_.arity(id); ++i) nodes.push_back(graph_.operand(id, i));
+    }
   }
 
   // Results are declared outside of a block that holds the temporaries, so that two texts can be
@@ -253,6 +281,7 @@ class Emitter {
   std::span<const std::string> inputs_;
   std::vector<NodeId> nodes_;
   std::optional<Loops> loops_;
+  Packs packs_;
   Writer writer_;
   Temporaries temporaries_;
   std::vector<Statements> all_;  // outside of all loops, then by loop

@@ -25,6 +25,8 @@ struct EmitOptions {
   std::uint32_t maxReads = 4;
   // As good as no limit, but a bound for what is remembered of an expression.
   static constexpr std::uint32_t mostReads = 64;
+  // Whether equal operations on components are written as one on vectors; see packs.hpp.
+  bool vectors = true;
 };
 
 // A function of ours, with its derivatives up to an order.
@@ -44,6 +46,7 @@ struct Emitted {
   std::size_t nodes = 0;                  // graph nodes that the outputs need, leaves included
   std::size_t operations = 0;             // those of them that compute something
   std::size_t temporaries = 0;
+  std::size_t vectors = 0;  // those of them that are
 };
 
 // What each input is in this language, if the host calls it by its label.

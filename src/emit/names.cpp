@@ -11,6 +11,7 @@ namespace {
 
 // Whether our statements call a function of that name, such as `sin($0)`.
 bool isCalledByUs(const Dialect& dialect, std::string_view word) {
+  if (word == "dot" || word == "cross") return true;  // of sums, by the writer
   return std::any_of(ops::infos.begin(), ops::infos.end(), [&](const ops::Info& info) {
     const std::string_view text = info.spellings.in(dialect.language).text;
     return text.starts_with(word) && text.substr(word.size()).starts_with('(');

@@ -4,6 +4,19 @@
 
 namespace warpjet {
 
+void Statements::include(Set& set, std::uint32_t statement) {
+  const auto begin = work.reads.begin() + set.first;
+  if (std::find(begin, work.reads.end(), statement) != work.reads.end()) return;
+  work.reads.push_back(statement);
+  ++set.count;
+}
+
+std::uint32_t Statements::add(const Statement& statement, Set reads) {
+  all.push_back(statement);
+  work.tasks.push_back({reads.first, reads.count, statement.output != nullptr});
+  return static_cast<std::uint32_t>(all.size() - 1);
+}
+
 namespace {
 
 class Maker {
@@ -31,10 +44,7 @@ class Maker {
   }
 
  private:
-  // A set of statements of one body, as a part of its `work.reads`.
-  struct Set {
-    std::uint32_t first = 0, count = 0;
-  };
+  using Set = Statements::Set;
 
   struct State {
     std::uint32_t uses = 0;
@@ -102,10 +112,10 @@ class Maker {
     if (loopStatements_.empty()) loopStatements_.resize(graph_.loopCount(), none);
     std::uint32_t& statement = loopStatements_[loop];
     if (statement == none) {
-      Set set = emptySet();
+      Set set = made_->noReads();
       for (const auto& [local, start, next] : loops_->statesOf(loop)) include(set, start);
       for (const NodeId read : captured_[loop]) include(set, read);
-      statement = add({id, nullptr}, set);
+      statement = made_->add({id}, set);
     }
     state(id).statement = statement;
   }
@@ -138,13 +148,7 @@ class Maker {
 
   void makeStatement(NodeId id) {
     State& it = state(id);
-    it.statement = add({id, it.output}, it.reads);
-  }
-
-  std::uint32_t add(const Statement& statement, Set reads) {
-    made_->all.push_back(statement);
-    made_->work.tasks.push_back({reads.first, reads.count, statement.output != nullptr});
-    return static_cast<std::uint32_t>(made_->all.size() - 1);
+    it.statement = made_->add({id, it.output}, it.reads);
   }
 
   Set readsOfOperands(NodeId id) {
@@ -152,7 +156,7 @@ class Maker {
     const bool isSame = graph_.arity(id) == 1 && loopOf(graph_.operand(id, 0)) == loop_;
     if (isSame && state(graph_.operand(id, 0)).statement == none)
       return state(graph_.operand(id, 0)).reads;
-    Set set = emptySet();
+    Set set = made_->noReads();
     for (int i = 0; i < graph_.arity(id); ++i) include(set, graph_.operand(id, i));
     return set;
   }
@@ -181,35 +185,26 @@ class Maker {
     return state(id).statement == none ? state(id).reads.count : 0;
   }
 
-  Set emptySet() const { return {static_cast<std::uint32_t>(made_->work.reads.size()), 0}; }
-
   // Adds what is read where the node is used. The set must be the last one.
   void include(Set& set, NodeId id) {
     if (loopOf(id) != loop_) return;  // computed before the body begins
     const State& it = state(id);
-    if (it.statement != none) return include(set, it.statement);
+    if (it.statement != none) return made_->include(set, it.statement);
     for (std::uint32_t i = 0; i < it.reads.count; ++i)
-      include(set, made_->work.reads[it.reads.first + i]);
-  }
-
-  void include(Set& set, std::uint32_t statement) {
-    const auto begin = made_->work.reads.begin() + set.first;
-    if (std::find(begin, made_->work.reads.end(), statement) != made_->work.reads.end()) return;
-    made_->work.reads.push_back(statement);
-    ++set.count;
+      made_->include(set, made_->work.reads[it.reads.first + i]);
   }
 
   void assign(const Output& output, const std::optional<Sum>& sum) {
     const NodeId first = output.components[0];
-    Set set = emptySet();
+    Set set = made_->noReads();
     if (sum) {
-      include(set, assigned_[sum->output]);
+      made_->include(set, assigned_[sum->output]);
     } else if (state(first).output == &output) {
       return assigned_.push_back(state(first).statement);
     } else {
       for (const NodeId component : output.components) include(set, component);
     }
-    assigned_.push_back(add({{}, &output}, set));
+    assigned_.push_back(made_->add({noNode, &output}, set));
   }
 
   const Graph& graph_;

@@ -13,17 +13,28 @@
 namespace warpjet {
 
 struct Statement {
-  // What it computes, unless it assigns an output from what others have computed. A fold stands for
-  // its loop.
-  std::optional<NodeId> node;
+  // What it computes; noNode if it assigns an output from what others have computed. A fold stands
+  // for its loop, and the first of several lanes for all.
+  NodeId node = noNode;
   // The output that it assigns; null for a temporary.
-  const Output* output;
+  const Output* output = nullptr;
+  // The lanes that it computes at once, or none; see packs.hpp.
+  std::uint32_t pack = none;
 };
 
-// `work` has the variables that each statement reads.
+// Those of one body; `work` has the variables that each of them reads.
 struct Statements {
+  // Some of them, as a part of `work.reads`: while it grows, the last one.
+  struct Set {
+    std::uint32_t first = 0, count = 0;
+  };
+
   std::vector<Statement> all;
   Work work;
+
+  Set noReads() const { return {static_cast<std::uint32_t>(work.reads.size()), 0}; }
+  void include(Set& set, std::uint32_t statement);
+  std::uint32_t add(const Statement& statement, Set reads);
 };
 
 // Those outside of all loops, then those of the body of each loop. `nodes` are all that the outputs

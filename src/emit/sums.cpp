@@ -33,7 +33,7 @@ class Finder {
       const NodeId id{i};
       if (!graph.isInput(id)) continue;
       const auto [input, component, unused] = graph.node(id).operands;
-      components_[input].resize(static_cast<std::size_t>(graph.input(input).shape.size()));
+      components_[input].resize(static_cast<std::size_t>(graph.input(input).shape.size()), noNode);
       components_[input][component] = id;
     }
   }
@@ -70,16 +70,16 @@ class Finder {
   bool isSumOf(const Output& output, std::uint32_t input, const Output& term) const {
     bool isMore = false;
     for (std::size_t i = 0; i < output.components.size(); ++i) {
-      const auto x = components_[input][i];
-      if (!x || !isSum(graph_, output.components[i], *x, term.components[i])) return false;
-      isMore |= output.components[i] != *x;
+      const NodeId x = components_[input][i];
+      if (x == noNode || !isSum(graph_, output.components[i], x, term.components[i])) return false;
+      isMore |= output.components[i] != x;
     }
     return isMore;
   }
 
   const Graph& graph_;
   std::span<const Output> outputs_;
-  std::vector<std::vector<std::optional<NodeId>>> components_;  // by input, its nodes
+  std::vector<std::vector<NodeId>> components_;  // by input, its nodes
 };
 
 }  // namespace

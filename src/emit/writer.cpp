@@ -15,9 +15,10 @@ constexpr ops::Spelling listSpelling{"$0, $1"}, callSpelling{"$0"};
 
 }  // namespace
 
-Writer::Writer(const Graph& graph, const Dialect& dialect)
+Writer::Writer(const Graph& graph, const Dialect& dialect, const Packs& packs)
     : graph_(graph),
       dialect_(dialect),
+      packs_(packs),
       names_(graph.size(), none),
       inputNames_(graph.inputCount()) {}
 
@@ -99,6 +100,8 @@ void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
     writeInt(text, graph_.value(graph_.operand(id, 0)));
   } else if (graph_.isResult(id)) {
     writeResult(text, id);
+  } else if (const auto factors = packs_.factorsOf(id)) {
+    writeProduct(text, "dot(", *factors);
   } else {
     const ops::Spelling& spelling = spellingOf(id);
     const bool parenthesized = spelling.result < loosest;
@@ -137,6 +140,7 @@ void Writer::writeOperation(std::string& text, NodeId id) {
     return;
   }
   if (graph_.isKnownInt(id)) return writeInt(text, graph_.value(graph_.operand(id, 0)));
+  if (const auto factors = packs_.factorsOf(id)) return writeProduct(text, "dot(", *factors);
   frames_.push_back({id, textOf(id), false});
   finish(text);
 }
@@ -157,17 +161,8 @@ void Writer::writeValue(std::string& text, Shape shape, std::span<const NodeId> 
     text += inputNames_[graph_.node(components[0]).operands[0]];
     return;
   }
-  // One number in the place of all is the diagonal of a matrix.
-  const bool allEqual =
-      shape.isVector() && std::all_of(components.begin(), components.end(),
-                                      [&](NodeId id) { return id == components[0]; });
-  std::string values;
-  for (std::size_t i = 0; i < (allEqual ? 1 : components.size()); ++i) {
-    if (i > 0) values += ", ";
-    write(values, components[i]);
-  }
-  const std::string_view type = dialect_.typeName(graph_.type(components[0]), shape);
-  fill(text, allEqual ? dialect_.splat : dialect_.construction, {type, values});
+  if (shape.isVector()) return writeLanes(text, Lanes(components), Packs::As::Operand);
+  writeRow(text, shape, components, Packs::As::Operand);
 }
 
 }  // namespace warpjet

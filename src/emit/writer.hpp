@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "emit/dialect.hpp"
+#include "emit/lanes.hpp"
 #include "graph/graph.hpp"
 
 namespace warpjet {
 
 class Writer {
  public:
-  Writer(const Graph& graph, const Dialect& dialect);
+  Writer(const Graph& graph, const Dialect& dialect, const Packs& packs);
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
@@ -36,6 +36,9 @@ class Writer {
 
   // The operation itself, even if the node has a name.
   void writeOperation(std::string& text, NodeId id);
+  // Several nodes as a vector, even if they have names where they are a statement.
+  void writeLanes(std::string& text, const Lanes& lanes, Packs::As as,
+                  ops::Precedence loosest = ops::Precedence::Ternary);
   // A number, a vector or a matrix.
   void writeValue(std::string& text, Shape shape, std::span<const NodeId> components);
 
@@ -57,9 +60,14 @@ class Writer {
   [[gnu::noinline, gnu::cold]] std::string_view callText(NodeId id);
   void writeResult(std::string& text, NodeId id) const;
   bool isWholeInput(Shape shape, std::span<const NodeId> components) const;
+  void writeRow(std::string& text, Shape shape, std::span<const NodeId> all, Packs::As as);
+  void writeOperation(std::string& text, const Lanes& lanes, ops::Precedence loosest);
+  void writePart(std::string& text, const Lanes& lanes);
+  void writeProduct(std::string& text, std::string_view name, const Packs::Factors& factors);
 
   const Graph& graph_;
   const Dialect& dialect_;
+  const Packs& packs_;
   std::vector<std::uint32_t> names_;  // by node index, an index into texts_
   std::vector<std::string> texts_;
   std::vector<std::string> inputNames_;

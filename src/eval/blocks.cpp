@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "eval/each_lane.hpp"
+
 namespace warpjet {
 
 namespace {
@@ -45,34 +47,13 @@ auto valueOf(const X&... x) {
   }
 }
 
-// A lane of a register as a number: of an int it holds the bits.
-double numberIn(const Lanes& lanes, std::size_t i, ops::Type type) {
-  const double bits = asMask(lanes).bits[i];
-  return type == ops::Type::Float ? double{lanes[i]} : type == ops::Type::Int ? bits : -bits;
-}
-
-float numberAs(ops::Type type, double value) {
-  if (type == ops::Type::Float) return static_cast<float>(value);
-  const auto whole = static_cast<std::int32_t>(value);
-  return __builtin_bit_cast(float, type == ops::Type::Int ? whole : -whole);
-}
-
-constexpr auto signatures =
-    ops::numbered<ops::count>([](auto... row) { return std::array{ops::infos[row].signature...}; });
-
-// Of whole numbers, lane by lane; there are few of them.
+// Of whole numbers; there are few of them.
 [[gnu::noinline]] void applyEach(Op op, Lanes* result, const Operands<Place>& operands,
                                  std::size_t count) {
-  const ops::Signature& signature = signatures[index(op)];
   for (std::size_t i = 0; i < count; ++i) {
-    Lanes all;
-    for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
-      Operands<double> x{};
-      for (int k = 0; k < arities[index(op)]; ++k)
-        x[k] = numberIn(operands[k].lanes[i * operands[k].step], lane, signature.operands[k]);
-      all.set(lane, numberAs(signature.result, ops::valueOf(op, x)));
-    }
-    result[i] = all;
+    Operands<Lanes> x;
+    for (int k = 0; k < arities[index(op)]; ++k) x[k] = operands[k].lanes[i * operands[k].step];
+    result[i] = eachLane(op, x);
   }
 }
 

@@ -17,6 +17,7 @@ struct Mask {
 
 struct Lanes {
   using Floats = simd::Floats;
+  using Mask = warpjet::Mask;
   static constexpr std::size_t count = 4;
 
   Floats floats;
@@ -29,6 +30,12 @@ struct Lanes {
 
   float operator[](std::size_t i) const { return floats[i]; }
   void set(std::size_t i, float x) { floats[i] = x; }
+};
+
+// These, and what staged.hpp has in their place: what is generic in it runs in both.
+template <class X>
+concept FourLanes = requires {
+  typename X::Mask;
 };
 
 inline constexpr double infinity = __builtin_inf(), notANumber = __builtin_nan("");

@@ -36,9 +36,9 @@ inline Lanes expTimesPowerOf2(Lanes x, std::int32_t power) {
   return scaledExp(r, integerOf(shifted) + power);
 }
 
-inline Lanes exp(Lanes x) { return expTimesPowerOf2(x, 0); }
+[[gnu::noinline]] inline Lanes exp(Lanes x) { return expTimesPowerOf2(x, 0); }
 
-inline Lanes exp2(Lanes x) {
+[[gnu::noinline]] inline Lanes exp2(Lanes x) {
   const Lanes near = within(x, -152.0, 129.0);
   const Lanes shifted = near + wholeAsInteger;
   return scaledExp((near - (shifted - wholeAsInteger)) * 0x1.62e42fefa39efp-1, integerOf(shifted));
@@ -69,8 +69,12 @@ inline Lanes logarithmOf(Lanes x, Lanes ofPositive) {
   return ifElse(logicalAnd(gt(x, 0.0), lt(x, infinity)), ofPositive, ofOthers);
 }
 
-inline Lanes log2(Lanes x) { return logarithmOf(x, narrow(log2OfPositive(WideLanes(x)))); }
-inline Lanes log(Lanes x) { return logarithmOf(x, narrow(logOfPositive(WideLanes(x)))); }
+[[gnu::noinline]] inline Lanes log2(Lanes x) {
+  return logarithmOf(x, narrow(log2OfPositive(WideLanes(x))));
+}
+[[gnu::noinline]] inline Lanes log(Lanes x) {
+  return logarithmOf(x, narrow(logOfPositive(WideLanes(x))));
+}
 
 // |x|^y, where neither is NaN: 2^(y log2|x|), and what is beyond the floats by a power that is
 // further beyond.
@@ -88,7 +92,7 @@ inline Lanes powOfMagnitude(Lanes x, Lanes y) {
 
 // As std::pow, at zeros, infinities and NaN too: whole powers of negative numbers are real, others
 // NaN.
-inline Lanes pow(Lanes x, Lanes y) {
+[[gnu::noinline]] inline Lanes pow(Lanes x, Lanes y) {
   const Mask whole = eq(floor(y), y), even = eq(floor(y * 0.5), y * 0.5);
   const Mask odd = {whole.bits & ~even.bits};
   const Lanes magnitude = powOfMagnitude(x, y);

@@ -6,7 +6,7 @@
 namespace warpjet {
 
 // Up to 1 a minimax polynomial, with a relative error below 2^-31.6, where e^x - e^-x would cancel.
-inline Lanes sinh(Lanes x) {
+[[gnu::noinline]] inline Lanes sinh(Lanes x) {
   const Lanes magnitude = abs(x), t = x * x;
   const Lanes p = polynomial(t, {0x1.555556p-3, 0x1.1110ep-7, 0x1.a022bcp-13, 0x1.756c1ep-19});
   const Lanes half = expTimesPowerOf2(magnitude, -1);  // of e^|x|, which may be infinite
@@ -14,13 +14,13 @@ inline Lanes sinh(Lanes x) {
   return turned(ifElse(gt(magnitude, 1.0), large, small), signOf(x));
 }
 
-inline Lanes cosh(Lanes x) {
+[[gnu::noinline]] inline Lanes cosh(Lanes x) {
   const Lanes half = expTimesPowerOf2(abs(x), -1);
   return half + 0.25 / half;
 }
 
 // Up to 0.625 a minimax polynomial, with a relative error below 2^-27.7.
-inline Lanes tanh(Lanes x) {
+[[gnu::noinline]] inline Lanes tanh(Lanes x) {
   const Lanes magnitude = abs(x), t = x * x;
   const Lanes p =
       polynomial(t, {-0x1.555532p-2, 0x1.1106f6p-3, -0x1.b835a4p-5, 0x1.51f8cep-6, -0x1.750ce2p-8});
@@ -33,7 +33,7 @@ inline Lanes tanh(Lanes x) {
 // below this, two terms of the Taylor series are enough for a float.
 inline constexpr double smallHyperbolic = 0x1p-12;
 
-inline Lanes asinh(Lanes x) {
+[[gnu::noinline]] inline Lanes asinh(Lanes x) {
   const Lanes magnitude = abs(x);
   const WideLanes wide(magnitude);
   const Lanes large = narrow(logOfPositive(wide + sqrt(wide * wide + 1.0)));
@@ -42,14 +42,14 @@ inline Lanes asinh(Lanes x) {
   return turned(ifElse(lt(magnitude, infinity), finite, magnitude), signOf(x));
 }
 
-inline Lanes acosh(Lanes x) {
+[[gnu::noinline]] inline Lanes acosh(Lanes x) {
   const WideLanes wide(x);
   const Lanes finite = narrow(logOfPositive(wide + sqrt(wide * wide - 1.0)));
   const Lanes ofOthers = ifElse(ge(x, 1.0), x, notANumber);
   return ifElse(logicalAnd(ge(x, 1.0), lt(x, infinity)), finite, ofOthers);
 }
 
-inline Lanes atanh(Lanes x) {
+[[gnu::noinline]] inline Lanes atanh(Lanes x) {
   const Lanes magnitude = abs(x);
   const WideLanes wide(magnitude);
   const Lanes large = narrow(0.5 * logOfPositive((1.0 + wide) / (1.0 - wide)));

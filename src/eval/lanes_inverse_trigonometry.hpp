@@ -18,7 +18,7 @@ inline Lanes arcsineExcess(Lanes s, Lanes square) {
 
 // Above 1/2, asin(x) = π/2 - 2 asin(s) with s = √((1 - x)/2). Next to 1/2, where the roundings
 // count most, π/2 - 2s is exact.
-inline Lanes asin(Lanes x) {
+[[gnu::noinline]] inline Lanes asin(Lanes x) {
   const Lanes magnitude = abs(x);
   const Mask large = gt(magnitude, 0.5);
   const Lanes square = ifElse(large, (1.0 - magnitude) * 0.5, x * x);
@@ -27,7 +27,7 @@ inline Lanes asin(Lanes x) {
   return turned(ifElse(large, ofLarge, s + excess), signOf(x));
 }
 
-inline Lanes acos(Lanes x) {
+[[gnu::noinline]] inline Lanes acos(Lanes x) {
   const Lanes magnitude = abs(x);
   const Mask large = gt(magnitude, 0.5);
   const Lanes square = ifElse(large, (1.0 - magnitude) * 0.5, x * x);
@@ -46,7 +46,7 @@ inline Lanes arctangentUpToOne(Lanes q) {
   return q + q * t * p;
 }
 
-inline Lanes atan(Lanes x) {
+[[gnu::noinline]] inline Lanes atan(Lanes x) {
   const Lanes magnitude = abs(x);
   const Mask steep = gt(magnitude, 1.0);
   const Lanes angle = arctangentUpToOne(ifElse(steep, 1.0 / magnitude, magnitude));
@@ -54,7 +54,7 @@ inline Lanes atan(Lanes x) {
 }
 
 // Zeros, infinities and signs as std::atan2: of (0, 0) it is 0, or π where the x is -0.
-inline Lanes atan2(Lanes y, Lanes x) {
+[[gnu::noinline]] inline Lanes atan2(Lanes y, Lanes x) {
   const Lanes up = abs(y), along = abs(x);
   const Mask steep = gt(up, along), left = {asMask(x).bits < 0};
   const Lanes longer = ifElse(steep, up, along), shorter = ifElse(steep, along, up);

@@ -23,36 +23,43 @@ inline constexpr double wholeInLowBits = 0x1.8p23;
 
 // x - hπ. The last two products are summed first, with what that sum lacks: so only one rounding
 // weighs, where one after the other would.
-inline Lanes minusMultipleOfPi(Lanes x, Lanes h) {
-  const Lanes near = x - h * 0x1.92p1 - h * 0x1.fb4p-11;
-  const Lanes third = h * 0x1.444p-23, fourth = h * 0x1.68c234c4c6629p-38;
-  const Lanes sum = third + fourth, rest = (third - sum) + fourth;
+template <FourLanes X>
+X minusMultipleOfPi(X x, X h) {
+  const X near = x - h * 0x1.92p1 - h * 0x1.fb4p-11;
+  const X third = h * 0x1.444p-23, fourth = h * 0x1.68c234c4c6629p-38;
+  const X sum = third + fourth, rest = (third - sum) + fourth;
   return (near - sum) - rest;
 }
 
 // sin(r) for |r| <= π/2. The relative error is below 2^-26: the coefficients are those of the
 // minimax polynomial (2^-27.2), moved by a search for the least error with the roundings of floats,
 // which otherwise is above 2 units next to π/2.
-inline Lanes sineOfReduced(Lanes r) {
-  const Lanes t = r * r;
-  const Lanes p = polynomial(t, {-0x1.55554ep-3, 0x1.110ee8p-7, -0x1.9f6f96p-13, 0x1.5da592p-19});
+template <FourLanes X>
+X sineOfReduced(X r) {
+  const X t = r * r;
+  const X p = polynomial(t, {-0x1.55554ep-3, 0x1.110ee8p-7, -0x1.9f6f96p-13, 0x1.5da592p-19});
   return r + r * t * p;
 }
 
 // All bits but the lowest shifted out: the sign that an odd multiple of π turns.
-inline Mask signOfOdd(Lanes multiple) { return {asMask(multiple).bits << 31}; }
+template <FourLanes X>
+typename X::Mask signOfOdd(X multiple) {
+  return {asMask(multiple).bits << 31};
+}
 
 // For magnitudes up to sineLimit; the sine of the magnitude.
-inline Lanes sineUpToLimit(Lanes magnitude) {
-  const Lanes shifted = magnitude * 0x1.45f306dc9c883p-2 + wholeInLowBits;
-  const Lanes r = minusMultipleOfPi(magnitude, shifted - wholeInLowBits);
+template <FourLanes X>
+X sineUpToLimit(X magnitude) {
+  const X shifted = magnitude * 0x1.45f306dc9c883p-2 + wholeInLowBits;
+  const X r = minusMultipleOfPi(magnitude, X(shifted - wholeInLowBits));
   return turned(sineOfReduced(r), signOfOdd(shifted));
 }
 
 // cos(r + (k - 1/2)π) = (-1)^k sin(r)
-inline Lanes cosineUpToLimit(Lanes magnitude) {
-  const Lanes shifted = magnitude * 0x1.45f306dc9c883p-2 + 0.5 + wholeInLowBits;
-  const Lanes r = minusMultipleOfPi(magnitude, shifted - wholeInLowBits - 0.5);
+template <FourLanes X>
+X cosineUpToLimit(X magnitude) {
+  const X shifted = magnitude * 0x1.45f306dc9c883p-2 + 0.5 + wholeInLowBits;
+  const X r = minusMultipleOfPi(magnitude, X(shifted - wholeInLowBits - 0.5));
   return turned(sineOfReduced(r), signOfOdd(shifted));
 }
 
@@ -82,7 +89,7 @@ inline Lanes cos(Lanes x) {
 
 inline constexpr double tangentLimit = 0x1p20;
 
-inline Lanes tan(Lanes x) {
+[[gnu::noinline]] inline Lanes tan(Lanes x) {
   constexpr double whole = 0x1.8p52;
   const WideLanes wide(x), shifted = wide * 0x1.45f306dc9c883p-1 + whole, k = shifted - whole;
   const WideLanes r = wide - k * 0x1.921fb544p0 - k * 0x1.0b4611a626331p-34, t = r * r;

@@ -1,10 +1,12 @@
 #include "frame/frame.hpp"
 
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
 
 #include "graph/expression.hpp"
+#include "graph/flags.hpp"
 #include "graph/reachable.hpp"
 #include "noise/noise.hpp"
 
@@ -17,7 +19,7 @@ constexpr Op add = ops::find("add"), sub = ops::find("sub"), neg = ops::find("ne
 
 class Separation {
  public:
-  Separation(Graph& graph, const Library& library, std::span<const std::uint32_t> known)
+  Separation(Graph& graph, Library& library, std::span<const std::uint32_t> known)
       : graph_(graph),
         library_(library),
         isKnown_(graph.inputCount()),
@@ -35,9 +37,18 @@ class Separation {
     } else if (graph_.isOperation(id)) {
       visitOperation(id);
     } else if (graph_.isCall(id)) {
-      written_[index(id)] = graph_.call(graph_.node(id).operands[1], argumentsOf(id));
+      written_[index(id)] = callOf(id);
     } else if (graph_.isResult(id)) {
       written_[index(id)] = graph_.result(written(graph_.operand(id, 0)), graph_.resultNumber(id));
+    } else if (graph_.isFold(id)) {
+      std::vector<State> states = graph_.states(id);
+      for (State& state : states) {
+        state.start = written(state.start);
+        state.next = written(state.next);
+      }
+      written_[index(id)] = graph_.fold(graph_.loopOf(id), states);
+    } else if (graph_.isOutcome(id)) {
+      written_[index(id)] = graph_.outcome(written(graph_.operand(id, 0)), graph_.operand(id, 1));
     }
   }
 
@@ -50,6 +61,9 @@ class Separation {
 
   // What the inputs of the frame are to be.
   const std::vector<NodeId>& values() const { return values_; }
+
+  // How many of these are less by whole periods.
+  std::size_t reduced() const { return reduced_; }
 
   std::uint32_t inputs() const { return static_cast<std::uint32_t>((values_.size() + 3) / 4); }
 
@@ -126,30 +140,60 @@ class Separation {
 
   // The operand, with what is the same for a frame less by whole periods.
   NodeId within(double period, NodeId id) {
-    const Sum sum = isFrame_[index(id)] ? Sum{noNode, id} : sums_[index(id)];
-    if (sum.frame == noNode) return written(id);
-    const Expression frame{&graph_, sum.frame};
-    const Expression rest = frame - build(ops::find("round"), frame / period) * period;
-    const NodeId given = handedOver(rest.id);
-    return sum.varying == noNode ? given : graph_.apply(add, {sum.varying, given});
+    const auto [varying, frame] = partsOf(id);
+    if (frame == noNode) return varying;
+    const NodeId given = remainder({&graph_, frame}, period);
+    return varying == noNode ? given : graph_.apply(add, {varying, given});
   }
 
-  std::vector<NodeId> argumentsOf(NodeId call) {
+  NodeId remainder(Expression frame, double period) {
+    const std::size_t before = values_.size();
+    const NodeId given = handedOver((frame - round(frame / period) * period).id);
+    reduced_ += values_.size() - before;
+    return given;
+  }
+
+  Expression round(Expression x) { return build(ops::find("round"), x); }
+
+  NodeId callOf(NodeId call) {
     std::vector<NodeId> arguments = graph_.arguments(call);
     const Function function = graph_.function(call);
+    const auto variables = static_cast<std::size_t>(function.variables);
     double period = 0;
     if (function.isOurs()) {
       std::optional<double> lacunarity;
-      const auto after = static_cast<std::size_t>(function.variables) + 1;
-      if (after < arguments.size() && graph_.isConstant(arguments[after]))
-        lacunarity = graph_.value(arguments[after]);
-      period = noisePeriod(library_.definition(function.name), lacunarity);
+      if (variables + 1 < arguments.size() && graph_.isConstant(arguments[variables + 1]))
+        lacunarity = graph_.value(arguments[variables + 1]);
+      const Definition& definition = library_.definition(function.name);
+      period = noisePeriod(definition, lacunarity);
+      // Cells and the rest of a coordinate must come from one computation.
+      if (values_.size() + 2 * variables <= mostFrameValues && knowsCells(definition, lacunarity)) {
+        for (std::size_t i = 0; i < variables; ++i)
+          if (partsOf(arguments[i]).frame != noNode) return callApart(definition, arguments);
+      }
     }
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-      const bool repeats = period > 0 && i < static_cast<std::size_t>(function.variables);
+      const bool repeats = period > 0 && i < variables;
       arguments[i] = repeats ? within(period, arguments[i]) : written(arguments[i]);
     }
-    return arguments;
+    return graph_.call(graph_.node(call).operands[1], arguments);
+  }
+
+  // What is the same for a frame, as whole cells and the rest.
+  NodeId callApart(const Definition& definition, const std::vector<NodeId>& arguments) {
+    Numbers given, cells;
+    for (const NodeId id : arguments) {
+      const bool isCoordinate =
+          given.size() < static_cast<std::size_t>(definition.function.variables);
+      given.push_back({&graph_, isCoordinate ? within(1, id) : written(id)});
+      if (!isCoordinate) continue;
+      const NodeId frame = partsOf(id).frame;
+      cells.push_back({&graph_, frame == noNode
+                                    ? graph_.constant(0)
+                                    : remainder(round({&graph_, frame}), ops::hashPrime)});
+    }
+    for (const Expression cell : cells) given.push_back(cell);
+    return graph_.operand(library_.call(withCells(definition), given)[0].id, 0);
   }
 
   // As a component of an input; a condition as 1 or 0.
@@ -170,18 +214,43 @@ class Separation {
   }
 
   Graph& graph_;
-  const Library& library_;
-  std::vector<bool> isKnown_;  // by input
-  std::vector<bool> isFrame_;  // by node, as the two below
+  Library& library_;
+  Flags isKnown_;  // by input
+  Flags isFrame_;  // by node, as the two below
   std::vector<NodeId> written_;
   std::vector<Sum> sums_;
   std::vector<NodeId> values_;
+  std::size_t reduced_ = 0;
 };
+
+// A module's graph, what its results are there, and what is computed of them once a frame.
+struct Separated {
+  Separated(Module& module, std::span<const std::uint32_t> known, bool unrolls)
+      : graph(module.graph.copy()),
+        roots(unrolls ? unrolled(graph, module.roots()) : module.roots()),
+        separation(graph, module.library, known) {
+    for (const NodeId id : reachable(graph, roots)) separation.visit(id);
+    for (NodeId& root : roots) root = separation.written(root);
+  }
+
+  Graph graph;
+  std::vector<NodeId> roots;
+  Separation separation;
+};
+
+// Whether all loops, written out, are of a size that compiles at once.
+bool areShort(const Graph& graph) {
+  if (!graph.has(foldOp)) return false;
+  std::size_t written = graph.size();
+  for (std::uint32_t i = 0; i < graph.loopCount() && written <= mostUnrolled; ++i)
+    written *= graph.loop(i).steps;
+  return written <= mostUnrolled;
+}
 
 // What no result reads need not be computed.
 void leaveOutUnread(const Graph& graph, std::span<const NodeId> roots, std::uint32_t firstInput,
                     std::vector<NodeId>& values, NodeId zero) {
-  std::vector<bool> isRead(values.size());
+  Flags isRead(values.size());
   for (const NodeId id : reachable(graph, roots)) {
     if (!graph.isInput(id) || graph.node(id).operands[0] < firstInput) continue;
     isRead[(graph.node(id).operands[0] - firstInput) * 4 + graph.node(id).operands[1]] = true;
@@ -194,15 +263,14 @@ void leaveOutUnread(const Graph& graph, std::span<const NodeId> roots, std::uint
 }  // namespace
 
 std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known) {
-  // What a loop computes, and all around it, stays in the text.
-  if (module.graph.has(foldOp)) return 0;
-  Graph graph = module.graph.copy();
-  const auto firstInput = static_cast<std::uint32_t>(graph.inputCount());
-  Separation separation(graph, module.library, known);
-  const std::vector<NodeId> roots = module.roots();
-  for (const NodeId id : reachable(module.graph, roots)) separation.visit(id);
-  std::vector<NodeId> found;
-  for (const NodeId root : roots) found.push_back(separation.written(root));
+  const auto firstInput = static_cast<std::uint32_t>(module.graph.inputCount());
+  auto separated = std::make_unique<Separated>(module, known, false);
+  if (areShort(module.graph)) {
+    // Steps of a loop add something else each.
+    auto other = std::make_unique<Separated>(module, known, true);
+    if (other->separation.reduced() > separated->separation.reduced()) separated = std::move(other);
+  }
+  auto& [graph, found, separation] = *separated;
   std::vector<NodeId> values = separation.values();
   const NodeId zero = graph.constant(0);
   leaveOutUnread(graph, found, firstInput, values, zero);

@@ -15,10 +15,14 @@ inline constexpr const char* frameLabel = "warpjetFrame";
 // More stay in the text: a shader has room for 256 vec4s, and the host's own are among them.
 inline constexpr std::size_t mostFrameValues = 128;
 
+// Loops stay in the text that would be more nodes without.
+inline constexpr std::size_t mostUnrolled = 20'000;
+
 // In place: results read inputs of the frame where they read what depends on inputs `known` alone,
 // which are told by number, and one more result in the end is what those inputs are to be. What is
 // added inside of something periodic is less by whole periods there, so that float32 keeps its
-// digits however long a sketch runs. Gives how many vec4s there are.
+// digits however long a sketch runs; so loops are written out whose steps add something else each.
+// Gives how many vec4s there are.
 std::uint32_t separateFrame(Module& module, std::span<const std::uint32_t> known);
 
 }  // namespace warpjet

@@ -70,7 +70,8 @@ struct Definition {
 
   // The variables, then the other arguments, as far as there are any.
   static constexpr std::string_view variableNames[] = {"x", "y", "z", "w"};
-  static constexpr std::string_view noiseParameters[] = {"seed", "lacunarity", "gain"};
+  static constexpr std::string_view noiseParameters[] = {"seed",  "lacunarity", "gain", "cellX",
+                                                         "cellY", "cellZ",      "cellW"};
   static constexpr std::string_view imageParameters[] = {"image", "width", "height"};
   static constexpr std::string_view recordedNames[Numbers::most] = {
       "x0", "x1", "x2",  "x3",  "x4",  "x5",  "x6",  "x7",

@@ -1,5 +1,6 @@
 #include "functions/fold.hpp"
 
+#include "graph/flags.hpp"
 #include "graph/reachable.hpp"
 
 namespace warpjet {
@@ -14,9 +15,9 @@ OpenFold openFold(Graph& graph, std::uint32_t steps, std::span<const NodeId> sta
 namespace {
 
 // By state, whether an outcome of `root` needs it.
-std::vector<bool> neededFor(const Graph& graph, const OpenFold& open, std::span<const NodeId> next,
-                            std::size_t root) {
-  std::vector<bool> isNeeded(next.size());
+Flags neededFor(const Graph& graph, const OpenFold& open, std::span<const NodeId> next,
+                std::size_t root) {
+  Flags isNeeded(next.size());
   isNeeded[root] = true;
   std::vector<std::size_t> pending{root};
   // What is older than the loop reads none of its variables.
@@ -42,7 +43,7 @@ std::vector<NodeId> closeFold(Graph& graph, const OpenFold& open, std::span<cons
   if (graph.loop(open.loop).steps == 0) return open.start;
   std::vector<NodeId> outcomes;
   for (std::size_t i = 0; i < next.size(); ++i) {
-    const std::vector<bool> isNeeded = neededFor(graph, open, next, i);
+    const Flags isNeeded = neededFor(graph, open, next, i);
     std::vector<State> states;
     for (std::size_t k = 0; k < next.size(); ++k) {
       if (isNeeded[k]) states.push_back({open.states[k], open.start[k], next[k]});

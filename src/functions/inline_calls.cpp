@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "functions/library.hpp"
+#include "graph/flags.hpp"
 #include "graph/folds.hpp"
 #include "graph/multi_index.hpp"
 #include "graph/reachable.hpp"
@@ -11,7 +12,8 @@ namespace {
 
 class Inliner {
  public:
-  Inliner(Graph& graph, Library& library)
+  // Without a library calls stay.
+  Inliner(Graph& graph, Library* library)
       : graph_(graph), library_(library), inlined_(graph.size(), noNode) {}
 
   void run(std::span<const NodeId> nodes) {
@@ -19,7 +21,7 @@ class Inliner {
     const Loops loops(graph_, nodes);
     bodies_.resize(graph_.loopCount());
     std::vector<NodeId> others;
-    std::vector<bool> isKnown(graph_.loopCount());
+    Flags isKnown(graph_.loopCount());
     for (const NodeId id : loops.order()) {
       if (graph_.isFold(id)) {
         if (isKnown[graph_.loopOf(id)]) continue;
@@ -48,7 +50,7 @@ class Inliner {
 
   void visit(NodeId id) {
     if (graph_.isFold(id)) return unroll(graph_.loopOf(id));
-    if (graph_.isList(id) || graph_.isOurCall(id) || graph_.isLocal(id)) return;
+    if (graph_.isList(id) || graph_.isLocal(id) || (library_ && graph_.isOurCall(id))) return;
     inlined_[index(id)] = replacement(id);
   }
 
@@ -82,7 +84,7 @@ class Inliner {
 
   NodeId replacement(NodeId id) {
     if (graph_.isLeaf(id)) return id;
-    if (graph_.isResult(id)) return result(id);
+    if (graph_.isResult(id)) return library_ ? result(id) : resultAsItIs(id);
     if (graph_.isOutcome(id)) return inlined(graph_.operand(id, 1));
     if (graph_.isCall(id)) return graph_.call(graph_.node(id).operands[1], argumentsOf(id));
     Operands<NodeId> operands{};
@@ -100,12 +102,16 @@ class Inliner {
     return arguments;
   }
 
+  NodeId resultAsItIs(NodeId id) {
+    return graph_.result(inlined(graph_.operand(id, 0)), graph_.resultNumber(id));
+  }
+
   NodeId result(NodeId id) {
     const NodeId call = graph_.operand(id, 0);
     const Function& function = graph_.function(call);
     const int number = graph_.resultNumber(id);
     const int order = MultiIndices::orderOf(function.variables, number / function.values);
-    Body& body = library_.withoutCalls(function.name, order);
+    Body& body = library_->withoutCalls(function.name, order);
     Copy& copy = copyOf(call);
     copy.nodes.resize(body.graph.size(), noNode);
     if (noNode == copy.nodes[index(body.arguments[0].id)]) {
@@ -137,7 +143,7 @@ class Inliner {
   }
 
   Graph& graph_;
-  Library& library_;
+  Library* library_;
   std::vector<NodeId> inlined_;  // by node
   std::vector<Copy> copies_;
   const Loops* loops_ = nullptr;
@@ -153,13 +159,21 @@ bool hasOurCalls(const Graph& graph) {
 
 }  // namespace
 
-std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots) {
-  std::vector<NodeId> found(roots.begin(), roots.end());
-  if (!hasOurCalls(graph) && !graph.has(foldOp)) return found;
+static std::vector<NodeId> inlined(Graph& graph, Library* library, std::span<const NodeId> roots) {
   Inliner inliner(graph, library);
   inliner.run(reachable(graph, roots));
-  for (NodeId& root : found) root = inliner.inlined(root);
+  std::vector<NodeId> found;
+  for (const NodeId root : roots) found.push_back(inliner.inlined(root));
   return found;
+}
+
+std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots) {
+  if (!hasOurCalls(graph) && !graph.has(foldOp)) return {roots.begin(), roots.end()};
+  return inlined(graph, &library, roots);
+}
+
+std::vector<NodeId> unrolled(Graph& graph, std::span<const NodeId> roots) {
+  return inlined(graph, nullptr, roots);
 }
 
 }  // namespace warpjet

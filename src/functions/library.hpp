@@ -57,4 +57,7 @@ class Library {
 // often as they are run, in the same graph.
 std::vector<NodeId> inlineCalls(Graph& graph, Library& library, std::span<const NodeId> roots);
 
+// The same without loops alone.
+std::vector<NodeId> unrolled(Graph& graph, std::span<const NodeId> roots);
+
 }  // namespace warpjet

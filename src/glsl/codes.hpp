@@ -98,6 +98,8 @@ namespace warpjet::glsl {
   CODE(FloatOf, "intToFloat") \
   CODE(UintOf, "bitsOf") \
   CODE(FloatOfUint, "bitsToFloat") \
+  CODE(IntOfHalves, "intOfHalves") \
+  CODE(UintOfHalves, "uintOfHalves") \
   CODE(IntAdd, "intAdd") \
   CODE(IntSub, "intSub") \
   CODE(IntMult, "intMult") \

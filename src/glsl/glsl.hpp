@@ -17,6 +17,7 @@ namespace warpjet::glsl {
 //   Constant     the number of its value; of an int or uint that is Whole
 //   Argument     number, component, layout
 //   Uniform      number among the names, component, layout
+//                of both, what is whole has two halves: 128 in the layout says that it is the upper
 //   Component    operand, component, layout: columns and rows of what it is of, four bits each
 //   Texel        number of the image's name, operand; so has FetchedTexel
 //   ImageSize    number of the image's name

@@ -29,10 +29,8 @@ Lowered Lowering::lower(FunctionId number) {
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
     const Type type = function.parameters[i].type;
     Value argument;
-    for (int k = 0; k < type.components(); ++k) {
-      const Id leaf = recorder_.leaf(Code::Argument, static_cast<int>(i), k, type.layout());
-      argument.push_back(recorder_.convert(leaf, type.base));
-    }
+    for (int k = 0; k < type.components(); ++k)
+      argument.push_back(recorder_.leafOf(Code::Argument, static_cast<int>(i), k, type));
     arguments.push_back(std::move(argument));
   }
   Value results = enter(number, std::move(arguments));
@@ -83,8 +81,7 @@ void Lowering::addExternal(const std::string& name, Type type, bool isAttribute,
       return;
     }
     for (int k = 0; k < type.components(); ++k)
-      leaves.push_back(
-          recorder_.convert(recorder_.leaf(Code::Uniform, number, k, type.layout()), type.base));
+      leaves.push_back(recorder_.leafOf(Code::Uniform, number, k, type));
   }
 }
 

@@ -10,7 +10,10 @@ namespace {
 
 // Of one text: macros that call each other twice, thirty deep, would make a billion.
 constexpr std::size_t mostTokens = std::size_t{1} << 20;
+constexpr const char* tooLong = "this text is too long once its macros are expanded";
 constexpr std::size_t deepestWithin = 100;
+// Calls in arguments of calls, and in what expansions have opened.
+constexpr int deepestNested = 1'000;
 
 }  // namespace
 
@@ -57,8 +60,8 @@ void Macros::undefine(const Token& word, std::span<const Token> rest) {
 }
 
 void Macros::expand(std::span<const Token> tokens, std::vector<Token>& result) {
-  Within within;
-  expand(tokens, result, within);
+  Stream stream{tokens, 0};
+  expand(stream, result, {});
 }
 
 Token Macros::number(std::uint32_t value, const Token& like) {
@@ -66,11 +69,10 @@ Token Macros::number(std::uint32_t value, const Token& like) {
   return {Kind::Int, like.startsLine, like.followsSpace, made_.back(), like.place};
 }
 
-void Macros::expand(std::span<const Token> tokens, std::vector<Token>& result, Within& within) {
-  for (std::size_t at = 0; at < tokens.size() && !problems_.any(); ++at) {
-    const Token& token = tokens[at];
-    if (result.size() > mostTokens)
-      return problems_.add(token.place, "this text is too long once its macros are expanded");
+void Macros::expand(Stream& stream, std::vector<Token>& result, const Within& within) {
+  for (; stream.at < stream.tokens.size() && !problems_.any(); ++stream.at) {
+    const Token& token = stream.tokens[stream.at];
+    if (result.size() > mostTokens) return problems_.add(token.place, tooLong);
     if (token.is("__LINE__")) {
       result.push_back(number(token.place.shown, token));
       continue;
@@ -78,13 +80,12 @@ void Macros::expand(std::span<const Token> tokens, std::vector<Token>& result, W
     const std::size_t before = result.size();
     result.push_back(token);
     // What an expansion ends with may be called by what follows.
-    while (result.size() > before && expandLast(tokens, at, result, within)) {
+    while (result.size() > before && expandLast(stream, result, within)) {
     }
   }
 }
 
-bool Macros::expandLast(std::span<const Token> tokens, std::size_t& at, std::vector<Token>& result,
-                        Within& within) {
+bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within& within) {
   const Token token = result.back();
   if (token.kind != Kind::Name || token.isPlain || problems_.any()) return false;
   const auto found = macros_.find(token.text);
@@ -94,36 +95,52 @@ bool Macros::expandLast(std::span<const Token> tokens, std::size_t& at, std::vec
     return false;
   }
   const Macro& macro = found->second;
-  const bool isCalled = at + 1 < tokens.size() && tokens[at + 1].is("(");
+  const std::size_t next = stream.at + 1;
+  const bool isCalled = next < stream.tokens.size() && stream.tokens[next].is("(");
   if (macro.hasParameters && !isCalled) return false;
   if (within.size() >= deepestWithin) {
     problems_.add(token.place, "macros call each other more than 100 deep here");
     return false;
   }
+  if (nested_ >= deepestNested) {
+    problems_.add(token.place, "calls of macros stand within each other more than 1,000 deep here");
+    return false;
+  }
   std::vector<std::vector<Token>> arguments;
+  Stream* rest = &stream;
   if (macro.hasParameters) {
-    ++at;
-    if (!readArguments(tokens, at, macro.parameters.size(), arguments)) {
+    ++stream.at;
+    if (!readArguments(rest, macro.parameters.size(), arguments)) {
       problems_.add(token.place, "the macro " + quoted(token.text) + " takes " +
                                      std::to_string(macro.parameters.size()) + " arguments in ( )");
       return false;
     }
   }
   result.pop_back();
-  within.push_back(token.text);
-  substitute(macro, token.place, arguments, result, within);
-  within.pop_back();
+  // Macros whose expansion has been left by then may be used again.
+  const auto depth = static_cast<Within::difference_type>(rest->depth);
+  std::size_t held = 0;
+  for (const std::vector<Token>& argument : arguments) held += argument.size();
+  held_ += held;
+  ++nested_;
+  if (held_ > mostTokens) problems_.add(token.place, tooLong);
+  substitute(macro, token, arguments, result, {within.begin(), within.begin() + depth}, *rest);
+  --nested_;
+  held_ -= held;
   return true;
 }
 
-// From the parenthesis at `at` to the one that closes it. What is named there is not yet within
-// the macro, so that it is expanded before.
-bool Macros::readArguments(std::span<const Token> tokens, std::size_t& at, std::size_t count,
+bool Macros::readArguments(Stream*& stream, std::size_t count,
                            std::vector<std::vector<Token>>& arguments) {
   int depth = 0;
   arguments.emplace_back();
-  for (; at < tokens.size(); ++at) {
-    const Token& token = tokens[at];
+  for (;; ++stream->at) {
+    while (stream->at >= stream->tokens.size()) {
+      if (stream->around == nullptr) return false;
+      stream = stream->around;
+      ++stream->at;
+    }
+    const Token& token = stream->tokens[stream->at];
     if (token.is("(") && depth++ == 0) continue;
     if (token.is(")") && --depth == 0) {
       if (count == 0 && arguments.size() == 1 && arguments[0].empty()) arguments.clear();
@@ -135,19 +152,17 @@ bool Macros::readArguments(std::span<const Token> tokens, std::size_t& at, std::
       arguments.back().push_back(token);
     }
   }
-  return false;
 }
 
-void Macros::substitute(const Macro& macro, Location place,
+// What is named in arguments is not yet within the macro, so that it is expanded before.
+void Macros::substitute(const Macro& macro, const Token& name,
                         std::vector<std::vector<Token>>& arguments, std::vector<Token>& result,
-                        Within& within) {
+                        Within within, Stream& rest) {
   std::vector<Token> body;
-  const std::string_view self = within.back();
   for (std::vector<Token>& argument : arguments) {
     std::vector<Token> expanded;
-    within.pop_back();
-    expand(argument, expanded, within);
-    within.push_back(self);
+    Stream stream{argument, within.size()};
+    expand(stream, expanded, within);
     argument = std::move(expanded);
   }
   for (const Token& token : macro.body) {
@@ -157,12 +172,13 @@ void Macros::substitute(const Macro& macro, Location place,
       body.insert(body.end(), argument.begin(), argument.end());
     } else {
       body.push_back(token);
-      body.back().place = place;
+      body.back().place = name.place;
     }
-    if (body.size() > mostTokens)
-      return problems_.add(place, "this text is too long once its macros are expanded");
+    if (body.size() > mostTokens) return problems_.add(name.place, tooLong);
   }
-  expand(body, result, within);
+  within.push_back(name.text);
+  Stream stream{body, within.size(), &rest};
+  expand(stream, result, within);
 }
 
 }  // namespace warpjet::glsl

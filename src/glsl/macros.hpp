@@ -36,18 +36,30 @@ class Macros {
   // Macros that are being expanded: none does so within itself.
   using Within = std::vector<std::string_view>;
 
-  void expand(std::span<const Token> tokens, std::vector<Token>& result, Within& within);
-  bool readArguments(std::span<const Token> tokens, std::size_t& at, std::size_t count,
+  // What is being expanded, as far as the token number `at`, within so many macros; and what comes
+  // after it, where it is itself an expansion.
+  struct Stream {
+    std::span<const Token> tokens;
+    std::size_t depth;
+    Stream* around = nullptr;
+    std::size_t at = 0;
+  };
+
+  void expand(Stream& stream, std::vector<Token>& result, const Within& within);
+  // From the parenthesis at hand to the one that closes it, which may come after an expansion:
+  // `stream` is the one where it stands.
+  bool readArguments(Stream*& stream, std::size_t count,
                      std::vector<std::vector<Token>>& arguments);
   // Puts in the place of the last token what it stands for as a macro, and says whether it did.
-  // Arguments come after the token number `at`.
-  bool expandLast(std::span<const Token> tokens, std::size_t& at, std::vector<Token>& result,
-                  Within& within);
-  void substitute(const Macro& macro, Location place, std::vector<std::vector<Token>>& arguments,
-                  std::vector<Token>& result, Within& within);
+  bool expandLast(Stream& stream, std::vector<Token>& result, const Within& within);
+  void substitute(const Macro& macro, const Token& name, std::vector<std::vector<Token>>& arguments,
+                  std::vector<Token>& result, Within within, Stream& rest);
   Token number(std::uint32_t value, const Token& like);
 
   std::map<std::string_view, Macro> macros_;
+  // Calls that are being expanded, and the tokens of their arguments.
+  int nested_ = 0;
+  std::size_t held_ = 0;
   Problems& problems_;
   std::deque<std::string>& made_;
 };

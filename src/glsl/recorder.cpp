@@ -77,6 +77,14 @@ Id Recorder::leaf(Code code, int number, int part, int layout) {
   return intern({code, base, 0, 0, number * 65536.0 + part * 256 + layout}, {});
 }
 
+Id Recorder::leafOf(Code code, int number, int part, Type type) {
+  const Id low = leaf(code, number, part, type.layout());
+  if (type.base != Base::Int && type.base != Base::Uint) return convert(low, type.base);
+  const Id high = leaf(code, number, part, type.layout() | highHalf);
+  return apply(type.base == Base::Int ? Code::IntOfHalves : Code::UintOfHalves, type.base,
+               {low, high});
+}
+
 Id Recorder::group(Code code, std::span<const Id> operands) {
   std::vector<Id> known(operands.begin(), operands.end());
   for (Id& operand : known)

@@ -47,6 +47,11 @@ class Recorder {
   Id undefined(Base base);
   // A leaf: component number `part` of an argument or a uniform of that layout, or an image.
   Id leaf(Code code, int number, int part = 0, int layout = 0);
+  // The same as a number of that type. Of a whole number there are two leaves, of 16 bits each,
+  // since a leaf is a float.
+  Id leafOf(Code code, int number, int part, Type type);
+  // Beside a layout, says that the leaf is the upper half, with the sign.
+  static constexpr int highHalf = 128;
 
   // The operation, folded where all is known. A result of int or uint wraps around.
   Id apply(Code code, Base base, std::initializer_list<Id> operands);

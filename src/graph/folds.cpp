@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "graph/flags.hpp"
+
 namespace warpjet {
 
 std::uint32_t Graph::addLoop(std::uint32_t steps) {
@@ -44,7 +46,7 @@ Loops::Loops(const Graph& graph, std::span<const NodeId> nodes)
 }
 
 void Loops::gather(std::span<const NodeId> nodes) {
-  std::vector<bool> isKnown(graph_.size());
+  Flags isKnown(graph_.size());
   for (const NodeId id : nodes) {
     if (graph_.isStep(id)) steps_[graph_.loopOf(id)] = id;
     if (!graph_.isFold(id)) continue;

@@ -177,4 +177,11 @@ NodeId Graph::apply(Op op, Operands<NodeId> operands) {
   return intern(node);
 }
 
+[[gnu::noinline, gnu::cold]] std::optional<NodeId> Graph::found(Op op, NodeId x, NodeId y) const {
+  std::uint32_t entry = table_[slotOf({{index(x), index(y)}, op})];
+  if (entry == 0 && ops::has(op, ops::Trait::Commutative))
+    entry = table_[slotOf({{index(y), index(x)}, op})];
+  return entry == 0 ? std::nullopt : std::optional(NodeId{entry - 1});
+}
+
 }  // namespace warpjet

@@ -159,6 +159,8 @@ class Graph {
   // in float32, and so decides as the shader does that reads the same constants.
   // With simplification off, which is for tests, it is only interned.
   NodeId apply(Op op, Operands<NodeId> operands);
+  // The operation on two operands if it is there, as it would be interned.
+  std::optional<NodeId> found(Op op, NodeId x, NodeId y) const;
 
   std::size_t size() const { return nodes_.size(); }
   bool full() const { return nodes_.size() >= capacity_; }

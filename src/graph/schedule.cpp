@@ -9,9 +9,14 @@ namespace {
 class Scheduler {
  public:
   explicit Scheduler(const Work& work)
-      : work_(work), size_(static_cast<std::uint32_t>(work.tasks.size())) {
-    states_.resize(size_);
-    findReaders();
+      : work_(work),
+        size_(static_cast<std::uint32_t>(work.tasks.size())),
+        states_(size_),
+        readers_(work) {
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      states_[i].undone = static_cast<std::uint32_t>(work.readsOf(i).size());
+      states_[i].readers = static_cast<std::uint32_t>(readers_.of(i).size());
+    }
     findHeights();
   }
 
@@ -34,43 +39,17 @@ class Scheduler {
 
  private:
   struct State {
-    std::uint32_t undone = 0;       // tasks that it reads and that are not done yet
-    std::uint32_t readers = 0;      // tasks that are not done yet and read it
-    std::uint32_t firstReader = 0;  // in readers_
-    std::uint32_t endReader = 0;
-    std::uint32_t height = 0;  // of the longest way to a result
+    std::uint32_t undone = 0;   // tasks that it reads and that are not done yet
+    std::uint32_t readers = 0;  // tasks that are not done yet and read it
+    std::uint32_t height = 0;   // of the longest way to a result
     bool isDone = false;
   };
-
-  void findReaders() {
-    std::uint32_t total = 0;
-    for (std::uint32_t i = 0; i < size_; ++i) {
-      const auto reads = work_.readsOf(i);
-      states_[i].undone = static_cast<std::uint32_t>(reads.size());
-      for (const std::uint32_t read : reads) ++states_[read].readers;
-      total += states_[i].undone;
-    }
-    readers_.resize(total);
-    total = 0;
-    for (State& state : states_) {
-      state.firstReader = state.endReader = total;
-      total += state.readers;
-    }
-    for (std::uint32_t i = 0; i < size_; ++i) {
-      for (const std::uint32_t read : work_.readsOf(i)) readers_[states_[read].endReader++] = i;
-    }
-  }
 
   void findHeights() {
     for (std::uint32_t i = size_; i-- > 0;) {
       for (const std::uint32_t read : work_.readsOf(i))
         states_[read].height = std::max(states_[read].height, states_[i].height + 1);
     }
-  }
-
-  std::span<const std::uint32_t> readersOf(std::uint32_t i) const {
-    const State& state = states_[i];
-    return {readers_.data() + state.firstReader, state.endReader - state.firstReader};
   }
 
   // A value dies with its last reader, a result never.
@@ -92,7 +71,7 @@ class Scheduler {
       --states_[read].readers;
       if (diesWithNext(read)) offerAgain(read);
     }
-    for (const std::uint32_t reader : readersOf(i)) {
+    for (const std::uint32_t reader : readers_.of(i)) {
       if (--states_[reader].undone == 0) offer(reader);
     }
   }
@@ -100,7 +79,7 @@ class Scheduler {
   // The last reader of a value has become a better candidate; what it was stays in the heap, and
   // is passed over.
   void offerAgain(std::uint32_t read) {
-    for (const std::uint32_t reader : readersOf(read)) {
+    for (const std::uint32_t reader : readers_.of(read)) {
       if (!states_[reader].isDone && states_[reader].undone == 0) offer(reader);
     }
   }
@@ -108,13 +87,25 @@ class Scheduler {
   const Work& work_;
   std::uint32_t size_;
   std::vector<State> states_;
-  std::vector<std::uint32_t> readers_;
+  Readers readers_;
   // Candidates, the best at the top, each as one number: how many values die with it, its height,
   // and the complement of its own number.
   std::vector<std::uint64_t> heap_;
 };
 
 }  // namespace
+
+// Counted, then put where those of the tasks before end.
+Readers::Readers(const Work& work) : ends_(work.tasks.size() + 2), all_(work.reads.size()) {
+  const auto size = static_cast<std::uint32_t>(work.tasks.size());
+  for (std::uint32_t i = 0; i < size; ++i) {
+    for (const std::uint32_t read : work.readsOf(i)) ++ends_[read + 2];
+  }
+  for (std::uint32_t i = 2; i < size + 2; ++i) ends_[i] += ends_[i - 1];
+  for (std::uint32_t i = 0; i < size; ++i) {
+    for (const std::uint32_t read : work.readsOf(i)) all_[ends_[read + 1]++] = i;
+  }
+}
 
 std::vector<std::uint32_t> schedule(const Work& work) { return Scheduler(work).run(); }
 

@@ -26,6 +26,19 @@ struct Work {
   }
 };
 
+// The tasks that read each.
+class Readers {
+ public:
+  explicit Readers(const Work& work);
+
+  std::span<const std::uint32_t> of(std::uint32_t i) const {
+    return {all_.data() + ends_[i], ends_[i + 1] - ends_[i]};
+  }
+
+ private:
+  std::vector<std::uint32_t> ends_, all_;
+};
+
 // Task numbers, each after those that it reads: list scheduling that keeps few values alive.
 // Of the tasks that could be next, the one comes first with which the most values die, among
 // equals the one from which the longest way leads to a result (after Goodman and Hsu, "Code

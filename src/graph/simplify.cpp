@@ -13,6 +13,7 @@ using Simplified = std::optional<NodeId>;
 constexpr Op Neg = ops::find("neg"), Add = ops::find("add"), Sub = ops::find("sub"),
              Mult = ops::find("mult"), Div = ops::find("div"), Pow = ops::find("pow"),
              Min = ops::find("min"), Max = ops::find("max"), Not = ops::find("not"),
+             Sin = ops::find("sin"), Cos = ops::find("cos"), Sqrt = ops::find("sqrt"),
              IfElse = ops::find("ifElse"), IntIfElse = ops::find("intIfElse");
 
 // The largest exponent whose power is written as products (exact for a negative base).
@@ -52,6 +53,22 @@ Simplified mergeConstantTerms(Graph& graph, NodeId sum, double b) {
   return graph.apply(Add, {graph.operand(sum, 0), graph.constant(total)});
 }
 
+// Of f(u) * f(u), that f(u).
+Simplified rootOf(const Graph& graph, NodeId square) {
+  const bool isSquare =
+      graph.is(square, Mult) && graph.operand(square, 0) == graph.operand(square, 1);
+  return isSquare ? Simplified(graph.operand(square, 0)) : std::nullopt;
+}
+
+// sin² u + cos² u is 1, which no float is nearer to: the derivatives of every rotation have it.
+bool isOne(const Graph& graph, NodeId x, NodeId y) {
+  const auto a = rootOf(graph, x), b = rootOf(graph, y);
+  if (!a || !b) return false;
+  const bool areParts =
+      (graph.is(*a, Sin) && graph.is(*b, Cos)) || (graph.is(*a, Cos) && graph.is(*b, Sin));
+  return areParts && graph.operand(*a, 0) == graph.operand(*b, 0);
+}
+
 Simplified simplifyAdd(Graph& graph, Operands<NodeId>& operands) {
   putConstantLast(graph, operands);
   const auto [x, y, unused] = operands;
@@ -62,6 +79,8 @@ Simplified simplifyAdd(Graph& graph, Operands<NodeId>& operands) {
     if (const auto merged = mergeConstantTerms(graph, x, graph.value(y))) return merged;
     if (graph.value(y) < 0) return graph.apply(Sub, {x, graph.constant(-graph.value(y))});
   }
+  if (x == y) return graph.apply(Mult, {x, graph.constant(2)});
+  if (isOne(graph, x, y)) return graph.constant(1);
   return mergeChoices(graph, x, y);
 }
 
@@ -123,6 +142,7 @@ Simplified simplifyDiv(Graph& graph, const Operands<NodeId>& operands) {
   if (graph.isConstant(x, 0)) return x;
   if (graph.is(x, Neg)) return graph.apply(Neg, {graph.apply(Div, {graph.operand(x, 0), y})});
   if (graph.is(y, Neg)) return graph.apply(Neg, {graph.apply(Div, {x, graph.operand(y, 0)})});
+  if (graph.is(y, Sqrt) && graph.operand(y, 0) == x) return y;
   return {};
 }
 

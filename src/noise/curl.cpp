@@ -13,7 +13,7 @@ Expression slope(Expression value, int argument) {
 
 }  // namespace
 
-Numbers curlNoise(Library& library, NoiseKind base, const Numbers& p, Expression seed) {
+Numbers curlNoise(Library& library, NoiseKind base, const Point& p, Expression seed) {
   const Expression x = callBase(library, base, p, hash(seed, 1)),
                    y = callBase(library, base, p, hash(seed, 2)),
                    z = callBase(library, base, p, hash(seed, 3));

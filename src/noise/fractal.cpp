@@ -25,7 +25,7 @@ constexpr double shifts[] = {0.6180339887498949, 0.7548776662466927, 0.819172513
 // Frames of one level in GLSL 3.00 are the slower for it, by half where it was measured again, and
 // the first picture comes more than a second sooner. In four dimensions every octave stands in the
 // text: SwiftShader compiled a loop of them, with second derivatives, for three minutes.
-Expression fractalNoise(Library& library, const Noise& noise, const Numbers& p,
+Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
                         const Expression* parameters, Expression (*shaped)(Expression)) {
   const Expression seed = parameters[0], lacunarity = parameters[1], gain = parameters[2];
   if (noise.octaves == 1) return shaped(callBase(library, noise.base, p, seed));
@@ -34,9 +34,10 @@ Expression fractalNoise(Library& library, const Noise& noise, const Numbers& p,
   const auto step = [&](const Numbers& states, Expression octave) {
     const Expression total = states[0], strengths = states[1];
     const Expression fineness = states[2], strength = states[3];
-    Numbers moved;
+    Point moved;
     for (std::size_t i = 0; i < p.size(); ++i)
       moved.push_back(p[i] * fineness + octave * shifts[i]);
+    for (const Expression cell : p.cells) moved.cells.push_back(cell * fineness);
     const Expression itsSeed = ifElse(gt(octave, 0.0), hash(seed, octave), seed);
     const Expression value = shaped(callBase(library, noise.base, moved, itsSeed));
     return Numbers{total + value * strength, strengths + strength, fineness * lacunarity,

@@ -16,9 +16,9 @@ Expression fade(Expression t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
 template <class Corner>
 class Lattice {
  public:
-  Lattice(const Numbers& p, const Corner& corner) : corner_(corner) {
+  Lattice(const Point& p, const Corner& corner) : corner_(corner) {
     for (const Expression x : p) {
-      cell_.push_back(floor(x));
+      cell_.push_back(p.cell(cell_.size(), floor(x)));
       offset_.push_back(fract(x));
       blend_.push_back(fade(offset_[offset_.size() - 1]));
     }
@@ -62,7 +62,7 @@ double steepestGradientNoise(int dimensions) {
 // The derivative is fade'(t) Σ w₂ (high - low), where both values are from -1 to 1.
 double steepestValueNoise() { return steepestFade * 2; }
 
-Expression gradientNoise(Library& library, const Numbers& p, Expression seed) {
+Expression gradientNoise(Library& library, const Point& p, Expression seed) {
   const int dimensions = static_cast<int>(p.size());
   const auto corner = [&](Expression cellHash, const Numbers& offset) {
     return dot(randomDirection(library, cellHash, dimensions), offset);
@@ -71,7 +71,7 @@ Expression gradientNoise(Library& library, const Numbers& p, Expression seed) {
   return Lattice(p, corner).from(0, seed) * (2 / std::sqrt(dimensions));
 }
 
-Expression valueNoise(const Numbers& p, Expression seed) {
+Expression valueNoise(const Point& p, Expression seed) {
   const auto corner = [](Expression cellHash, const Numbers&) {
     return cellHash * (2 / (ops::hashPrime - 1)) - 1.0;
   };

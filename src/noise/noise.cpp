@@ -9,11 +9,13 @@ namespace warpjet {
 
 namespace {
 
+constexpr std::uint32_t cellsFlag = std::uint32_t{1} << 31;
+
 // A noise and its dimensions in one number, for Definition::settings.
 constexpr std::uint32_t pack(const Noise& noise, int dimensions) {
   return static_cast<std::uint32_t>(noise.kind) | static_cast<std::uint32_t>(noise.base) << 8 |
          static_cast<std::uint32_t>(noise.octaves) << 16 |
-         static_cast<std::uint32_t>(dimensions) << 24;
+         static_cast<std::uint32_t>(dimensions) << 24 | (noise.hasCells ? cellsFlag : 0);
 }
 
 struct Unpacked {
@@ -23,16 +25,21 @@ struct Unpacked {
 
 Unpacked unpack(std::uint32_t settings) {
   return {{NoiseKind(settings & 255), NoiseKind(settings >> 8 & 255),
-           static_cast<int>(settings >> 16 & 255)},
-          settings >> 24};
+           static_cast<int>(settings >> 16 & 255), (settings & cellsFlag) != 0},
+          settings >> 24 & 127};
 }
 
 Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments) {
   const auto [noise, dimensions] = unpack(settings);
-  Numbers p;
-  while (p.size() < dimensions) p.push_back(arguments[p.size()]);
+  Point p;
+  for (std::size_t i = 0; i < dimensions; ++i) {
+    p.push_back(arguments[i]);
+    if (noise.hasCells) p.cells.push_back(arguments[arguments.size() - dimensions + i]);
+  }
   return row(noise.kind).body(library, noise, p, arguments.begin() + p.size());
 }
+
+constexpr std::string_view withoutOctaves[] = {"seed", "cellX", "cellY", "cellZ", "cellW"};
 
 // warpjetNoise3, warpjetCurl4Simplex, warpjetFbm2Noise5
 std::string functionName(const Noise& noise, int dimensions) {
@@ -40,6 +47,7 @@ std::string functionName(const Noise& noise, int dimensions) {
   const NoiseUse use = row(noise.kind).use;
   if (use == NoiseUse::Made || use == NoiseUse::Fractal) name += capitalized(row(noise.base).name);
   if (isFractal(noise.kind)) name += std::to_string(noise.octaves);
+  if (noise.hasCells) name += "Cells";
   return name;
 }
 
@@ -47,7 +55,7 @@ std::string functionName(const Noise& noise, int dimensions) {
 
 Definition definitionOf(const Noise& noise, int dimensions) {
   const NoiseRow& kind = row(noise.kind);
-  const int parameters = isFractal(noise.kind) ? 3 : 1;
+  const int parameters = (isFractal(noise.kind) ? 3 : 1) + (noise.hasCells ? dimensions : 0);
   Definition made{
       {functionName(noise, dimensions), dimensions + parameters, kind.values, dimensions},
       body,
@@ -55,6 +63,7 @@ Definition definitionOf(const Noise& noise, int dimensions) {
   made.low = kind.low;
   made.high = kind.high;
   if (kind.steepest) made.steepest = kind.steepest(dimensions);
+  if (!isFractal(noise.kind)) made.parameters = withoutOctaves;
   made.maker = noiseFrom;
   return made;
 }
@@ -62,6 +71,16 @@ Definition definitionOf(const Noise& noise, int dimensions) {
 Definition noiseFrom(std::uint32_t settings) {
   const auto [noise, dimensions] = unpack(settings);
   return definitionOf(noise, static_cast<int>(dimensions));
+}
+
+Definition withCells(const Definition& definition) {
+  return noiseFrom(definition.settings | cellsFlag);
+}
+
+bool knowsCells(const Definition& definition, std::optional<double> lacunarity) {
+  if (noisePeriod(definition, lacunarity) != ops::hashPrime) return false;
+  // Of what is no fractal there is no lacunarity.
+  return std::pow(lacunarity.value_or(1), unpack(definition.settings).noise.octaves) < 0x1p13;
 }
 
 double noisePeriod(const Definition& definition, std::optional<double> lacunarity) {
@@ -77,10 +96,12 @@ double noisePeriod(const Definition& definition, std::optional<double> lacunarit
   return dimensions == 3 ? 3 * ops::hashPrime : 0;
 }
 
-Expression callBase(Library& library, NoiseKind base, const Numbers& p, Expression seed) {
+Expression callBase(Library& library, NoiseKind base, const Point& p, Expression seed) {
   Numbers arguments = p;
   arguments.push_back(seed);
-  return library.call(definitionOf({base}, static_cast<int>(p.size())), arguments)[0];
+  for (const Expression cell : p.cells) arguments.push_back(cell);
+  const Noise noise{base, {}, 1, p.cells.size() > 0};
+  return library.call(definitionOf(noise, static_cast<int>(p.size())), arguments)[0];
 }
 
 }  // namespace warpjet

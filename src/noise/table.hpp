@@ -11,7 +11,7 @@ namespace warpjet {
 
 struct NoiseRow {
   // From a point and what follows it: a hash, and of a fractal lacunarity and gain.
-  using Body = Numbers (*)(Library&, const Noise&, const Numbers& p, const Expression* parameters);
+  using Body = Numbers (*)(Library&, const Noise&, const Point& p, const Expression* parameters);
 
   std::string_view name;
   NoiseUse use;

@@ -19,9 +19,9 @@ constexpr int cells = 4;
 // for 81.
 class Search {
  public:
-  explicit Search(const Numbers& p) {
+  explicit Search(const Point& p) {
     for (const Expression x : p) {
-      corner_.push_back(floor(x + 0.5));
+      corner_.push_back(p.cell(corner_.size(), floor(x + 0.5)));
       inside_.push_back(fract(x + 0.5) - 0.5);
     }
   }
@@ -54,7 +54,7 @@ class Search {
 
 }  // namespace
 
-Numbers worleyNoise(const Numbers& p, Expression seed) {
+Numbers worleyNoise(const Point& p, Expression seed) {
   const Expression far{seed.graph, seed.graph->constant(100)};
   const Numbers squares = Search(p).meet(seed, {far, far});
   return {sqrt(squares[0]), sqrt(squares[1])};

@@ -55,12 +55,19 @@ enum class Precedence : std::uint8_t {
   Primary,
 };
 
+// Some of the operands, by bits.
+using SomeOperands = std::uint8_t;
+inline constexpr SomeOperands noOperand = 0, firstOperand = 1, secondOperand = 2, thirdOperand = 4;
+
 // How an operation is written: `$0`, `$1`, `$2` stand for the operands. An operand that binds
-// looser than its `operands` entry gets parentheses. Without a text the language lacks it.
+// looser than its `operands` entry gets parentheses. Without a text the language lacks it. The same
+// text does an operation on the components of vectors, beside which `numbers` may stay single ones:
+// of two either, of three all of them or none.
 struct Spelling {
   std::string_view text;
   Precedence result = Precedence::Primary;
   Operands<Precedence> operands{};
+  SomeOperands numbers = noOperand;
 
   constexpr bool isMissing() const { return text.empty(); }
 };
@@ -79,9 +86,10 @@ struct Spellings {
     return byLanguage[static_cast<std::size_t>(language)];
   }
 
-  constexpr Spellings with(Language language, std::string_view text) const {
+  constexpr Spellings with(Language language, std::string_view text,
+                           SomeOperands numbers = noOperand) const {
     Spellings other = *this;
-    other.byLanguage[static_cast<std::size_t>(language)] = {text};
+    other.byLanguage[static_cast<std::size_t>(language)] = {text, Precedence::Primary, {}, numbers};
     return other;
   }
 
@@ -96,7 +104,9 @@ struct Spellings {
   constexpr Spellings missingIn(Language language) const { return with(language, ""); }
 };
 
-constexpr Spellings call(std::string_view text) { return Spelling{text}; }
+constexpr Spellings call(std::string_view text, SomeOperands numbers = noOperand) {
+  return Spelling{text, Precedence::Primary, {}, numbers};
+}
 
 // For what built-in functions get wrong: every language has it lowered.
 inline constexpr Spellings nowhere = Spelling{""};
@@ -105,7 +115,7 @@ inline constexpr Spellings nowhere = Spelling{""};
 // matter, since the addition of floats is not associative.
 constexpr Spellings infix(std::string_view text, Precedence level) {
   const auto tighter = static_cast<Precedence>(static_cast<int>(level) + 1);
-  return Spelling{text, level, {level, tighter, tighter}};
+  return Spelling{text, level, {level, tighter, tighter}, firstOperand | secondOperand};
 }
 
 // WGSL takes no && beside || without parentheses.
@@ -128,8 +138,9 @@ inline constexpr Spellings logicalNegation =
 inline constexpr Spellings conditional =
     Spellings(Spelling{"$0 ? $1 : $2",
                        Precedence::Ternary,
-                       {Precedence::Logical, Precedence::Logical, Precedence::Logical}})
-        .with(Language::Wgsl, "select($2, $1, $0)");
+                       {Precedence::Logical, Precedence::Logical, Precedence::Logical},
+                       firstOperand})
+        .with(Language::Wgsl, "select($2, $1, $0)", firstOperand);
 
 struct Extent {
   double low, high;

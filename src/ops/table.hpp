@@ -256,26 +256,29 @@ inline constexpr std::tuple table{
     binary(
         {"mod", "x, divisor",
          "x - divisor * floor(x / divisor), which has the sign of the divisor."},
-        floats, call("mod($0, $1)").missingIn(Wgsl), {anywhere, positive, {}},
+        floats, call("mod($0, $1)", secondOperand).missingIn(Wgsl), {anywhere, positive, {}},
         [](auto x, auto y) { return mod(x, y); }, one,
         [](auto x, auto y, auto) { return -floor(x / y); })
         .with(Divides)
         .loweredTo([](auto x, auto y) { return x - y * floor(x / y); }),
     binary(
-        {"min", "x, y", "The least of two or more."}, floats, call("min($0, $1)"), everywhere,
+        {"min", "x, y", "The least of two or more."}, floats,
+        call("min($0, $1)", secondOperand).with(Wgsl, "min($0, $1)"), everywhere,
         [](auto x, auto y) { return min(x, y); },
         [](auto x, auto y, auto) { return ifElse(lt(y, x), 0.0, 1.0); },
         [](auto x, auto y, auto) { return ifElse(lt(y, x), 1.0, 0.0); })
         .with(Chained, Branches),
     binary(
-        {"max", "x, y", "The greatest of two or more."}, floats, call("max($0, $1)"), everywhere,
+        {"max", "x, y", "The greatest of two or more."}, floats,
+        call("max($0, $1)", secondOperand).with(Wgsl, "max($0, $1)"), everywhere,
         [](auto x, auto y) { return max(x, y); },
         [](auto x, auto y, auto) { return ifElse(lt(x, y), 0.0, 1.0); },
         [](auto x, auto y, auto) { return ifElse(lt(x, y), 1.0, 0.0); })
         .with(Chained, Branches),
     ternary(
         {"clamp", "x, low, high", "x, but not below low nor above high."}, floats,
-        call("clamp($0, $1, $2)"), {anywhere, negative, positive},
+        call("clamp($0, $1, $2)", secondOperand | thirdOperand).with(Wgsl, "clamp($0, $1, $2)"),
+        {anywhere, negative, positive},
         [](auto x, auto low, auto high) { return min(max(x, low), high); },
         [](auto x, auto low, auto high, auto) {
           return ifElse(logicalOr(lt(x, low), gt(x, high)), 0.0, 1.0);
@@ -287,14 +290,15 @@ inline constexpr std::tuple table{
         .with(Branches),
     ternary(
         {"mix", "x, y, amount", "From x where the amount is 0 to y where it is 1, and beyond."},
-        floats, call("mix($0, $1, $2)"), everywhere,
+        floats, call("mix($0, $1, $2)", thirdOperand), everywhere,
         [](auto x, auto y, auto t) { return mix(x, y, t); },
         [](auto, auto, auto t, auto) { return 1.0 - t; },  //
         [](auto, auto, auto t, auto) { return t; },
         [](auto x, auto y, auto, auto) { return y - x; })
         .with(OnMatrices),
     binary({"step", "edge, x", "0 where x is below the edge, otherwise 1."}, floats,
-           call("step($0, $1)"), everywhere, [](auto edge, auto x) { return step(edge, x); }),
+           call("step($0, $1)", firstOperand).with(Wgsl, "step($0, $1)"), everywhere,
+           [](auto edge, auto x) { return step(edge, x); }),
 
     // conditions
     binary({"lt", "x, y", "x < y"}, comparison, infix("$0 < $1", Relational), everywhere,

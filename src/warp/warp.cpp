@@ -8,6 +8,7 @@
 #include "algebra/derivatives.hpp"
 #include "algebra/matrices.hpp"
 #include "algebra/vectors.hpp"
+#include "graph/flags.hpp"
 #include "graph/reachable.hpp"
 
 namespace warpjet {
@@ -79,12 +80,11 @@ std::array<Expression, 5> varying(const WarpInputs& inputs) {
 }
 
 // Which nodes of `among` the values are computed from.
-std::vector<bool> readBy(std::span<const NodeId> values, const Graph& graph,
-                         std::span<const NodeId> among) {
+Flags readBy(std::span<const NodeId> values, const Graph& graph, std::span<const NodeId> among) {
   const std::vector<NodeId> nodes = reachable(graph, values);
-  std::vector<bool> isRead;
-  for (const NodeId id : among)
-    isRead.push_back(std::binary_search(nodes.begin(), nodes.end(), id));
+  Flags isRead(among.size());
+  for (std::size_t i = 0; i < among.size(); ++i)
+    isRead[i] = std::binary_search(nodes.begin(), nodes.end(), among[i]);
   return isRead;
 }
 
@@ -108,7 +108,7 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
   const std::array<Expression, 5> numbers = varying(inputs);
   std::vector<NodeId> nodes, gradients;
   for (const Expression number : numbers) nodes.push_back(number.id);
-  const std::vector<bool> isRead = readBy(offset.nodes(), graph, nodes);
+  const Flags isRead = readBy(offset.nodes(), graph, nodes);
   const bool readsAny = std::find(isRead.begin(), isRead.end(), true) != isRead.end();
   if (options.isFlat || !readsAny) warp.flat = turn(constant, inputs);
   if (!readsAny) {
@@ -123,7 +123,7 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
     gradients.insert(gradients.end(), gradient.begin(), gradient.end());
   }
   warp.surface = turn(m, inputs);
-  const std::vector<bool> needed = readBy(m.nodes(), graph, gradients);
+  const Flags needed = readBy(m.nodes(), graph, gradients);
   warp.varies = std::find(needed.begin(), needed.end(), true) != needed.end();
   return warp;
 }

@@ -119,6 +119,11 @@ window.draw = async (backend, kind, way) => {
     if (way === 'without its normals') withoutNormals(warp, material)
     if (way === 'without its shadow') material.shadowDepthWrapper = null
   }
+  if (way === 'switched off') {
+    const warp = warped(material)
+    await scene.whenReadyAsync()
+    warp.isEnabled = false
+  }
   await scene.whenReadyAsync()
   for (let i = 0; i < 4; i++) {
     engine.beginFrame()
@@ -171,6 +176,28 @@ window.pick = async () => {
   scene.dispose()
   other.dispose()
   return { hits, misses, apart, before, outside }
+}
+/** What is said of mistakes. */
+window.mistakes = async () => {
+  const { scene, material } = sceneOn(await engineFor('webgl'), 'Standard')
+  const warp = warped(material)
+  const said = [
+    () => (warp.values.linaer = 3),
+    () => (warp.values.shift = 'x'),
+    () => (warp.values.shift = [0, NaN, 0]),
+    () => (warp.millis = 'x'),
+    () => new BabylonWarp(material, offset),
+  ].map((work) => {
+    try {
+      work()
+      return ''
+    } catch (error) {
+      return String(error)
+    }
+  })
+  const { x } = warp.values.shift
+  scene.dispose()
+  return { said, isKept: x === m[12] && warp.millis === 1000 }
 }
 // Without somebody who holds it, the browser loses the device.
 window.gpu = navigator.gpu
@@ -227,6 +254,10 @@ for (const backend of ['webgl', 'webgpu'])
           const count = differing(await draw(backend, kind, without), moved)
           assert.ok(count > 100, `${count} pixels differ ${without}`)
         }
+        if (kind === 'Standard') {
+          const off = await draw(backend, kind, 'switched off')
+          assert.equal(differing(off, still), 0)
+        }
         assert.deepEqual(printed(), [])
       })
 
@@ -247,4 +278,17 @@ test('rays and culling follow where they are told to', async () => {
   assert.equal(misses, 0)
   assert.ok(apart < 1e-4, `${apart} apart`)
   assert.equal(outside, false)
+})
+
+test('mistakes are told in a sentence, and what was set before stays', async () => {
+  const { said, isKept } = await page.evaluate(() => mistakes())
+  const expected = [
+    /^WarpError: BabylonWarp: the warp has no uniform "linaer"; there are linear, shift\.$/,
+    /^WarpError: The warp's uniform "shift" is a vec3 and takes an array of 3 numbers, but the text "x" came/,
+    /^WarpError: The warp's uniform "shift" /,
+    /^WarpError: BabylonWarp: millis must be a number of milliseconds, .* is the text "x"\.$/,
+    /^WarpError: BabylonWarp: the material "standard" is warped already/,
+  ]
+  said.forEach((text, i) => assert.match(text, expected[i]))
+  assert.equal(isKept, true)
 })

@@ -215,7 +215,7 @@ test('both built pages work from any folder, and the gallery links them', async 
       await browser.newContext(still),
       new URL(base, built.resolvedUrls.local[0]).href,
     )
-    await page.getByRole('link', { name: 'measured' }).click()
+    await page.getByRole('link', { name: 'Measured', exact: true }).click()
     await page.getByRole('heading', { name: 'What right normals cost' }).waitFor(patience)
     await page.locator('.plot svg, .nothing:not([hidden])').first().waitFor(patience)
     await page.getByRole('link', { name: 'The benchmark by hand' }).click()

@@ -33,7 +33,8 @@ const sketches = ['p5 1.11.13', 'p5 2.3.4'].flatMap((p5) => [`${p5}, no warp`, `
 const everywhere = ['sizePx', 'rounds', 'vertices', 'nodes', 'frameMs', 'frameLowMs', 'frameHighMs']
 const rates = ['uncappedFps', 'cappedFps']
 const ofMethods = [
-  ...['toPositions', 'toWarpjet', 'firstMs', 'firstToPositions'],
+  ...['toPositions', 'toWarpjet', 'firstMs', 'firstToPositions', 'firstToByHand'],
+  ...['characters', 'charactersToByHand'],
   ...['errorDegrees', 'errorMedianDegrees', 'jsHeapMb', 'wasmHeapMb'],
 ]
 

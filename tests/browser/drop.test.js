@@ -342,7 +342,7 @@ test('works as it is built, and the gallery leads to it', async () => {
   try {
     const context = await browser.newContext(still)
     const { page, messages } = await openPage(context, built.resolvedUrls.local[0])
-    await page.getByRole('link', { name: 'a model of your own' }).click()
+    await page.getByRole('link', { name: 'Your model', exact: true }).first().click()
     await settled(page)
     await drop(page, { 'ball.glb': glb })
     assert.ok(green(await picture(page)) > 0.03)

@@ -118,6 +118,91 @@ test('p5.strands in world and in camera space, as its reference moves positions,
   }
 })
 
+test('p5.strands as the reference and the tutorials of p5 move positions, beside the same by createWarp', async () => {
+  const strands = (base, moves) => `exactNormals(${base}().modify(() => { ${moves} }))`
+  // Each as a strands sketch, and as a warp.
+  const sketches = {
+    'a flag in the wind, by the clock': [
+      strands(
+        'baseMaterialShader',
+        `getWorldInputs((inputs) => {
+          const t = millis()
+          inputs.position.y += 14 * sin(t * 0.002 + inputs.position.x * 0.05)
+          return inputs
+        })`,
+      ),
+      `createWarp(({ glsl, position, millis }) =>
+        glsl.vec3(0, millis.mult(0.002).add(position.x.mult(0.05)).sin().mult(14), 0), { space: 'world' })`,
+    ],
+    'jelly before the eye, its normals as colours': [
+      strands(
+        'baseNormalShader',
+        `getCameraInputs((inputs) => {
+          const t = millis() * 0.001
+          inputs.position.x += 12 * sin(t + inputs.position.y * 0.06)
+          inputs.position.y += 12 * cos(t + inputs.position.x * 0.04)
+          return inputs
+        })`,
+      ),
+      // The second line reads what the first has moved.
+      `createWarp(({ glsl, position, millis }) => {
+        const t = millis.mult(0.001)
+        const x = t.add(position.y.mult(0.06)).sin().mult(12)
+        const y = t.add(position.x.add(x).mult(0.04)).cos().mult(12)
+        return glsl.vec3(x, y, 0)
+      }, { space: 'camera', type: 'normal' })`,
+    ],
+    'a ball that swells along its normal, by a uniform and a function': [
+      strands(
+        'baseMaterialShader',
+        `const size = uniformFloat(() => 0.2)
+        const pulse = (a) => sin(a * 5) * size
+        getObjectInputs((inputs) => {
+          inputs.position += inputs.position * pulse(inputs.position.y)
+          return inputs
+        })`,
+      ),
+      `createWarp(({ position, uniforms }) =>
+        position.mult(position.y.mult(5).sin().mult(uniforms.swell)), { uniforms: { swell: 0.2 } })`,
+    ],
+    'a twist, by sines and an else': [
+      strands(
+        'baseMaterialShader',
+        `getObjectInputs((inputs) => {
+          let angle = 0
+          if (inputs.position.y > 0) { angle = inputs.position.y * 1.5 } else { angle = inputs.position.y * 0.5 }
+          const x = inputs.position.x
+          const z = inputs.position.z
+          inputs.position = [x * cos(angle) - z * sin(angle), inputs.position.y, x * sin(angle) + z * cos(angle)]
+          return inputs
+        })`,
+      ),
+      `createWarp(({ glsl, position }) => {
+        const { x, y, z } = position
+        const angle = y.gt(0).ifElse(y.mult(1.5), y.mult(0.5))
+        const [c, s] = [angle.cos(), angle.sin()]
+        return glsl.vec3(x.mult(c).sub(z.mult(s)), y, x.mult(s).add(z.mult(c)))
+      }, { returns: 'position' })`,
+    ],
+  }
+  const entries = Object.entries(sketches)
+  const images = await drawScenes(browser, server, scripts, {
+    setup: `p5.prototype.millis = () => 1700
+      ${entries.map(([, [own, byHand]], i) => `warps.own${i} = ${own}\nwarps.byHand${i} = ${byHand}`).join('\n')}`,
+    scenes: Object.fromEntries(
+      entries.flatMap(([name], i) => [
+        [name, scene(`shader(warps.own${i})`)],
+        [`${name}, by hand`, scene(`warps.byHand${i}()`)],
+      ]),
+    ),
+  })
+  for (const [name] of entries) {
+    assert.ok(litPixels(images[name]).length > 4000, name)
+    const differing = differingPixels(images[name], images[`${name}, by hand`], 2)
+    assert.ok(differing < 20, `${name}: ${differing} pixels differ`)
+  }
+})
+
 test('p5 1.11: hooks in local and view space, beside the same by createWarp', async () => {
   const old = [p5Versions['1.11'], ...scripts.slice(1)]
   const images = await drawScenes(browser, server, old, {

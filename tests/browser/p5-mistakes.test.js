@@ -39,7 +39,7 @@ test('a warp made in every frame is noted once; what another script has says whi
 })
 
 const ownOperators =
-  "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add warpjet.operators.min.js, with which they do."
+  "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add the script warpjet.operators.min.js or import 'warpjet/operators', with which they do."
 
 /** What an offset function returns or, in braces, does. */
 const offsets = {

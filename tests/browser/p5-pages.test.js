@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { launchBrowser, leavePage, openPage } from './support/browser.js'
-import { differingPixels, litPixels } from './support/pixels.js'
+import { differingPixels, litPixels, readPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
 import { drawScenes, launchFor, p5HostsInThisRun, p5Versions, runSketch } from './support/sketch.js'
 
@@ -174,3 +174,52 @@ if (isRun('rare pages of p5'))
     await leavePage(page)
     assert.ok(later - before < 0.4, `${(later - before).toFixed(2)} MB for 40 warps`)
   })
+
+test('a tab that slept for an hour wakes to the picture of its hour, and to nothing more', async () => {
+  const sketch = `
+    let clock = 0
+    performance.now = () => clock
+    const made = {}
+    for (const name of ['Buffer', 'Texture', 'Program', 'Shader', 'VertexArray', 'Framebuffer']) {
+      const { prototype } = WebGL2RenderingContext
+      const create = prototype['create' + name]
+      prototype['create' + name] = function (...kind) { made[name] = (made[name] ?? 0) + 1; return create.apply(this, kind) }
+    }
+    let wave
+    function setup() {
+      pixelDensity(1)
+      createCanvas(100, 100, WEBGL)
+      noLoop(); noStroke()
+      wave = createWarp(({ glsl, normal, position, millis, uniforms }) =>
+        normal.mult(position.y.mult(4).add(millis.div(500)).sin().mult(uniforms.height)), { uniforms: { height: 0.3 } })
+    }
+    function draw() {
+      background(0); lights(); wave(); fill('coral'); sphere(30)
+      window.done = true
+    }
+    function at(time) { clock = time; redraw() }`
+  const hour = 3_600_000
+  const pictures = async (times) => {
+    const { page, messages } = await runSketch(browser, server, [p5Versions['2.x'], addon], sketch)
+    const images = []
+    const counts = []
+    for (const time of times) {
+      await page.evaluate(`at(${time})`)
+      images.push(await readPixels(page))
+      counts.push(await page.evaluate('({ ...made })'))
+    }
+    await leavePage(page)
+    assert.deepEqual(messages, [])
+    return { images, counts }
+  }
+  const slept = await pictures([100, 116, 132, hour, hour + 16, hour + 250, hour + 16])
+  const awake = await pictures([hour, hour + 16])
+  assert.ok(litPixels(slept.images[3]).length > 1000)
+  assert.equal(differingPixels(slept.images[3], awake.images[0], 0), 0)
+  assert.equal(differingPixels(slept.images[4], awake.images[1], 0), 0)
+  assert.equal(differingPixels(slept.images[6], awake.images[1], 0), 0)
+  // What moves in 16 ms is little, and it moves.
+  const [step, way] = [4, 5].map((i) => differingPixels(slept.images[3], slept.images[i], 4))
+  assert.ok(step > 0 && step < way, `${step} pixels in 16 ms, ${way} in 250`)
+  assert.deepEqual(slept.counts.at(-1), slept.counts[1])
+})

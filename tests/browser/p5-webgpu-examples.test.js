@@ -11,21 +11,22 @@ import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from './support/
 
 const screenshots = path('.build/screenshots/webgpu')
 
-/** GLSL of the sketch's own, beside that of warps, which WEBGPU does not read. */
-const ownGlsl = /\bmodify\(|\bcreateShader\(|\bcreateFilterShader\(|\bdefs:/
-
-/** Models of text, which p5 fails to draw a second time on this page of the test, in WEBGL too; gallery.test.js draws them. */
-const ofText = /\btextToModel\(/
+/** Shaders of the sketch's own in GLSL, which p5 on WEBGPU does not read. */
+const ownGlsl = /\bmodify\(|\bcreateShader\(|\bcreateFilterShader\(/
 
 const examples = sections
   .flatMap((section) => section.examples.map(({ name }) => name))
   .filter((name) => !name.startsWith('three-'))
   .filter((name) => {
     const text = readFileSync(path(`examples/${name}/sketch.js`), 'utf8')
-    return !ownGlsl.test(text) && !ofText.test(text)
+    return !ownGlsl.test(text)
   })
 
+/** A page for each, which compiles p5 once for all examples. */
+const hosts = ['p5-2', 'p5-webgpu']
+
 let browser, server, url
+const pages = {}
 before(async () => {
   mkdirSync(screenshots, { recursive: true })
   browser = await launchBrowserWithWebGPU()
@@ -35,33 +36,14 @@ before(async () => {
   })
   await server.listen()
   url = server.resolvedUrls.local[0]
+  for (const host of hosts) pages[host] = await openFor(host)
 })
 after(async () => {
   await browser.close()
   await server.close()
 })
 
-/** Time stands still, chance repeats itself, and pixels are few. */
-const still = `
-{
-  let seed = 1
-  Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
-  p5.prototype.millis = () => 1700
-  // On WEBGPU p5 itself takes the first directional light alone, and its highlights are others. Along-the-normal has an unlit
-  // patch there under ortho(), whose cause is not found yet.
-  const { directionalLight } = p5.prototype
-  let lit = -1
-  p5.prototype.directionalLight = function (...light) {
-    if (lit < this.frameCount) directionalLight.apply(this, light)
-    lit = this.frameCount
-    return this
-  }
-  p5.prototype.ortho = p5.prototype.specularMaterial = p5.prototype.shininess = function () { return this }
-  const own = setup
-  window.setup = async () => { await own(); pixelDensity(0.5); noLoop() }
-}`
-
-async function pictureOf(name, host) {
+async function openFor(host) {
   const context = await browser.newContext()
   await context.route('**/examples/*/sketch.js', async (route) => {
     const response = await route.fetch()
@@ -73,7 +55,45 @@ async function pictureOf(name, host) {
     await route.fulfill({ response, body: `${await response.text()}\n${webgpu}` })
   }
   if (host === 'p5-webgpu') await context.route('**/p5.min.js', withWebGPU)
-  const { page, messages } = await openPage(context, `${url}examples/${name}/gallery.html`)
+  return openPage(context, `${url}recorder.js`)
+}
+
+/** Time stands still, chance repeats itself, and pixels are few. */
+const still = `
+{
+  let seed = 1
+  Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
+  p5.prototype.millis = () => 1700
+  // On WEBGPU p5 itself takes the first directional light alone, its highlights are others, and ortho() loses what is nearer than
+  // the middle of its depths: p5-webgpu.test.js shows each without a warp.
+  const { directionalLight, ortho } = p5.prototype
+  let lit = -1
+  p5.prototype.directionalLight = function (...light) {
+    if (lit < this.frameCount) directionalLight.apply(this, light)
+    lit = this.frameCount
+    return this
+  }
+  p5.prototype.ortho = function () {
+    const [x, y, far] = [this.width / 2, this.height / 2, Math.max(this.width, this.height) + 800]
+    return ortho.call(this, -x, x, -y, y, -far, far)
+  }
+  // Models of text have no uvs, and p5 has no buffer for none on WEBGPU.
+  const { textToModel } = p5.Font.prototype
+  p5.Font.prototype.textToModel = function (...text) {
+    const model = textToModel.apply(this, text)
+    model.uvs = model.vertices.flatMap(() => [0, 0])
+    return model
+  }
+  // The warp draws no edges, and p5 takes seconds to work out those of a model.
+  p5.Geometry.prototype._edgesToVertices = function () { return this }
+  p5.prototype.specularMaterial = p5.prototype.shininess = function () { return this }
+  const own = setup
+  window.setup = async () => { await own(); pixelDensity(0.5); noLoop() }
+}`
+
+async function pictureOf(name, host) {
+  const { page, messages } = pages[host]
+  await page.goto(`${url}examples/${name}/gallery.html`)
   await page.waitForFunction(() => window.frameCount >= 1, null, { timeout: 120_000 })
   // Fonts bring canvases of their own.
   await page.evaluate(() => document.body.prepend(document.getElementById('defaultCanvas0')))
@@ -83,15 +103,13 @@ async function pictureOf(name, host) {
       ? await readWebGPUPixels(page, draw)
       : (await page.evaluate(draw), await readPixels(page))
   await page.screenshot({ path: `${screenshots}/${name}.${host}.png` })
-  await context.close()
-  assert.deepEqual(messages, [])
+  assert.deepEqual(messages.splice(0), [])
   return image
 }
 
 for (const name of examples)
   test(name, async () => {
-    const webgl = await pictureOf(name, 'p5-2')
-    const webgpu = await pictureOf(name, 'p5-webgpu')
+    const [webgl, webgpu] = [await pictureOf(name, hosts[0]), await pictureOf(name, hosts[1])]
     const lit = litPixels(webgl).length
     assert.ok(lit > 1000, `${lit} pixels are lit`)
     const beyond = beyondEdges(webgpu, webgl, 12)

@@ -1,6 +1,7 @@
 // createWarp on a canvas of WebGPU: the same pictures as in WebGL, whose own tests say that they are right.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
+import { warps as listings } from '../warps/listings.js'
 import { stress } from '../warps/stress.js'
 import { launchBrowserWithWebGPU, leavePage } from './support/browser.js'
 import { beyondEdges, litPixels } from './support/pixels.js'
@@ -96,8 +97,23 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
           glsl.vec3(size.x().div(10), millis.min(20), pixelDensity), { ${world} })
         warps.map = createWarp(({ glsl, uv, uniforms }) =>
           glsl.vec3(0, 0, glsl.texture(uniforms.map, uv, { filter: 'bicubic' }).x().mult(40)),
-          { ${world}, uniforms: { map: heights }, surfaceVariation: false })`,
+          { ${world}, uniforms: { map: heights }, surfaceVariation: false })
+        warps.declared = createWarp(({ glsl }) =>
+          glsl.vec3(glsl.param('a').add(glsl.vec2Param('v').y), glsl.mat3Param('m').mult(glsl.vec3(0, 1, 0)).x, 0),
+          { ${world}, defs: 'uniform float a, unread; uniform highp vec2 v;\\nuniform mat3 m;' })
+        warps.relief = createWarp(({ glsl, position }) =>
+          glsl.vec3(0, 0, glsl.texture('map', position.xy.div(120).add(0.5), { filter: 'bicubic' }).x.mult(40)),
+          { ${world}, defs: 'uniform sampler2D map;' })
+        window.heights = heights
+        warps.called = createWarp(({ glsl }) => glsl.vec3(glsl.param('lifted(1.5)'), glsl.param('a'), 0), { ${world},
+          defs: 'uniform float a;\\n' + (document.querySelector('canvas').getContext('webgpu')
+            ? 'fn lifted(x: f32) -> f32 { return 10.0 * x; }'
+            : 'float lifted(float x) { return 10.0 * x; }') })`,
       scenes: {
+        'uniforms of defs': `warps.declared({ a: 5, unread: 3, v: createVector(0, 10), m: [0, 1, 0, -10, 0, 0, 0, 0, 1] }); fill('red'); plane(60)`,
+        'one of them kept': `warps.declared({ a: -20 }); fill('red'); plane(60)`,
+        'an image of defs': `lights(); rotateX(0.6); warps.relief({ map: heights }); fill('white'); plane(120, 120, 60, 60)`,
+        'a function of defs': `warps.called({ a: 12 }); fill('red'); plane(60)`,
         uniforms: `warps.all(); fill('red'); plane(60)`,
         'uniforms replaced': `warps.all({ a: -40 }); fill('red'); plane(60)`,
         inputs: `warps.inputs(); fill('red'); plane(60)`,
@@ -128,6 +144,49 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
     })
   })
 
+  test('what the documentation of p5.warp shows', async () => {
+    const shown = Object.keys(listings).filter((name) => /of p5\.warp/.test(name))
+    assert.equal(shown.length, 3)
+    await compare({
+      setup: `
+        const { warps: listings } = await import('/tests/warps/listings.js')
+        for (const name of ${JSON.stringify(shown)}) {
+          const { warp, size } = listings[name]
+          const still = (inputs) => warp({ ...inputs, millis: inputs.glsl.val(1234) })
+          for (const type of ['specular', 'normal'])
+            warps[name + type] = createWarp(still, { space: size === 1 ? 'local' : 'world', type })
+        }`,
+      scenes: Object.fromEntries(
+        shown.flatMap((name) =>
+          ['specular', 'normal'].map((type) => [
+            `${name}, ${type}`,
+            `camera(900, -300, 2220, 0, 0, 0, 0, 1, 0); lights(); warps['${name}${type}'](); fill('coral'); sphere(180, 60, 40)`,
+          ]),
+        ),
+      ),
+      tolerance: 12,
+      share: 0.02,
+    })
+  })
+
+  test('in a p5.Graphics of WEBGL, since p5 makes none of WEBGPU', async () => {
+    await compare({
+      setup: `
+        const layer = createGraphics(120, 120, WEBGL)
+        layer.pixelDensity(1)
+        const inside = layer.createWarp(${wave})
+        warps.main = createWarp(${wave})
+        warps.layer = () => {
+          layer.background(0); layer.noStroke(); layer.lights()
+          inside(); layer.fill('teal'); layer.sphere(40)
+          image(layer, -90, -60)
+        }`,
+      scenes: {
+        both: `warps.layer(); translate(50, 0); lights(); warps.main(); fill('coral'); sphere(40)`,
+      },
+    })
+  })
+
   test("p5.warp's stress test", async () => {
     await compare({
       setup: `
@@ -151,17 +210,24 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
 
 test('on WEBGPU a WarpError says what is wrong', async () => {
   const cases = {
+    'createGraphics(50, 50, WEBGPU).createWarp(still)': /createGraphics\(width, height, WEBGL\)/,
     'createWarp(({ normal, uv }) => normal.mult(uv.x.mult(uv.y).sin()), {})()':
       /on WEBGPU an offset that depends on both normal and uv/,
-    [`createWarp(still, { defs: 'uniform float size;' })`]:
-      /defs.*WGSL.*uniforms: \{ size: 0\.5 \}/,
+    [`createWarp(still, { defs: 'uniform float size[3];' })`]: /defs.*uniforms: \{ size: 0\.5 \}/,
+    "createWarp(({ glsl }) => glsl.vec3(glsl.vec2Param('v'), 0), { defs: 'uniform vec2 v;' })({ v: 1 })":
+      /"v" must be an array of numbers/,
+    "createWarp(({ glsl }) => glsl.vec3(glsl.vec2Param('v'), 0), { defs: 'uniform vec2 v;' })({ v: [1] })":
+      /"v" must be an array of 2 numbers/,
+    "createWarp(still, { shader: baseMaterialShader().modify({ 'Vertex getObjectInputs': '(Vertex inputs) { return inputs; }' }) })":
+      /hook getObjectInputs in GLSL; on a WEBGPU canvas write it in WGSL/,
     'createWarp(({ glsl }) => glsl.vec3(glsl.param("size"), 0, 0))': /uniforms/,
   }
   const { page, messages } = await runSketch(
     browser,
     server,
     [p5, p5WebGPU, ...scripts],
-    `const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+    `p5.disableFriendlyErrors = true
+    const still = ({ glsl }) => glsl.vec3(0, 0, 0)
     async function setup() {
       try { createWarp(still) } catch ({ message }) { early = message }
       await createCanvas(100, 100, WEBGPU)
@@ -178,4 +244,65 @@ test('on WEBGPU a WarpError says what is wrong', async () => {
   }
   await leavePage(page)
   assert.deepEqual(messages, [])
+})
+
+/** Whether what is lit is elsewhere, by more than edges. */
+const differs = (images, name) =>
+  beyondEdges(images.WEBGPU[name], images.WEBGL[name], 12) >
+  0.05 * litPixels(images.WEBGL[name]).length
+
+test('what p5 itself draws otherwise on WEBGPU, or not at all, it does without a warp', async () => {
+  const wide = 'ortho(-100, 100, -100, 100, -1000, 1000)'
+  const ball = 'noStroke(); fill(200); sphere(60)'
+  const scenes = {
+    'ortho()': `ortho(); lights(); translate(0, 0, 300); ${ball}`,
+    'ortho() around the eye': `${wide}; lights(); translate(0, 0, 300); ${ball}`,
+    'two lights': `directionalLight(200, 0, 0, 1, 0, -1); directionalLight(0, 0, 200, -1, 0, -1); ${ball}`,
+    'one light': `directionalLight(200, 0, 0, 1, 0, -1); ${ball}`,
+    highlights: `directionalLight(90, 90, 90, 0, 0, -1); specularMaterial(255); shininess(2); ${ball}`,
+  }
+  const images = {}
+  for (const [renderer, more] of Object.entries({ WEBGL: [], WEBGPU: [p5WebGPU] }))
+    images[renderer] = await drawScenes(browser, server, [p5, ...more], { scenes, renderer })
+  const differing = Object.keys(scenes).filter((name) => differs(images, name))
+  assert.deepEqual(differing, ['ortho()', 'two lights', 'highlights'])
+})
+
+test('exactNormals says that it reads no WGSL; GLSL and models of text fail in p5 itself', async () => {
+  const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5, p5WebGPU, ...scripts, '/dist/warpjet.glsl.min.js'],
+    `const told = {}
+    const attempt = (name, draw) => { try { draw(); told[name] = 'drawn' } catch ({ message }) { told[name] = message } }
+    async function setup() {
+      await createCanvas(100, 100, WEBGPU)
+      noLoop()
+      const own = baseMaterialShader().modify(() => { getObjectInputs((inputs) => { inputs.position.x += 0.1; return inputs }) })
+      if (exactNormals(own) !== own) throw new Error('another one came')
+      const old = createShader('#version 300 es\\nvoid main() {}', '#version 300 es\\nvoid main() {}')
+      attempt('GLSL', () => { shader(old); sphere(10) })
+      const word = (await loadFont('${font}')).textToModel('w', 0, 0, { extrude: 5, sampleFactor: 1 })
+      resetShader()
+      attempt('without uvs', () => model(word))
+      word.uvs = word.vertices.flatMap(() => [0, 0])
+      word.gid += ' with uvs'
+      attempt('with uvs', () => model(word))
+      done = true
+    }`,
+  )
+  const told = await page.evaluate('told')
+  await leavePage(page)
+  assert.match(told.GLSL ?? messages.join('\n'), /main/)
+  assert.match(told['without uvs'], /flat is not a function/)
+  assert.equal(told['with uvs'], 'drawn')
+  assert.match(
+    messages[0],
+    /^exactNormals: the shader stays as it is\. On a WEBGPU canvas its hooks are WGSL/,
+  )
+  assert.ok(
+    messages.slice(1).every((message) => /WGSL|#version/.test(message)),
+    messages.join('\n'),
+  )
 })

@@ -5,6 +5,7 @@ import { after, before, describe, test } from 'node:test'
 import { pathToFileURL } from 'node:url'
 import { createServer } from 'vite'
 import { config, desktop, difference, path, phone } from './support/bench.js'
+import { loadMesh } from '../../dist/mesh.js'
 import { bytesOf, launchBrowser, openPage } from './support/browser.js'
 import {
   canvasPixels,
@@ -30,6 +31,18 @@ after(async () => {
   await browser.close()
   await server.close()
 })
+
+/** The names in the directory of an archive, in order. */
+function namesInZip(bytes) {
+  const names = []
+  let at = bytes.readUInt32LE(bytes.length - 6)
+  while (bytes.readUInt32LE(at) === 0x02014b50) {
+    const length = bytes.readUInt16LE(at + 28)
+    names.push(bytes.subarray(at + 46, at + 46 + length).toString())
+    at += 46 + length
+  }
+  return names
+}
 
 /** A still picture of one color, which `line` of the sketch moves. */
 const still = (color, offset = 'glsl.vec3(0, 0, 0)', more = '') => `let warp
@@ -278,10 +291,24 @@ ${still('#40ff40')
     await other.page.close()
   })
 
-  test('copies a page for the p5 editor', async () => {
+  test('packs a project of npm, with its model', async () => {
+    const bytes = await bytesOf(await saved('npm project'))
+    const names = ['package.json', 'index.html', 'sketch.js', 'bunny.obj']
+    assert.deepEqual(namesInZip(bytes), names)
+    assert.ok(bytes.includes('"start": "vite"'))
+    assert.ok(bytes.includes('src="node_modules/warpjet/dist/p5.warpjet.min.js"'))
+    assert.ok(bytes.includes(await text(page)))
+  })
+
+  test('copies a page for the p5 editor, and opens that', async () => {
+    await context.route('https://editor.p5js.org/', (route) => route.fulfill({ body: 'editor' }))
+    const opened = context.waitForEvent('page')
     await page.getByText('Save', { exact: true }).click()
     await page.getByRole('button', { name: 'p5 editor' }).click()
     await page.getByText('Copied: paste').waitFor()
+    const editor = await opened
+    assert.equal(editor.url(), 'https://editor.p5js.org/')
+    await editor.close()
     const html = await page.evaluate(() => navigator.clipboard.readText())
     assert.match(
       html,
@@ -289,6 +316,101 @@ ${still('#40ff40')
     )
     assert.match(html, /npm\/warpjet@[\d.]+\/dist\/p5\.warpjet\.min\.js/)
     assert.match(html, /Upload beside this page: bunny\.obj/)
+  })
+
+  test('films four seconds', async () => {
+    const bytes = await bytesOf(await saved('Film of four'))
+    assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3)
+    assert.ok(bytes.includes('webm') && bytes.length > 500)
+  })
+
+  test('saves the warped shape, upright, where it stands', async () => {
+    await write(page, still('#40ff40', 'glsl.vec3(position.y(), 0, 0)'))
+    const mesh = await loadMesh(await bytesOf(await saved('Warped shape')))
+    const { positions, normals } = mesh
+    const most = [0, 0, 0]
+    for (let i = 0; i < positions.length; i += 3) {
+      for (let k = 0; k < 3; k++) most[k] = Math.max(most[k], positions[i + k])
+      // Of a sphere of 30 pixels that is sheared by y, the other way up: (x - y)² + y² + z² is 30².
+      const [x, y, z] = positions.subarray(i, i + 3)
+      assert.ok(Math.abs(Math.hypot(x + y, y, z) - 30) < 1e-2, `${x} ${y} ${z}`)
+      const gradient = [x + y, x + 2 * y, z]
+      const cosine = gradient.reduce((sum, each, k) => sum + each * normals[i + k], 0)
+      assert.ok(cosine / Math.hypot(...gradient) > 0.99999)
+    }
+    assert.ok(Math.abs(most[1] - 30) < 1e-3 && most[0] > 40)
+  })
+
+  test('marks the statements of the line with the cursor, and the line of a statement', async () => {
+    const lines = 'const a = position.y().mult(3).sin()\n  return glsl.vec3(a, a.mult(0.3), 0)'
+    await write(page, still('#40ff40').replace('glsl.vec3(0, 0, 0)', `{\n  ${lines}\n}`))
+    const marked = () => page.locator('.panel .lit').allTextContents()
+    for (const language of ['GLSL 3.00', 'GLSL 1.00', 'WGSL']) {
+      await page.getByRole('tab', { name: language }).click()
+      await page.locator('.cm-line', { hasText: 'const a =' }).click()
+      await page.locator('.panel .lit').first().waitFor()
+      const ofA = await marked()
+      assert.ok(ofA.some((text) => /sin\(/.test(text)) && ofA.some((text) => /cos\(/.test(text)))
+      await page.keyboard.press('ArrowDown')
+      await page.waitForFunction(
+        (before) => document.querySelector('.panel .lit')?.textContent !== before,
+        ofA[0],
+      )
+      assert.ok(!(await marked()).some((text) => /sin\(/.test(text)))
+    }
+    const statement = page.locator('.panel [data-from]', { hasText: 'sin(' })
+    await statement.hover()
+    assert.match(await page.locator('.cm-lit').textContent(), /const a =/)
+    await statement.click()
+    assert.match(await line(page), /const a =/)
+    assert.equal((await marked()).length > 0, true)
+    await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
+  })
+
+  test('tries an offset function alone on a model, and brings both back by the link', async () => {
+    await page.getByLabel('Runs in').selectOption('offset')
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.doesNotMatch(await text(page), /createWarp/)
+    assert.equal(await page.getByLabel('height', { exact: true }).count(), 1)
+    const sphere = await canvasPixels(page)
+    await page.locator('#model').selectOption('bunny.obj')
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.ok(difference(sphere, await canvasPixels(page)) > 0.05)
+    const link = page.url()
+    await page.getByLabel('Runs in').selectOption('p5')
+    await settled(page)
+    assert.match(await text(page), /model\(shape\)/)
+    assert.equal(await page.locator('#model').isVisible(), false)
+    await page.goto(link)
+    await settled(page)
+    assert.equal(await page.locator('#model').inputValue(), 'bunny.obj')
+    await write(page, 'const nothing = 0')
+    assert.match(
+      await page.locator('.mistake').textContent(),
+      /Write a function with the name offset/,
+    )
+    await page.locator('.cm-content').focus()
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    await page.screenshot({ path: `${screenshots}/playground-offset.png` })
+  })
+
+  test('takes a model that is dropped, and tries the offset on it', async () => {
+    const file = await page.evaluateHandle(() => {
+      const transfer = new DataTransfer()
+      const corner = (x, y, z) => `v ${x} ${y} ${z}\n`
+      const points = [corner(0, 0, 0), corner(1, 0, 0), corner(0, 1, 0), corner(0, 0, 1)]
+      const faces = 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n'
+      transfer.items.add(new File([points.join('') + faces], 'corner.obj'))
+      return transfer
+    })
+    await page.dispatchEvent('body', 'drop', { dataTransfer: file })
+    await settled(page)
+    assert.equal(await page.locator('#model').inputValue(), 'corner.obj')
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
   })
 
   test('says that a link is damaged, and keeps the sketch', async () => {

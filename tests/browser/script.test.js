@@ -296,6 +296,64 @@ describe('a page whose policy is script-src self', () => {
     assert.deepEqual(results, ['works', 'works', 'works'])
     assert.deepEqual(messages, [])
   })
+
+  // The only page whose machine code is forbidden while the compiler runs: under a policy from the start neither does.
+  test('and comes after the start: the interpreter goes on, with the bits of machine code', async () => {
+    const { page, messages } = await openPage(browser, server.page('<!doctype html>'))
+    const found = await page.evaluate(async () => {
+      const { compileWarp } = await import('/dist/warpjet.min.js')
+      const { Module } = WebAssembly
+      const tried = []
+      WebAssembly.Module = function (bytes) {
+        tried.push('forbidden')
+        const module = new Module(bytes)
+        tried[tried.length - 1] = 'made'
+        return module
+      }
+      const bend = ({ glsl, position, millis }) =>
+        position
+          .yzx()
+          .mult(0.02)
+          .add(millis.div(1000))
+          .sin()
+          .mult(glsl.vec3(8, 9, 10))
+      const numbers = (size) =>
+        Float32Array.from({ length: 3 * size }, (_, i) => 50 * Math.sin(i * i))
+      const uniforms = { millis: 1234 }
+      const bits = (warp, vertices = 1001) => {
+        const mesh = { positions: numbers(vertices), normals: numbers(vertices) }
+        const { positions, normals } = warp.evaluate(mesh, { uniforms })
+        return [positions, normals].map((array) => String(new Uint32Array(array.buffer))).join()
+      }
+      const [free, later] = [compileWarp(bend), compileWarp(bend)]
+      const expected = [bits(free), bits(later)]
+      expected.push(bits(free))
+      const point = JSON.stringify(free.evaluateAt([1, 2, 3], { uniforms }))
+      const before = tried.splice(0)
+
+      const policy = document.createElement('meta')
+      policy.httpEquiv = 'Content-Security-Policy'
+      policy.content = "script-src 'self'"
+      document.head.append(policy)
+      const results = [bits(later), bits(later), bits(free)]
+      const points = [1, 2, 3].map(() => JSON.stringify(later.evaluateAt([1, 2, 3], { uniforms })))
+      const many = bits(compileWarp(bend), 40_000).length
+      return {
+        before,
+        after: tried,
+        same: [...expected, ...results].map((text) => text === expected[0]),
+        points: points.map((text) => text === point),
+        many,
+      }
+    })
+    await leavePage(page)
+    assert.ok(found.before.length > 0 && found.before.every((outcome) => outcome === 'made'))
+    assert.deepEqual(found.after, ['forbidden'], 'it is tried once')
+    assert.deepEqual(found.same, [true, true, true, true, true, true])
+    assert.deepEqual(found.points, [true, true, true])
+    assert.ok(found.many > 40_000 * 6)
+    assert.deepEqual(messages, [])
+  })
 })
 
 describe('a page that was opened as a file', () => {

@@ -135,7 +135,7 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
     })
   })
 
-for (const file of ['README.md', 'web/docs/three.md'])
+for (const file of ['web/docs/how-to-three.md', 'web/docs/three.md'])
   test(`the first listing of ${file} runs as it stands`, async () => {
     const text = readFileSync(new URL(`../../${file}`, import.meta.url), 'utf8')
     const [, code] = /^# ?.*three\.js\n[^]*?```js\n([^]*?)```/m.exec(

@@ -30,7 +30,7 @@ describe('warpjetFrame0, … keep float32 right for a week:', () => {
         assert.ok(position <= 2e-5, `positions are ${position} off`)
         assert.ok(angle <= warp.degrees, `normals are ${angle}° off`)
       }
-      assert.ok(step < 0.05, `a frame's way is ${step} off`)
+      assert.ok(step < 0.005, `a frame's way is ${step} off`)
     })
 
   test('and without them it is not right', async () => {

@@ -26,7 +26,7 @@ TEST_F(BuilderTest, AtanOfTwoIsTheAngleOfAPoint) {
 }
 
 TEST_F(BuilderTest, NumbersCountForEachComponent) {
-  EXPECT_EQ(text(call("min", {v2, number(1)})), "vec2(min(v2.x, 1.0), min(v2.y, 1.0))");
+  EXPECT_EQ(text(call("min", {v2, number(1)})), "min(v2, 1.0)");
   const int doubled = call("mult", {number(2), m2});
   EXPECT_EQ(builder.shape(doubled), matrixOf(2, 2));
   EXPECT_EQ(text(doubled), "mat2(m2[0].x * 2.0, m2[0].y * 2.0, m2[1].x * 2.0, m2[1].y * 2.0)");
@@ -39,14 +39,14 @@ TEST_F(BuilderTest, ProductsOfMatricesHaveTheShapeOfLinearAlgebra) {
   EXPECT_EQ(shape(m3, m23), matrixOf(2, 3));
   EXPECT_EQ(shape(m23, x), matrixOf(2, 3));
   EXPECT_EQ(text(call("mult", {v2, m2})),
-            "vec2(m2[0].x * v2.x + m2[0].y * v2.y, m2[1].x * v2.x + m2[1].y * v2.y)");
+            "vec2(m2[0].x, m2[1].x) * v2.x + vec2(m2[0].y, m2[1].y) * v2.y");
 }
 
 TEST_F(BuilderTest, VectorsAreMadeFromParts) {
-  EXPECT_EQ(text(call("vec3", {v2, x})), "vec3(v2.x, v2.y, x)");
+  EXPECT_EQ(text(call("vec3", {v2, x})), "vec3(v2, x)");
   EXPECT_EQ(text(call("vec3", {x})), "vec3(x)");
   EXPECT_EQ(text(call("vec2", {call("lt", {v2, x})})), "vec2(float(v2.x < x), float(v2.y < x))");
-  EXPECT_EQ(text(builder.swizzle(v3, 2, 0b00'10)), "vec2(v3.z, v3.x)");
+  EXPECT_EQ(text(builder.swizzle(v3, 2, 0b00'10)), "v3.zx");
 }
 
 TEST_F(BuilderTest, MatricesAreMadeFromColumnsOrRows) {
@@ -65,7 +65,7 @@ TEST_F(BuilderTest, AMatrixOfAnotherSizeIsCutOffOrFilledUp) {
 }
 
 TEST_F(BuilderTest, ColumnsAndRowsOfAMatrix) {
-  EXPECT_EQ(text(method("column", {m23, number(1)})), "vec3(m23[1].x, m23[1].y, m23[1].z)");
+  EXPECT_EQ(text(method("column", {m23, number(1)})), "m23[1]");
   EXPECT_EQ(text(method("row", {m23, number(2)})), "vec2(m23[0].z, m23[1].z)");
 }
 
@@ -76,7 +76,7 @@ TEST_F(BuilderTest, APartOfAVectorIsItsComponents) {
   EXPECT_EQ(text(input("position.b")), "position.z");
   EXPECT_EQ(text(input("position.s")), "position.x");
   EXPECT_EQ(text(input("position[2]")), "position.z");
-  EXPECT_EQ(text(input("position.zx", vectorOf(2))), "vec2(position.z, position.x)");
+  EXPECT_EQ(text(input("position.zx", vectorOf(2))), "position.zx");
   EXPECT_EQ(text(input("position.yy", vectorOf(2))), "vec2(position.y)");
   EXPECT_EQ(builder.graph().inputCount(), inputs) << "none of them is another input";
 }
@@ -84,7 +84,7 @@ TEST_F(BuilderTest, APartOfAVectorIsItsComponents) {
 TEST_F(BuilderTest, DerivativesKnowThatAPartIsTheSame) {
   const int position = input("position", vectorOf(3)), y = input("position.y");
   const int slope = call("derivative", {call("dot", {position, position}), y});
-  EXPECT_EQ(text(slope), "position.y + position.y");
+  EXPECT_EQ(text(slope), "position.y * 2.0");
 }
 
 TEST_F(BuilderTest, WhatIsNoPartOfAVectorIsAnInputOfItsOwn) {
@@ -111,7 +111,7 @@ TEST_F(BuilderTest, AskingTwiceForAnInputGivesTheSame) {
 
 TEST_F(BuilderTest, ConditionsAndNumbersConvert) {
   const int less = call("lt", {x, number(1)});
-  EXPECT_EQ(text(call("ifElse", {less, v2, number(0)})), "vec2(t0 ? v2.x : 0.0, t0 ? v2.y : 0.0)");
+  EXPECT_EQ(text(call("ifElse", {less, v2, number(0)})), "t0 ? v2 : vec2(0.0)");
 }
 
 TEST_F(BuilderTest, ResultsOfAllShapes) {
@@ -133,7 +133,7 @@ TEST_F(BuilderTest, ASumIsWrittenShort) {
   builder.output("warp", "moved", moved);
   EXPECT_EQ(code(),
             "vec2 offset, moved;\n{\n"
-            "  offset = vec2(v2.x * x, v2.y * x);\n"
+            "  offset = v2 * x;\n"
             "  moved = v2 + offset;\n"
             "}\n");
 }
@@ -188,10 +188,9 @@ TEST_F(BuilderTest, TwentyThousandValuesKeepTheirHandles) {
     ASSERT_EQ(builder.shape(handles[i]), i % 2 == 0 ? oneNumber : matrixOf(3, 3)) << i;
   EXPECT_EQ(text(handles[0]), "x + 1.0");
   EXPECT_EQ(text(handles[19'998]), "x + 19999.0");
-  EXPECT_EQ(text(method("row", {handles[1], number(0)})),
-            "vec3(m3[0].x + 2.0, m3[1].x + 2.0, m3[2].x + 2.0)");
+  EXPECT_EQ(text(method("row", {handles[1], number(0)})), "vec3(m3[0].x, m3[1].x, m3[2].x) + 2.0");
   EXPECT_EQ(text(method("row", {handles[19'999], number(0)})),
-            "vec3(m3[0].x + 20000.0, m3[1].x + 20000.0, m3[2].x + 20000.0)");
+            "vec3(m3[0].x, m3[1].x, m3[2].x) + 20000.0");
 }
 
 TEST_F(BuilderTest, TheProgramOfResults) {

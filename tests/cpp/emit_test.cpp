@@ -112,7 +112,7 @@ TEST_F(EmitTest, AnOutputIsAssignedAsSoonAsThatEndsALife) {
   EXPECT_EQ(emit(graph, glsl300, std::vector{result("r", v * v), result("pair", pair)}).code,
             "float r;\nvec2 pair;\n{\n"
             "  float t0 = sin(x);\n"
-            "  pair = vec2(t0 * 2.0, t0 * t0);\n"
+            "  pair = t0 * vec2(2.0, t0);\n"
             "  float t1 = cos(y);\n"
             "  r = t1 * t1;\n"
             "}\n");
@@ -149,7 +149,7 @@ TEST_F(EmitTest, VectorsAreWrittenShort) {
             "  flag = x < y;\n"
             "  whole = position;\n"
             "  none = vec3(0.0);\n"
-            "  turned = vec3(position.y, position.x, position.z);\n"
+            "  turned = position.yxz;\n"
             "}\n");
 }
 
@@ -178,7 +178,7 @@ TEST_F(EmitTest, AnInputIsWrittenWholeOnlyInItsOwnShape) {
   const std::vector<Output> outputs{result("v", v), result("transposed", transposed)};
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
             "vec4 v;\nmat2 transposed;\n{\n"
-            "  v = vec4(m[0].x, m[0].y, m[1].x, m[1].y);\n"
+            "  v = vec4(m[0], m[1]);\n"
             "  transposed = mat2(m[0].x, m[1].x, m[0].y, m[1].y);\n"
             "}\n");
 }
@@ -188,7 +188,7 @@ TEST_F(EmitTest, ASumOfAnInputAndAnEarlierResultIsWrittenAsThat) {
   const std::vector<Output> outputs{result("offset", offset), result("moved", p + offset)};
   EXPECT_EQ(emit(graph, glsl300, outputs, {}).code,
             "vec3 offset, moved;\n{\n"
-            "  offset = vec3(position.x * 2.0, position.y * 2.0, position.z * 2.0);\n"
+            "  offset = position * 2.0;\n"
             "  moved = position + offset;\n"
             "}\n");
 }

@@ -63,6 +63,15 @@ TEST(GlslPreprocessor, AnExpansionIsCalledByWhatFollows) {
   EXPECT_EQ(preprocessed("#define G(x) x\n#define E G\n#define F E\nF (F(2)) F"), "2 G");
   EXPECT_EQ(preprocessed("#define A(x) x + B\n#define B(x) x\nA(1)(2)(3)"), "1 + 2 ( 3 )");
   EXPECT_EQ(preprocessed("#define PICK(x) x\n#define G(x) -x\nPICK(G)(1)"), "- 1");
+  // An expansion that opens a call is closed by what follows.
+  EXPECT_EQ(preprocessed("#define F(x, y) x - y\n#define OPEN F (\nOPEN 1, 2) + 3"), "1 - 2 + 3");
+  EXPECT_EQ(preprocessed("#define F(x) - x\n#define A F(\n#define B A 1\nB) 2"), "- 1 2");
+  std::string deep = "#define M F(\n#define F(x) N x\n#define N G(\n#define G(x) M x\nM 1 ";
+  for (int i = 0; i < 100'000; ++i) deep += ") ";
+  EXPECT_NE(preprocessed(deep).find("1,000 deep"), std::string::npos);
+  // But one whose parenthesis is yet to be expanded is not called, unless it is read again.
+  EXPECT_EQ(preprocessed("#define F(x) - x\n#define L (\nF L 1)"), "F ( 1 )");
+  EXPECT_EQ(preprocessed("#define F(x) - x\n#define L (\n#define E(x) x\nE(F L 1))"), "- 1");
   // Not within itself, and what was so once is never again.
   EXPECT_EQ(preprocessed("#define F(x) x F\nF(1)(2)"), "1 F ( 2 )");
 }

@@ -100,6 +100,19 @@ TEST(SimplifyExceptions, InfinityMinusItselfIsZero) {
 }
 
 // As above: the derivative of a quotient whose numerator is constant.
+TEST(SimplifyExceptions, OverItsRootANumberIsItsRoot) {
+  const auto formula = [](auto x, auto) { return x / sqrt(x); };
+  expectValues(0, std::nan(""), formula, 0);
+  expectValues(infinity, std::nan(""), formula, infinity);
+  expectValues(3, 3, formula, 9);
+}
+
+TEST(SimplifyExceptions, SquaresOfSineAndCosineAreOneTogether) {
+  const auto formula = [](auto x, auto) { return sin(x) * sin(x) + cos(x) * cos(x); };
+  expectValues(1, 1, formula, 0);
+  expectValues(1, std::nan(""), formula, infinity);
+}
+
 TEST(SimplifyExceptions, ZeroDividedByAnythingIsZero) {
   expectValues(
       0, NAN, [](auto x, auto) { return 0.0 / x; }, 0);
@@ -249,6 +262,7 @@ enum Difference {
   TimesZero,
   MinusItself,
   ZeroDividedBy,
+  OverItsRoot,
   EndOfMix,
   ConstantFactors,
   ConstantTerms,
@@ -325,9 +339,12 @@ class Judge {
       case Add:
       case Sub:
         if (becameZero && isDifferenceWithItself(op, operands)) return MinusItself;
+        if (op == Add && operands[0] == operands[1])  // becomes the product
+          return judge(Mult, {operands[0], graph_.constant(2)}, found);
         return judgeSum(operands, expected, found);
       case Div:
-        return becameZero && isKnown(operands[0], 0) ? ZeroDividedBy : Unexplained;
+        if (becameZero && isKnown(operands[0], 0)) return ZeroDividedBy;
+        return isOverItsRoot(operands, expected, found) ? OverItsRoot : Unexplained;
       case Pow:
         return judgePower(operands, expected, found);
       case Mix:
@@ -391,6 +408,13 @@ class Judge {
     if (!graph_.is(id, IfElse) || at(id) != 0) return false;
     const NodeId yes = graph_.operand(id, 1), no = graph_.operand(id, 2);
     return (isKnown(yes, 1) && isKnown(no, 0)) || (isKnown(yes, 0) && isKnown(no, 1));
+  }
+
+  // x / sqrt(x), which is no number at zero and infinity, and otherwise rounded twice.
+  bool isOverItsRoot(const Operands<NodeId>& operands, double expected, double found) const {
+    const auto [x, root, unused] = operands;
+    if (!graph_.is(root, ops::find("sqrt")) || graph_.operand(root, 0) != x) return false;
+    return std::isnan(expected) ? found == std::sqrt(at(x)) : distance(expected, found) <= 1;
   }
 
   bool isDifferenceWithItself(Op op, const Operands<NodeId>& operands) const {

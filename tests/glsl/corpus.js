@@ -30,14 +30,14 @@ function read(name, text) {
   const heads = [...plain.matchAll(/^\s*(float|vec[234])\s+(\w+)\s*\(([^)]*)\)\s*\{/gm)]
   const found = heads.filter(([, , head]) => !exported || head === exported)
   const [, type, head, list] = found.at(-1) ?? []
-  const parameters = list?.split(',').map(
-    (each) =>
-      each
-        .trim()
-        .replace(/^in\s+/, '')
-        .split(/\s+/)[0],
-  )
-  if (!head || !parameters.every(size)) return undefined
+  const parameters = list?.split(',').map((each) => {
+    const [type, name] = each
+      .trim()
+      .replace(/^in\s+/, '')
+      .split(/\s+/)
+    return { type, name }
+  })
+  if (!head || !parameters.every((each) => size(each.type))) return undefined
   return { name, text, head, type, parameters }
 }
 
@@ -52,14 +52,19 @@ function* files() {
 /** They raise what is below zero to a power, which the language leaves open; ours is the product that is meant. */
 const leftOpen = /^glsl-easings.(?:cubic-in-out|quartic-out|quintic-in-out|quintic-out)\.glsl$/
 
-/** An argument for a parameter of a type, from a vec3 `p`; numbers from 0 up, as easings want them, and no two alike. */
-const argument = (type, i) =>
-  ({
-    float: `(${['p.x', 'p.y', 'p.z'][i % 3]} * 0.49 + 0.5 + ${Math.floor(i / 3)}.0)`,
-    vec2: `(${['p.xy', 'p.yz', 'p.zx'][i % 3]} + ${Math.floor(i / 3)}.0)`,
-    vec3: `(${['p', 'p.yzx', 'p.zxy'][i % 3]} + ${Math.floor(i / 3)}.0)`,
-    vec4: `(vec4(p, 0.3) + ${i}.0 * vec4(0.1, 0.2, 0.3, 0.4))`,
-  })[type]
+/**
+ * An argument for a parameter, from a vec3 `p`; numbers from 0 up, as easings want them, and no two alike nor mirrored. The
+ * period of a noise is whole: between whole numbers its hash is another one at every point.
+ */
+const argument = ({ type, name }, i) =>
+  name === 'rep'
+    ? `${type}(3.0)`
+    : {
+        float: `(${['p.x', 'p.y', 'p.z'][i % 3]} * 0.49 + 0.5 + ${Math.floor(i / 3)}.0)`,
+        vec2: `(${['p.xy', 'p.yz', 'p.zx'][i % 3]} + ${Math.floor(i / 3)}.0)`,
+        vec3: `(${['p', 'p.yzx', 'p.zxy'][i % 3]} * ${(4 + i) / 4}${i % 4 ? '' : '.0'} + ${Math.floor(i / 3)}.0)`,
+        vec4: `(vec4(p, 0.3) + ${i}.0 * vec4(0.1, 0.2, 0.3, 0.4))`,
+      }[type]
 
 const toVec3 = (type, call) =>
   ({

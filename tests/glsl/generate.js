@@ -239,8 +239,12 @@ class Generator {
       return { glsl: `(${a.glsl} ${op} ${b.glsl})`, js: `(${a.js} ${op} ${b.js})` }
     }
     const [a, b] = [this.expression('float', depth - 1), this.expression('float', depth - 1)]
+    // What is equal, rounded differently, decides alike.
     const op = this.of(['<', '>', '<='])
-    return { glsl: `(${a.glsl} ${op} ${b.glsl})`, js: `(${a.js} ${op} ${b.js})` }
+    return {
+      glsl: `(${a.glsl} ${op} ${b.glsl} + 0.01037)`,
+      js: `(${a.js} ${op} ${b.js} + 0.01037)`,
+    }
   }
 
   /** Statements in a scope of their own. */

@@ -5,12 +5,10 @@ vec3 offset, warpedPosition, warpedNormal;
   float t2 = t1 < -1.0 ? 0.0 : -t0;
   float t3 = max(t1, -1.0);
   float t4 = t3 + 1.0;
-  float t5 = t4 * t4 * normal.y - position.x * t2 * t4 * normal.x - t4 * (position.z * t2) * normal.z;
+  vec3 t5 = vec3(t4 * normal.x, t4 * t4 * normal.y - position.x * t2 * t4 * normal.x - t4 * (position.z * t2) * normal.z, t4 * normal.z);
   offset = vec3(position.x * t3, 0.0, position.z * t3);
-  float t6 = t4 * normal.x;
-  float t7 = t4 * normal.z;
-  float t8 = t6 * t6 + t5 * t5 + t7 * t7;
-  float t9 = t8 > 0.0 ? inversesqrt(t8) : 0.0;
-  warpedNormal = vec3(t6 * t9, t5 * t9, t7 * t9);
+  float t6 = dot(t5, t5);
+  float t7 = t6 > 0.0 ? inversesqrt(t6) : 0.0;
+  warpedNormal = t5 * t7;
   warpedPosition = position + offset;
 }

@@ -68,6 +68,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(0.0, 0.0, t2 * 0.11);
   float t48 = t46 * t46 + t47 * t47 + normal.z * normal.z;
   float t49 = t48 > 0.0 ? inversesqrt(t48) : 0.0;
-  warpedNormal = vec3(t46 * t49, t47 * t49, normal.z * t49);
+  warpedNormal = vec3(t46, t47, normal.z) * t49;
   warpedPosition = position + offset;
 }

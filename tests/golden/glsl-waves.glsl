@@ -60,12 +60,10 @@ vec3 offset, warpedPosition, warpedNormal;
   float t47 = t11 * 0.1;
   float t48 = t6 * 0.1 + 1.0;
   float t49 = t10 * 0.1 + 1.0;
-  offset = vec3(t3 / 10.0, t4 / 10.0, t5 / 10.0);
-  float t50 = (t48 * t49 - t44 * t46) * normal.z;
-  float t51 = t49 * normal.x - t44 * normal.y + (t44 * t47 - t45 * t49) * normal.z;
-  float t52 = t48 * normal.y - t46 * normal.x + (t45 * t46 - t48 * t47) * normal.z;
-  float t53 = t51 * t51 + t52 * t52 + t50 * t50;
-  float t54 = t53 > 0.0 ? inversesqrt(t53) : 0.0;
-  warpedNormal = vec3(t51 * t54, t52 * t54, t50 * t54);
+  vec3 t50 = vec3(t49 * normal.x - t44 * normal.y + (t44 * t47 - t45 * t49) * normal.z, t48 * normal.y - t46 * normal.x + (t45 * t46 - t48 * t47) * normal.z, (t48 * t49 - t44 * t46) * normal.z);
+  offset = vec3(t3, t4, t5) / 10.0;
+  float t51 = dot(t50, t50);
+  float t52 = t51 > 0.0 ? inversesqrt(t51) : 0.0;
+  warpedNormal = t50 * t52;
   warpedPosition = position + offset;
 }

@@ -9,7 +9,7 @@ var result: vec2f;
   let t1 = 0.5f - abs(t0);
   let t2 = select(t0, t0 - sign(t0), t1 < 0.0f);
   let t3 = inverseSqrt(t2 * t2 + t1 * t1);
-  result = vec2f(t2 * t3, t1 * t3);
+  result = vec2f(t2, t1) * t3;
 }
 return result;
 }

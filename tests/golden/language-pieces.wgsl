@@ -10,10 +10,10 @@ var jacobian: mat2x2f;
   inside = ((x > -1.0f && x < 1.0f) && v.x != 0.0f) || x == 2.0f;
   let t0 = sign(x);
   let t1 = m[0].x * m[1].y - m[1].x * m[0].y;
-  back = vec2f(m[1].y / t1 * v.x - m[1].x / t1 * v.y, m[0].x / t1 * v.y - m[0].y / t1 * v.x);
+  back = vec2f(m[1].y, m[0].x) / t1 * v - vec2f(m[1].x, m[0].y) / t1 * v.yx;
   rounded = round(x) + trunc(x) + ceil(x) + t0;
   curve = sinh(x) / cosh(x) + t0 * log(abs(x) + sqrt(x * x + 1.0f)) - atan2(v.y, v.x);
   slope = x * -6.0f * bump(x * 3.0f) * 3.0f;
-  chosen = vec2f(select(inverseSqrt(v.y), v.x, inside), select(inverseSqrt(v.x), v.y, inside));
-  jacobian = mat2x2f(v.x + v.x, v.y, 0.0f, v.x);
+  chosen = select(inverseSqrt(v.yx), v, inside);
+  jacobian = mat2x2f(v.x * 2.0f, v.y, 0.0f, v.x);
 }

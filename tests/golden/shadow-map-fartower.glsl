@@ -7,6 +7,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(t1 * 0.4, 0.0, t2 * 0.4);
   float t4 = normal.x * normal.x + t3 * t3 + normal.z * normal.z;
   float t5 = t4 > 0.0 ? inversesqrt(t4) : 0.0;
-  warpedNormal = vec3(normal.x * t5, t3 * t5, normal.z * t5);
+  warpedNormal = vec3(normal.x, t3, normal.z) * t5;
   warpedPosition = position + offset;
 }

@@ -19,11 +19,9 @@ vec3 offset, warpedPosition, warpedNormal;
   float t15 = t8 * t10 + t13;
   float t16 = t8 * t11;
   float t17 = (t14 - t16) * t6;
-  float t18 = t7 * normal.x + (t16 - t14) * normal.y;
-  float t19 = (t15 * t7 + t17) * normal.z;
-  float t20 = t6 * normal.x + t15 * normal.y;
-  float t21 = t18 * t18 + t20 * t20 + t19 * t19;
-  float t22 = t21 > 0.0 ? inversesqrt(t21) : 0.0;
-  warpedNormal = vec3(t18 * t22, t20 * t22, t19 * t22);
+  vec3 t18 = vec3(t7 * normal.x + (t16 - t14) * normal.y, t6 * normal.x + t15 * normal.y, (t15 * t7 + t17) * normal.z);
+  float t19 = dot(t18, t18);
+  float t20 = t19 > 0.0 ? inversesqrt(t19) : 0.0;
+  warpedNormal = t18 * t20;
   warpedPosition = position + offset;
 }

@@ -1,18 +1,12 @@
 vec3 offset, warpedPosition, warpedNormal;
 {
   float t0 = millis / 800.0;
-  float t1 = position.y * 0.04 + t0;
-  float t2 = position.z * 0.04 + t0;
-  float t3 = position.x * 0.04 + t0;
-  float t4 = cos(t3) * 0.64;
-  offset = vec3(sin(t1) * 16.0, sin(t2) * 16.0, sin(t3) * 16.0);
-  float t5 = cos(t1) * 0.64;
-  float t6 = cos(t2) * 0.64;
-  float t7 = normal.x + t6 * t4 * normal.y - t4 * normal.z;
-  float t8 = normal.y - t5 * normal.x + t4 * t5 * normal.z;
-  float t9 = t5 * t6 * normal.x - t6 * normal.y + normal.z;
-  float t10 = t7 * t7 + t8 * t8 + t9 * t9;
-  float t11 = t10 > 0.0 ? inversesqrt(t10) : 0.0;
-  warpedNormal = vec3(t7 * t11, t8 * t11, t9 * t11);
+  vec3 t1 = position.yzx * 0.04 + t0;
+  vec3 t2 = cos(t1) * 0.64;
+  vec3 t3 = vec3(normal.x + t2.y * t2.z * normal.y - t2.z * normal.z, normal.y - t2.x * normal.x + t2.z * t2.x * normal.z, t2.x * t2.y * normal.x - t2.y * normal.y + normal.z);
+  offset = sin(t1) * 16.0;
+  float t4 = dot(t3, t3);
+  float t5 = t4 > 0.0 ? inversesqrt(t4) : 0.0;
+  warpedNormal = t3 * t5;
   warpedPosition = position + offset;
 }

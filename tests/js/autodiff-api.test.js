@@ -478,11 +478,15 @@ describe('settings:', () => {
     const value = (ad) => offset(ad).height.output('z')
     const text = gen(value, { debug: true, maxDepthPerVariable: 4 })
     const source = readFileSync(new URL(import.meta.url), 'utf8').split('\n')
-    const commented = [...text.matchAll(/\/\/ From .*autodiff-api\.test\.js:(\d+):(\d+).*\n(.*)/g)]
+    const place = /\/\/ From .*autodiff-api\.test\.js:(\d+):(\d+)/
+    const commented = [...text.matchAll(/((?: *\/\/ .*\n)+)(.*)/g)]
     assert.equal(commented.length, linesOf(text).length)
-    for (const [, line, column, statement] of commented) {
+    for (const [, comments, statement] of commented) {
       assert.match(statement, / = /)
-      assert.match(source[line - 1].slice(column - 1), /^(mult|add|sum|sin)\(/)
+      for (const comment of comments.trimEnd().split('\n')) {
+        const [, line, column] = place.exec(comment)
+        assert.match(source[line - 1].slice(column - 1), /^(mult|add|sum|sin)\(/)
+      }
     }
     assert.equal(text.replace(/ *\/\/.*\n/g, ''), gen(value, { maxDepthPerVariable: 4 }))
   })

@@ -128,6 +128,9 @@ const result = (method, toWarpjet, more) => ({
   toWarpjet,
   first: { median: 60, low: 50, high: 70 },
   firstToPositions: 1.5,
+  firstToByHand: 1.1,
+  characters: 1234,
+  charactersToByHand: 1.25,
   generation: null,
   error: { largest: 0.0001234567, median: 0.00005 },
   ...more,
@@ -192,11 +195,11 @@ describe('results.csv', () => {
     assert.equal(others.length, 2)
     assert.equal(
       columns.join(','),
-      'date,commit,chromium,renderer,size_px,rounds,clock,row,vertices,nodes,method,h,frame_ms,frame_low_ms,frame_high_ms,to_positions,to_warpjet,uncapped_fps,capped_fps,first_ms,first_to_positions,generation_ms,error_degrees,error_median_degrees,js_heap_mb,wasm_heap_mb',
+      'date,commit,chromium,renderer,size_px,rounds,clock,row,vertices,nodes,method,h,frame_ms,frame_low_ms,frame_high_ms,to_positions,to_warpjet,uncapped_fps,capped_fps,first_ms,first_to_positions,generation_ms,error_degrees,error_median_degrees,js_heap_mb,wasm_heap_mb,characters,characters_to_by_hand,first_to_by_hand',
     )
     assert.equal(
       line,
-      '2026-01-02T03:04:05Z,abc,1.2,"A (B, C)",300,3,timer query,"14,000 × 3,000",14042,3000,warpjet,,12.346,12,13,1.02,1,80.5,60,60,1.5,0.25,0.00012346,0.00005,2,1',
+      '2026-01-02T03:04:05Z,abc,1.2,"A (B, C)",300,3,timer query,"14,000 × 3,000",14042,3000,warpjet,,12.346,12,13,1.02,1,80.5,60,60,1.5,0.25,0.00012346,0.00005,2,1,1234,1.25,1.1',
     )
   })
 
@@ -204,7 +207,7 @@ describe('results.csv', () => {
     const results = [{ method: 'p5 2.3.4, no warp', frame: { median: 100, low: 90, high: 110 } }]
     const p5 = { clock: 'readback fence', vertices: 14042, results }
     assert.deepEqual(p5Records(run, many, p5, rates).map(fieldsOf).map(csvLine), [
-      '2026-01-02T03:04:05Z,abc,1.2,"A (B, C)",300,3,readback fence,"14,000 × 3,000",14042,3000,"p5 2.3.4, no warp",,100,90,110,,,5,4,,,,,,,',
+      '2026-01-02T03:04:05Z,abc,1.2,"A (B, C)",300,3,readback fence,"14,000 × 3,000",14042,3000,"p5 2.3.4, no warp",,100,90,110,,,5,4,,,,,,,,,,',
     ])
   })
 })
@@ -224,6 +227,8 @@ describe('the aims', () => {
       [1.25, false],
       [1.02, true],
       [1.5, true],
+      [1.1, true],
+      [1.25, true],
     ])
   })
 
@@ -236,7 +241,7 @@ describe('the aims', () => {
     const [, , line] = aimsText(rowRecords(run, many, measured, rates)).split('\n')
     assert.match(
       stripVTControlCharacters(line),
-      /^ {2}14,000 × 3,000 +1\.000 ✓ +1\.250 ✗ +1\.020 ✓ +1\.500 ✓$/,
+      /^ {2}14,000 × 3,000 +1\.000 ✓ +1\.250 ✗ +1\.020 ✓ +1\.500 ✓ +1\.100 ✓ +1\.250 ✓$/,
     )
     assert.equal(aimsText([{ method: 'p5 2.3.4, no warp', row: many.name }]), undefined)
   })

@@ -213,14 +213,14 @@ test('the text of a function with its derivatives, in each language', () => {
   const whole =
     'uniform int many; uniform ivec3 way; vec3 f(vec3 p, int n, bool b) { return b ? p * float(n + many) * vec3(way) : p; }'
   const wgsl = differentiate(whole, { target: 'wgsl' })
-  assert.match(wgsl, /f32\(n\)/)
+  assert.match(wgsl, /f32\(n & 65535\)/)
   assert.match(wgsl, /f32\(b\)/)
-  assert.match(wgsl, /f32\(many\)/)
-  assert.match(wgsl, /vec3f\(way\)/)
+  assert.match(wgsl, /f32\(many >> 16u\)/)
+  assert.match(wgsl, /vec3f\(way & vec3i\(65535\)\)/)
   assert.doesNotMatch(wgsl, /\bfloat\(|\bvec3\(/)
   const glsl = differentiate(whole)
-  assert.match(glsl, /float\(n\)/)
-  assert.match(glsl, /vec3\(way\)/)
+  assert.match(glsl, /float\(n >> 16\)/)
+  assert.match(glsl, /vec3\(way & 65535\)/)
 })
 
 test('an array of thousands, written by a known index', () => {
@@ -287,4 +287,49 @@ test('what looks at bits is refused by name in GLSL 1.00, and only that', () => 
   assert.match(write('int(p.x) % 3'), /highp int/)
   assert.throws(() => write('int(p.x) & 3'), /glsl100 has no bitAnd, .* take glsl300 or wgsl\.$/)
   assert.throws(() => write('floatBitsToInt(p.x)'), /glsl100 has no floatBitsToInt/)
+})
+
+test('whole numbers of the host that no float holds arrive in two halves', () => {
+  const source =
+    'uniform int n; vec3 offset(vec3 p) { return vec3(n % 1000, n > 0 ? 1 : 2, n / 7); }'
+  const at = (n) =>
+    compileWarp(glslOffset(source), { normals: false }).evaluateAt([0, 0, 0], {
+      uniforms: { 'float(n & 65535)': n & 65535, 'float(n >> 16)': n >> 16 },
+    }).position
+  near(at(20000001), [1, 1, 2857143])
+  near(at(-20000001), [-1, 2, -2857143])
+  near(at(5), [5, 1, 0])
+  const { code } = compileWarp(glslOffset(source), { normals: false, target: 'wgsl' })
+  assert.match(code, /f32\(n & 65535\)/)
+  assert.match(code, /f32\(n >> 16u\)/)
+  const unsigned = 'uniform uvec2 n; vec3 offset(vec3 p) { return vec3(n % 1000u, 0.); }'
+  assert.match(compileWarp(glslOffset(unsigned), { normals: false }).code, /vec2\(n >> 16u\)/)
+})
+
+test('what a sketch gives as a whole number is exact, or refused in a sentence', () => {
+  const source = 'uniform int n; vec3 offset(vec3 p) { return vec3(n % 1000, n, 0.); }'
+  const warp = (n) => compileWarp(glslOffset(source), { normals: false, uniforms: { n } })
+  near(warp(2 ** 24).evaluateAt([0, 0, 0]).position, [216, 2 ** 24, 0])
+  near(warp(-7).evaluateAt([0, 0, 0]).position, [-7, -7, 0])
+  const tooLarge = /"n" is read as a whole number, at most 16777216, but is 20000001\.$/
+  assert.throws(() => warp(20000001), tooLarge)
+  const small = warp(1)
+  assert.throws(
+    () => small.evaluateAt([0, 0, 0], { uniforms: { n: 20000001 } }),
+    /^WarpError: evaluateAt: the uniform "n" is read .* 20000001\.$/,
+  )
+  let now = 1
+  const changing = warp(() => now)
+  near(changing.evaluateAt([0, 0, 0]).position, [1, 1, 0])
+  now = 20000001
+  assert.throws(() => changing.evaluateAt([0, 0, 0]), tooLarge)
+  // A float may be as large as it likes.
+  const float = source.replace('int n', 'float n').replace('n % 1000', 'mod(n, 1000.)')
+  assert.ok(compileWarp(glslOffset(float), { normals: false, uniforms: { n: 2e7 } }).code)
+  // A number of the text itself, or one that a call gives, is known in full.
+  const called = ({ glsl, position }) => {
+    const f = glsl.source('float f(int n, float x) { return float(n % 1000) + x; }')
+    return glsl.vec3(f(20000001, position.x()), f(-20000001, 0), 0)
+  }
+  near(compileWarp(called, { normals: false }).evaluateAt([5, 0, 0]).position, [11, -1, 0])
 })

@@ -6,7 +6,10 @@ import { guarded } from '../../web/playground/guard.js'
 import { insideScript } from '../../web/playground/document.js'
 import { fragmentOf, holdsSketch, sketchOf } from '../../web/playground/link.js'
 import { modulesAsData } from '../../web/playground/modules.js'
+import { whole } from '../../web/playground/offset.js'
+import { plain, withOrigins } from '../../web/playground/origins.js'
 import { across, down, normalErrors, spherePoints } from '../../web/playground/sphere.js'
+import { zip } from '../../web/playground/zip.js'
 import { compileWarp } from '../../dist/warpjet.js'
 
 describe('a sketch for another p5', () => {
@@ -157,5 +160,59 @@ describe('the check of normals', () => {
     const { positions } = evaluate(points)
     // As if nothing had moved.
     assert.ok(largest(normalErrors({ positions, normals: points.normals })) > 0.2)
+  })
+})
+
+test('an archive has the sums and sizes that unpackers look for', () => {
+  const bytes = Buffer.concat(zip({ 'a.txt': '123456789', 'ä.bin': new Uint8Array([0, 255]) }))
+  // The sum of these nine digits is the one that every description of CRC-32 gives.
+  assert.equal(bytes.readUInt32LE(14), 0xcbf43926)
+  assert.deepEqual([bytes.readUInt32LE(18), bytes.readUInt32LE(22)], [9, 9])
+  assert.equal(bytes.subarray(30, 44).toString(), 'a.txt123456789')
+  const directory = bytes.readUInt32LE(bytes.length - 6)
+  assert.equal(bytes.readUInt32LE(directory), 0x02014b50)
+  assert.equal(bytes.readUInt32LE(directory + 42), 0)
+  assert.equal(bytes.readUInt16LE(bytes.length - 12), 2)
+})
+
+test('the lines of a text know where they are from, and the text is as it was without', () => {
+  const code = 'vec3 a;\n  // From line 7\n  // From line 2\n  // From line 7\n  a = b;\n}'
+  assert.deepEqual(withOrigins(code), [
+    { text: 'vec3 a;', from: [] },
+    { text: '  a = b;', from: [7, 2] },
+    { text: '}', from: [] },
+  ])
+  assert.equal(plain(code), 'vec3 a;\n  a = b;\n}')
+})
+
+test('debug names the line of the offset in each statement, of derivatives too', () => {
+  const offset = ({ glsl, position }) => {
+    const a = position.y().mult(3).sin()
+    return glsl.vec3(a, 0, 0)
+  }
+  const { code } = compileWarp(offset, { debug: true })
+  const statement = (part) =>
+    code
+      .slice(0, code.indexOf(part))
+      .split(';')
+      .at(-1)
+      .match(/playground\.test\.js:\d+/g)
+  assert.equal(new Set([...statement('sin('), ...statement('cos(')]).size, 1)
+  assert.equal(code.replaceAll(/^ *\/\/ .*\n/gm, ''), compileWarp(offset).code)
+})
+
+describe('an offset alone', () => {
+  const text = 'function offset({ position }) {\n  return position\n}\n'
+  test('is a sketch of p5 whose first lines are its own', () => {
+    const sketch = whole({ text, host: 'offset', chosen: ['glsl'], model: 'hand.obj' })
+    assert.ok(sketch.text.startsWith(text))
+    assert.match(sketch.text, /shape = await loadModel\('hand\.obj'/)
+    assert.equal(sketch.host, 'p5')
+    assert.deepEqual(sketch.chosen, ['glsl'])
+    new Function(sketch.text)
+  })
+  test('takes a name of a file for nothing else, and leaves other sketches alone', () => {
+    new Function(whole({ text, host: 'offset', model: "a'); alert('b.obj" }).text)
+    assert.deepEqual(whole({ text, host: 'p5', model: 'box' }), { text, host: 'p5' })
   })
 })

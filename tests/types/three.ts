@@ -1,5 +1,19 @@
 // What the types of 'warpjet/three' and 'warpjet/react' must allow and refuse; only checked, never run.
-import { Color, Group, Mesh, MeshStandardMaterial, Raycaster, Texture, Vector3 } from 'three'
+import {
+  Color,
+  Group,
+  Matrix3,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  Quaternion,
+  Raycaster,
+  Texture,
+  Vector2,
+  Vector3,
+  Vector4,
+} from 'three'
+import { MeshStandardNodeMaterial } from 'three/webgpu'
 import { createElement } from 'react'
 import { Warp } from '../../js-bindings/react.js'
 import { type WarpOptions, warp, warpMaterial } from '../../js-bindings/three.js'
@@ -21,17 +35,44 @@ export const height: number = warped.bounds().max.y
 warped.uniforms.amuont
 // @ts-expect-error a number is no vector
 warped.uniforms.center.value = 3
+warp(
+  new Mesh(),
+  ({ glsl, position, uniforms: { two, three, four, turn, tint, small, large } }) =>
+    glsl
+      .vec3(two.y(), three.z(), four.w())
+      .add(turn.xyz(), tint.xyz(), small.mult(position))
+      .add(large.mult(glsl.vec4(position, 1)).xyz()),
+  {
+    uniforms: {
+      two: new Vector2(),
+      three: new Vector3(),
+      four: new Vector4(),
+      turn: new Quaternion(),
+      tint: new Color(),
+      small: new Matrix3(),
+      large: () => new Matrix4(),
+    },
+  },
+)
+// @ts-expect-error a Vector2 has no third part
+warp(new Mesh(), ({ glsl, uniforms: { two } }) => glsl.vec3(two.z()), {
+  uniforms: { two: new Vector2() },
+})
 // @ts-expect-error the option has three words
 warp(new Group(), ({ position }) => position, { space: 'view' })
 // @ts-expect-error three.js has no mouse
-warp(new Group(), ({ mouse, glsl }) => glsl.vec3(mouse, 0).x())
+warp(new Group(), ({ mouse, glsl }) => glsl.vec3(mouse, 0))
+// @ts-expect-error nor a part of it
+warp(new Group(), ({ mouseX, glsl }) => glsl.vec3(mouseX, 0, 0))
+// @ts-expect-error instances are placed by matrices
+warp(new Group(), ({ instance, glsl }) => glsl.vec3(instance, 0, 0))
 // @ts-expect-error an offset is a vec3
 warp(new Group(), ({ position }) => position.x())
 
 const made = warpMaterial(new MeshStandardMaterial(), ({ position }) => position, { share: true })
 made.material.roughness = 1
 export const options: WarpOptions = { space: 'world', surfaceVariation: false }
-export const node = warpNode(({ position }) => position.mult(2)).node
+new MeshStandardNodeMaterial().positionNode = warpNode(({ position }) => position.mult(2)).node
 
 createElement(Warp, { offset: ({ position }) => position, space: 'rest' })
 // @ts-expect-error there must be an offset

@@ -4,7 +4,7 @@ import { deformerSketches } from './deformer-sketches.js'
 import { fbm } from '../js/support/noise.js'
 import { clamp } from './plain.js'
 
-const { sin, cos, exp, sqrt, hypot } = Math
+const { sin, cos, exp, sqrt, hypot, fround } = Math
 
 const minus = (a, b) => a.map((value, i) => value - b[i])
 
@@ -114,6 +114,7 @@ export const gallery = {
   'domain-warping-3d-warped': relief(1),
   'domain-warping-3d-twice': relief(2),
 
+  // Constants of shader text are float32's, which after a week matters.
   'glsl-terrain': {
     size: 0.5,
     step: 1e-5,
@@ -123,9 +124,10 @@ export const gallery = {
       for (let i = 0; i < 6; i++) {
         const h = sin(u + slope) * cos(v - slope)
         sum += size * h
-        slope += 0.35 * size * h
-        ;[u, v] = [1.6 * u - 1.2 * v, 1.2 * u + 1.6 * v]
-        size *= 0.45
+        slope += fround(0.35) * size * h
+        const [a, b] = [fround(1.6), fround(1.2)]
+        ;[u, v] = [a * u - b * v, b * u + a * v]
+        size *= fround(0.45)
       }
       return [0, 0, 0.11 * sum]
     },
@@ -140,12 +142,12 @@ export const gallery = {
         [0.7, -0.8, 0.22, 2.3],
         [0.2, 1, 0.2, 1.4],
         [-0.6, 0.9, 0.15, 0.8],
-      ]
+      ].map((wave) => wave.map(fround))
       const moved = [0, 0, 0]
       for (const [dx, dy, steepness, length] of waves) {
-        const [k, size] = [(2 * 3.14159265) / length, hypot(dx, dy)]
+        const [k, size] = [(2 * fround(3.14159265)) / length, hypot(dx, dy)]
         const along = (10 * (dx * x + dy * y)) / size
-        const phase = k * (along - (sqrt(9.8 / k) * millis) / 1500)
+        const phase = k * (along - (sqrt(fround(9.8) / k) * millis) / 1500)
         const a = (steepness * 0.9) / k / 10
         moved[0] += (a * dx * cos(phase)) / size
         moved[1] += (a * dy * cos(phase)) / size

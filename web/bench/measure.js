@@ -19,6 +19,9 @@ function compileAndDraw(scene, { method, parts, h }) {
   return { program, time: performance.now() - start }
 }
 
+/** Of what a method writes, without the shader around it, which all share. */
+const charactersOf = ({ parts: { declarations = '', body } }) => declarations.length + body.length
+
 async function trustedClock(scene, cell) {
   const { program } = compileAndDraw(scene, cell)
   const clock = await openClock(scene, () => scene.draw(program, { millis: 0, h: cell.h }))
@@ -40,7 +43,8 @@ const breath = () => new Promise((later) => setTimeout(later))
  * normals; names of methods
  * @param progress called with a short text
  * @returns { clock, vertices, triangles, memory: { heap, wasm }, results }, where `results` has for each method
- * { method, frame, toPositions, toWarpjet, first, firstToPositions, generation, error: { largest, median, h } }. Times are
+ * { method, frame, toPositions, toWarpjet, first, firstToPositions, firstToByHand, characters, charactersToByHand, generation,
+ * error: { largest, median, h } }, of which `characters` are those of the method's own text. Times are
  * milliseconds, { median, low, high } with half of the values from low to high; `first` is from source text to the first
  * finished frame; ratios are taken within a round; errors are degrees; `generation` is null where nothing is generated.
  */
@@ -85,6 +89,7 @@ export async function measureRow(scene, workload, settings, progress = () => {})
   const cellOf = (name) => cells.find(({ method }) => method.name === name)
   const positions = cellOf('positions only')
   const warpjet = cellOf('warpjet')
+  const byHand = cellOf('by hand')
   return {
     clock: clock.kind,
     vertices: mesh.positions.length / 3,
@@ -97,6 +102,9 @@ export async function measureRow(scene, workload, settings, progress = () => {})
       toWarpjet: ratio(cell.medians, warpjet?.medians),
       first: summary(cell.firsts),
       firstToPositions: ratio(cell.firsts, positions?.firsts),
+      firstToByHand: ratio(cell.firsts, byHand?.firsts),
+      characters: charactersOf(cell),
+      charactersToByHand: byHand && charactersOf(cell) / charactersOf(byHand),
       generation: generationOf(cell),
       error: errors.get(cell.method.name),
     })),

@@ -2,6 +2,7 @@
 // First, so that it sees the memory of warpjet's WebAssembly.
 import './memory.js'
 import './style.css'
+import { keepForOffline } from '../offline.js'
 import { make } from './dom.js'
 import { measureRow } from './measure.js'
 import { listMethods } from './method-list.js'
@@ -210,3 +211,5 @@ try {
   find('.hand').remove()
   complain(error)
 }
+
+keepForOffline(new URL('../', location.href))

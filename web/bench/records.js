@@ -51,28 +51,29 @@ const MEGABYTE = 2 ** 20
 
 /** Of what `measureRow` returns. */
 export const recordsOf = ({ name, nodes }, { clock, vertices, memory, results }) =>
-  results.map(
-    ({ method, frame, toPositions, toWarpjet, first, firstToPositions, generation, error }) => ({
-      clock,
-      row: name,
-      vertices,
-      nodes,
-      method,
-      h: error.h,
-      frameMs: frame.median,
-      frameLowMs: frame.low,
-      frameHighMs: frame.high,
-      toPositions,
-      toWarpjet,
-      firstMs: first.median,
-      firstToPositions,
-      generationMs: generation ?? undefined,
-      errorDegrees: error.largest,
-      errorMedianDegrees: error.median,
-      jsHeapMb: memory.heap / MEGABYTE,
-      wasmHeapMb: memory.wasm / MEGABYTE,
-    }),
-  )
+  results.map(({ method, frame, first, generation, error, ...others }) => ({
+    clock,
+    row: name,
+    vertices,
+    nodes,
+    method,
+    h: error.h,
+    frameMs: frame.median,
+    frameLowMs: frame.low,
+    frameHighMs: frame.high,
+    toPositions: others.toPositions,
+    toWarpjet: others.toWarpjet,
+    firstMs: first.median,
+    firstToPositions: others.firstToPositions,
+    firstToByHand: others.firstToByHand,
+    characters: others.characters,
+    charactersToByHand: others.charactersToByHand,
+    generationMs: generation ?? undefined,
+    errorDegrees: error.largest,
+    errorMedianDegrees: error.median,
+    jsHeapMb: memory.heap / MEGABYTE,
+    wasmHeapMb: memory.wasm / MEGABYTE,
+  }))
 
 /** The graphics card, or what takes its place, out of the name that a driver gives itself. */
 export function deviceOf(renderer = '') {

@@ -1,6 +1,7 @@
 /** The page of results.csv: one run of the benchmark as plots and as a table. */
 import text from './results.csv?raw'
 import './style.css'
+import { keepForOffline } from '../offline.js'
 import { plotAgainstNodes, plotAgainstVertices } from './cost-plots.js'
 import { make } from './dom.js'
 import { plotErrorAgainstCost } from './error-plot.js'
@@ -35,6 +36,8 @@ function drawPlots() {
         ? plot(data, place.clientWidth)
         : make('p', { textContent: 'This run has no figures for this plot.' }),
     )
+    // Plot names its groups, and says not what they are.
+    for (const group of place.querySelectorAll('g[aria-label]')) group.role = 'group'
   }
 }
 
@@ -109,3 +112,5 @@ if (run) {
     drawPlots()
   })
 } else find('.nothing').hidden = false
+
+keepForOffline(new URL('../', location.href))

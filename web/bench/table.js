@@ -14,7 +14,13 @@ const groups = [
   ],
   ['frame, relative to', ['positions', 'toPositions', times], ['warpjet', 'toWarpjet', times]],
   ['frames a second', ['uncapped', 'uncappedFps', short], ['with vsync', 'cappedFps', short]],
-  ['compile + first draw', ['ms', 'firstMs', short], ['to positions', 'firstToPositions', times]],
+  [
+    'compile + first draw',
+    ['ms', 'firstMs', short],
+    ['to positions', 'firstToPositions', times],
+    ['to by hand', 'firstToByHand', times],
+  ],
+  ['characters', ['', 'characters', whole], ['to by hand', 'charactersToByHand', times]],
   ['generation', ['ms', 'generationMs', plain]],
   [
     'normal error, °',

@@ -3,6 +3,7 @@ import './style.css'
 import { compileWarp } from '../../dist/warpjet.js'
 import { bakeWarp, exportGLB, subdivide } from '../../dist/mesh.js'
 import { make } from '../bench/dom.js'
+import { keepForOffline } from '../offline.js'
 import { makeCamera } from './camera.js'
 import { loadFiles, samples } from './files.js'
 import { View } from './view.js'
@@ -314,3 +315,5 @@ try {
   find('.hand').remove()
   complain(error)
 }
+
+keepForOffline(new URL('../', location.href))

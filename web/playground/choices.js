@@ -3,15 +3,19 @@ import { make } from '../bench/dom.js'
 import { converted } from './convert.js'
 import { exampleSketch, sections, starters } from './examples.js'
 import { hosts, isThree, scripts } from './hosts.js'
+import { builtIn, starter, whole } from './offset.js'
 
 const first = { text: starters.p5, host: 'p5', chosen: [] }
+const isOffset = (host) => host === 'offset'
 
 const options = (entries) =>
   entries.map(([value, textContent]) => make('option', { value, textContent }))
 
-/** `complain` gets what is wrong with an example. → { show, begin(name) } */
+/** `complain` gets what is wrong with an example. → { show, begin(name), addModel(name) } */
 export function makeChoices(editor, complain) {
-  const [example, host] = ['#example', '#host'].map((id) => document.querySelector(id))
+  const [example, host, model] = ['#example', '#host', '#model'].map((id) =>
+    document.querySelector(id),
+  )
   example.append(
     ...options([['', 'A wave']]),
     ...sections.map(({ title: label, examples }) =>
@@ -19,6 +23,13 @@ export function makeChoices(editor, complain) {
     ),
   )
   host.append(...options(Object.entries(hosts).map(([name, { title }]) => [name, title])))
+
+  function listModels(names) {
+    const missing = names.filter((name) => ![...model.options].some(({ value }) => value === name))
+    model.append(...options(missing.map((name) => [name, name.replace(/\.obj$/, '')])))
+  }
+  listModels(builtIn)
+  model.addEventListener('change', () => editor.set({ model: model.value }))
 
   const boxes = Object.entries(scripts)
     .filter(([, { title }]) => title)
@@ -48,14 +59,25 @@ export function makeChoices(editor, complain) {
     const now = host.value
     // A sketch of p5 is none of three.js: it is left where it is, one undo away.
     if (isThree(now)) editor.set({ host: now, text: starters.three })
+    else if (isOffset(now)) editor.set({ host: now, text: starter })
+    else if (isOffset(before))
+      editor.set({ host: now, text: converted(whole(editor.sketch()).text, now) })
     else editor.set({ host: now, text: converted(isThree(before) ? starters.p5 : text, now) })
   })
 
   return {
     begin,
+    /** A file that was dropped: the offset is tried on it. */
+    addModel(name) {
+      listModels([name])
+      if (isOffset(editor.sketch().host)) editor.set({ model: name })
+    },
     show() {
-      const { host: name, chosen } = editor.sketch()
+      const { host: name, chosen, model: chosenModel } = editor.sketch()
       host.value = name
+      listModels([chosenModel])
+      model.value = chosenModel
+      model.closest('label').hidden = !isOffset(name)
       for (const box of boxes) {
         box.checked = chosen.includes(box.name)
         box.disabled = isThree(name)

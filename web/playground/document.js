@@ -8,11 +8,11 @@ export const tag = (path) => `<script src="${path}"></script>`
 
 /**
  * `before` stands in front of the libraries, `after` behind them; `sketch` is the sketch's own tag. `tags` and `modules` have
- * the libraries in other words than by their paths in the examples.
+ * the libraries in other words than by their paths in the examples, and `style` another look than the host's.
  */
 export function pageOf(
   setting,
-  { title, base = '', before = '', after = '', sketch, tags, modules },
+  { title, base = '', before = '', after = '', sketch, tags, modules, style },
 ) {
   const host = hosts[setting.host]
   const map = modules ?? host.modules
@@ -24,7 +24,7 @@ export function pageOf(
     <title>${title}</title>
     <link rel="icon" href="data:," />
     <style>
-      ${host.style}
+      ${style ?? host.style}
     </style>
     ${[
       base,

@@ -5,12 +5,13 @@ import { lintGutter, setDiagnostics } from '@codemirror/lint'
 import { EditorState, StateEffect, StateField } from '@codemirror/state'
 import { EditorView } from '@codemirror/view'
 import { basicSetup } from 'codemirror'
+import { lightLines, litLines } from './lit.js'
 import { theme } from './theme.js'
 
-/** { host, chosen }: see hosts.js. */
+/** { host, chosen, model }: see hosts.js, and offset.js for the model. */
 const changeSetting = StateEffect.define()
 const setting = StateField.define({
-  create: () => ({ host: 'p5', chosen: [] }),
+  create: () => ({ host: 'p5', chosen: [], model: 'sphere' }),
   update: (value, { effects }) =>
     effects.reduce((before, effect) => (effect.is(changeSetting) ? effect.value : before), value),
 })
@@ -20,7 +21,7 @@ const undoable = invertedEffects.of(({ effects, startState }) =>
     .map(() => changeSetting.of(startState.field(setting))),
 )
 
-/** `changed` is called after each change of the text or the setting. */
+/** `changed` is called after each change of the text or the setting, `moved` with the line that the cursor has come to. */
 export function makeEditor(parent, { changed, moved, extensions = [] }) {
   const view = new EditorView({
     parent,
@@ -31,13 +32,15 @@ export function makeEditor(parent, { changed, moved, extensions = [] }) {
         setting,
         undoable,
         lintGutter(),
+        litLines,
         theme,
         EditorView.lineWrapping,
-        EditorView.contentAttributes.of({ 'aria-label': 'Sketch' }),
+        EditorView.contentAttributes.of({ 'aria-label': 'Sketch', tabindex: '0' }),
         EditorView.updateListener.of((update) => {
           const isSet = update.startState.field(setting) !== update.state.field(setting)
           if (update.docChanged || isSet) changed()
-          else if (update.selectionSet) moved?.()
+          if (update.selectionSet || update.docChanged)
+            moved?.(update.state.doc.lineAt(update.state.selection.main.head).number)
         }),
         extensions,
       ],
@@ -49,15 +52,15 @@ export function makeEditor(parent, { changed, moved, extensions = [] }) {
   return {
     view,
     sketch,
-    /** Replaces what is given of { text, host, chosen }, as one step of the history. */
+    /** Replaces what is given of { text, host, chosen, model }, as one step of the history. */
     set({ text, ...rest }) {
       const before = sketch()
-      const { host, chosen } = { ...before, ...rest }
+      const { host, chosen, model } = { ...before, ...rest }
       const changes =
         text === undefined || text === before.text
           ? undefined
           : { from: 0, to: view.state.doc.length, insert: text }
-      const effects = changeSetting.of({ host, chosen })
+      const effects = changeSetting.of({ host, chosen, model })
       view.dispatch({
         changes,
         effects,
@@ -81,6 +84,8 @@ export function makeEditor(parent, { changed, moved, extensions = [] }) {
       }
       view.dispatch(setDiagnostics(view.state, marks))
     },
+    /** Lights lines by their numbers, or none. */
+    light: (numbers) => lightLines(view, numbers),
     goTo(number) {
       const { from } = view.state.doc.line(Math.min(number, view.state.doc.lines))
       view.dispatch({ selection: { anchor: from }, scrollIntoView: true })

@@ -3,6 +3,11 @@
 const p5Style = `body { background: #151823; display: grid; margin: 0; min-height: 100vh; place-items: center }
       canvas { display: block; height: auto !important; max-width: 100vw }`
 
+export const threeStyle = (
+  background,
+) => `body { background: ${background}; margin: 0; overflow: hidden }
+      canvas { display: block }`
+
 const p5 = '../../node_modules/p5/lib/p5.min.js'
 const cdn = 'https://cdn.jsdelivr.net/npm/'
 
@@ -28,10 +33,12 @@ export const hosts = {
       warpjet: '../../dist/warpjet.js',
       'warpjet/three': '../../dist/three.js',
     },
-    style:
-      'body { background: #151823; margin: 0; overflow: hidden }\n      canvas { display: block }',
+    style: threeStyle('#151823'),
   },
 }
+
+/** With an offset function as the whole text; offset.js writes the sketch around it. */
+hosts.offset = { ...hosts.p5, title: 'Offset alone, on a model' }
 
 /** Beside the libraries of p5, each a tag of its own. The first is always there. */
 export const scripts = {
@@ -54,6 +61,13 @@ export const tagsOf = ({ host, chosen }) =>
           .filter((name) => chosen.includes(name))
           .map((name) => scripts[name].file),
       ]
+
+/** The same file where npm has put it, beside the page. */
+export const inModules = (file) =>
+  file
+    .replace('../../dist/', 'node_modules/warpjet/dist/')
+    .replace('../../node_modules/p5-v1/', 'node_modules/p5/')
+    .replace('../../node_modules/', 'node_modules/')
 
 /** The same file at a CDN; `versions` by package. */
 export const atCDN = (file, versions) =>

@@ -1,6 +1,7 @@
 /** The tabs below: the text that comes of each warp, what it costs, and what the sketch has printed. */
 import { make } from '../bench/dom.js'
 import { highlight } from '../highlighting.js'
+import { plain, withOrigins } from './origins.js'
 
 const targets = { glsl300: 'GLSL 3.00', glsl100: 'GLSL 1.00', wgsl: 'WGSL' }
 const MOST_LINES = 200
@@ -8,8 +9,11 @@ const MOST_LINES = 200
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 })
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
 
-/** `list` gets the tabs, `panel` what the chosen one shows. `more` has further tabs: { title, fill(panel) }. */
-export function makeOutput(list, panel, more = {}) {
+/**
+ * `list` gets the tabs, `panel` what the chosen one shows. `more` has further tabs: { title, fill(panel) }. `pointed` gets the lines
+ * of the sketch that a statement under the pointer is from, and `picked` the first of them when it is pressed.
+ */
+export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
   let sketch = { warps: [] }
   let printed = []
   const tabs = {
@@ -66,7 +70,31 @@ export function makeOutput(list, panel, more = {}) {
   }
   choose(chosen)
 
+  // From the text to the sketch, and from the sketch to the text.
+  const fromOf = (target) => {
+    const { from } = target.closest('[data-from]')?.dataset ?? {}
+    return from ? from.split(' ').map(Number) : []
+  }
+  panel.addEventListener('pointerover', ({ target }) => pointed?.(fromOf(target)))
+  panel.addEventListener('pointerleave', () => pointed?.([]))
+  panel.addEventListener('click', ({ target }) => {
+    const [first] = fromOf(target)
+    if (first && getSelection().isCollapsed) picked?.(first)
+  })
+  let followed
+  function light() {
+    for (const line of panel.querySelectorAll('[data-from]'))
+      line.classList.toggle('lit', fromOf(line).includes(followed))
+  }
+  new MutationObserver(light).observe(panel, { childList: true })
+
   return {
+    /** The line of the sketch that the cursor is on: what is from it is marked. */
+    follow(line) {
+      followed = line
+      light()
+      panel.querySelector('.lit')?.scrollIntoView({ block: 'nearest' })
+    },
     /** { warps, first, rate }: of the sketch that is shown. */
     show(next) {
       sketch = next
@@ -94,7 +122,12 @@ function textIn(target, warps) {
     .map(({ maker, made }) => `// ${maker}\n${inLanguage(made, target)}`)
   if (!texts.length) return none('No text to show: the sketch has made none in this language.')
   const code = make('code')
-  code.innerHTML = highlight(texts.join('\n\n'), 'glsl')
+  code.innerHTML = withOrigins(texts.join('\n\n'))
+    .map(
+      ({ text, from }) =>
+        `<span${from.length ? ` data-from="${from.join(' ')}"` : ''}>${highlight(text, 'glsl')}\n</span>`,
+    )
+    .join('')
   return make('pre', { tabIndex: 0 }, code)
 }
 
@@ -119,7 +152,7 @@ function costs({ warps, first, rate }) {
       stats.nodes,
       stats.operations,
       stats.temporaries,
-      code.length + declarations.length,
+      plain(code).length + declarations.length,
     ])
   const list = make('dl', { className: 'read-outs' })
   list.append(

@@ -1,6 +1,7 @@
 /** The playground's page: a sketch beside its picture, and what comes of it below. */
 import './style.css'
 import { make } from '../bench/dom.js'
+import { keepForOffline } from '../offline.js'
 import { makeChecks } from './checks.js'
 import { makeChoices } from './choices.js'
 import { takeFiles } from './drop.js'
@@ -11,7 +12,9 @@ import { fragmentOf, holdsSketch, sketchOf } from './link.js'
 import { makeMenu } from './menu.js'
 import { draggableNumbers } from './numbers.js'
 import { makeOutput } from './output.js'
-import { download, pageAlone, pageWithTags } from './save.js'
+import { glbOf } from './mesh.js'
+import { isModelFile, whole } from './offset.js'
+import { download, pageAlone, pageWithTags, project } from './save.js'
 import { makeSliders } from './sliders.js'
 import { makeStage } from './stage.js'
 import { makeTime } from './time.js'
@@ -24,16 +27,27 @@ const find = (selector) => document.querySelector(selector)
 const state = find('.state')
 const mistakePlace = find('.mistake')
 
-const checks = makeChecks(() => {
+/** What a warp may read at this moment. */
+const inputsNow = () => {
   const { innerWidth: width, innerHeight: height } = window
   const millis = stage.inside()?.clock?.now() ?? 0
   return { millis, mouse: [width / 2, height / 2], size: [width, height], pixelDensity: 1 }
-})
-const output = makeOutput(find('.tabs'), find('#panel'), { checks })
+}
+const checks = makeChecks(inputsNow)
+const output = makeOutput(
+  find('.tabs'),
+  find('#panel'),
+  { checks },
+  { pointed: (lines) => editor.light(lines), picked: (line) => editor.goTo(line) },
+)
 const stage = makeStage(find('.stage'), listen)
 const time = makeTime(find('.time'), () => stage.inside()?.clock)
 const sliders = makeSliders(find('.sliders'))
-const editor = makeEditor(find('.editor'), { changed, extensions: [draggableNumbers, help] })
+const editor = makeEditor(find('.editor'), {
+  changed,
+  moved: output.follow,
+  extensions: [draggableNumbers, help],
+})
 const normals = find('#normals')
 const choices = makeChoices(editor, complain)
 /** By name, those that were dropped. */
@@ -56,7 +70,7 @@ function run() {
   const sketch = editor.sketch()
   state.textContent = 'Building…'
   output.print()
-  stage.run(sketch, {
+  stage.run(whole(sketch), {
     clock: time.start(),
     files,
     view: normals.checked ? 'normals' : 'picture',
@@ -131,15 +145,32 @@ makeMenu(
       if (!picture) throw new Error('There is no picture to save yet.')
       download(picture, 'warp.png')
     },
+    'Film of four seconds (WebM)': async () => {
+      const inside = stage.inside()
+      if (!inside) throw new Error('There is no picture to film yet.')
+      state.textContent = 'Filming…'
+      download(await inside.film(4), 'warp.webm')
+    },
+    'Warped shape (GLB)': async () =>
+      download(
+        new Blob([await glbOf(stage.inside(), inputsNow())], { type: 'model/gltf-binary' }),
+        'warp.glb',
+      ),
+    'npm project (zip)': async () =>
+      download(
+        new Blob(await project(whole(editor.sketch()), files), { type: 'application/zip' }),
+        'warp.zip',
+      ),
     'Page that opens anywhere (HTML)': async () =>
       download(
-        new Blob([await pageAlone(editor.sketch(), files)], { type: 'text/html' }),
+        new Blob([await pageAlone(whole(editor.sketch()), files)], { type: 'text/html' }),
         'warp.html',
       ),
-    'Copy as a page for the p5 editor': async () => {
+    'Copy a page and open the p5 editor': async () => {
       if (!navigator.clipboard)
         throw new Error('This browser lets only pages of https and of localhost copy.')
-      await navigator.clipboard.writeText(pageWithTags(editor.sketch()))
+      await navigator.clipboard.writeText(pageWithTags(whole(editor.sketch())))
+      open('https://editor.p5js.org/', '_blank', 'noopener')
       return 'Copied: paste it into index.html'
     },
   },
@@ -148,6 +179,7 @@ makeMenu(
 
 takeFiles((name, address) => {
   files[name] = address
+  if (isModelFile(name)) choices.addModel(name)
   say(`“${name}” is there for the sketch to load`)
   changed()
 })
@@ -158,11 +190,12 @@ async function follow() {
   const [, name] = /^#example=([\w-]+)$/.exec(hash) ?? []
   if (name || !holdsSketch(hash)) return choices.begin(name)
   try {
-    const { text, host: named, chosen = [], values } = await sketchOf(hash)
+    const { text, host: named, chosen = [], model = 'sphere', values } = await sketchOf(hash)
     sliders.set(values)
     editor.set({
       text,
-      host: named in hosts ? named : 'p5',
+      host: Object.hasOwn(hosts, named) ? named : 'p5',
+      model: String(model),
       chosen: chosen.filter((each) => each in scripts),
     })
   } catch (error) {
@@ -172,3 +205,5 @@ async function follow() {
 }
 addEventListener('hashchange', follow)
 follow()
+
+keepForOffline(new URL('../', location.href))

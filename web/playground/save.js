@@ -1,8 +1,9 @@
 /** What one takes away: a page that stands alone, a page for the p5 editor, a picture. */
 import { devDependencies, version } from '../../package.json'
 import { insideScript, pageOf, tag } from './document.js'
-import { atCDN, hosts, isThree, tagsOf } from './hosts.js'
+import { atCDN, hosts, inModules, isThree, tagsOf } from './hosts.js'
 import { modulesAsData } from './modules.js'
+import { zip } from './zip.js'
 
 const folder = new URL('files/', location.href)
 const versions = {
@@ -53,6 +54,47 @@ export async function pageAlone(sketch, dropped = {}) {
     tags: await Promise.all(tagsOf(sketch).map(async (path) => inline(await textAt(path)))),
     modules: isModule && (await modulesAsData(sketch.text, hosts[sketch.host].modules, textAt)),
     sketch: `<script${isModule ? ' type="module"' : ''}>\n${body}\n</script>`,
+  })
+}
+
+const packageOf = ({ host }) => ({
+  name: 'warp',
+  private: true,
+  type: 'module',
+  scripts: { start: 'vite' },
+  dependencies: isThree(host)
+    ? { three: versions.three, warpjet: version }
+    : { p5: host === 'p5-1' ? versions['p5-v1'] : versions.p5, warpjet: version },
+  devDependencies: { vite: versions.vite },
+})
+
+/** A project of npm, packed: `npm i`, then `npm start`. `dropped` are files by name. */
+export async function project(sketch, dropped = {}) {
+  const kind = isThree(sketch.host) ? 'type="module" ' : ''
+  const { modules } = hosts[sketch.host]
+  const page = pageOf(sketch, {
+    title: 'Made with warpjet',
+    tags: tagsOf(sketch).map((path) => tag(inModules(path))),
+    modules:
+      modules &&
+      Object.fromEntries(
+        Object.entries(modules).map(([name, path]) => [name, `./${inModules(path)}`]),
+      ),
+    sketch: `<script ${kind}src="sketch.js"></script>`,
+  })
+  const files = await Promise.all(
+    filesIn(sketch.text)
+      .filter((name) => !name.includes('/'))
+      .map(async (name) => {
+        const response = dropped[name] ? await fetch(dropped[name]) : await read(name)
+        return [name, new Uint8Array(await response.arrayBuffer())]
+      }),
+  )
+  return zip({
+    'package.json': `${JSON.stringify(packageOf(sketch), null, 2)}\n`,
+    'index.html': page,
+    'sketch.js': sketch.text,
+    ...Object.fromEntries(files),
   })
 }
 

@@ -67,13 +67,20 @@ function obj(name) {
   return objs.get(name)
 }
 
+/** Runs the sketch, or what the page around the frame has in its place. */
+const started = (kind) =>
+  `<script>document.write('<script${kind} src="' + (window.frameElement?.sketch ?? 'sketch.js') + '"></' + 'script>')</script>`
+
 /** The example's page with the recorder in it: what the gallery frames. */
 const framedPage = (html) =>
   String(html)
-    .replace('<script src="sketch.js">', '<script src="../../recorder.js"></script>\n    $&')
     .replace(
-      '<script type="module" src="sketch.js">',
-      '<script src="../../three-recorder.js"></script>\n    $&',
+      '<script src="sketch.js"></script>',
+      `<script src="../../recorder.js"></script>\n    ${started('')}`,
+    )
+    .replace(
+      '<script type="module" src="sketch.js"></script>',
+      `<script src="../../three-recorder.js"></script>\n    ${started(' type="module"')}`,
     )
 
 /** The content of the file at `path` below the gallery; undefined where there is none. */

@@ -25,7 +25,14 @@ float exactCos(float x) {
 }
 float exactTan(float x) { return exactSin(x) / exactCos(x); }
 float exactAcos(float x) { return ${Math.PI / 2} - asin(x); }
-`
+${['Sin', 'Cos', 'Tan', 'Acos'].flatMap((name) => ['xy', 'xyz', 'xyzw'].map((parts) => ofVectors(name, parts))).join('')}`
+
+/** By component. */
+function ofVectors(name, parts) {
+  const vector = `vec${parts.length}`
+  const values = [...parts].map((part) => `exact${name}(x.${part})`)
+  return `${vector} exact${name}(${vector} x) { return ${vector}(${values.join(', ')}); }\n`
+}
 
 /** The same statements with these functions in place of sin, cos, tan and acos. */
 export const withAccurateSine = (compiled) => ({

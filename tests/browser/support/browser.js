@@ -1,14 +1,15 @@
 // A headless Chromium that draws WebGL without a GPU, and pages that remember whatever they printed.
 import { chromium } from 'playwright-core'
+import { findBrowser } from '../../../.scripts/lib/browser.mjs'
 import { softwareFlags, testFlags } from '../../../.scripts/lib/flags.mjs'
 import { borrow } from './borrow.js'
 
-/** The Chromium that WARPJET_CHROMIUM names, or Debian's. `moreFlags` are added to its command line. */
+/** The Chromium that WARPJET_CHROMIUM names, or the one that is found. `moreFlags` are added to its command line. */
 export const launchBrowser = async (moreFlags = []) =>
   (moreFlags.length ? null : await borrow()) ?? launch([...testFlags, ...moreFlags])
 
-const launch = (args) =>
-  chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM ?? '/usr/bin/chromium', args })
+const launch = async (args) =>
+  chromium.launch({ executablePath: process.env.WARPJET_CHROMIUM ?? (await findBrowser()), args })
 
 /** One whose WebGPU draws on canvases: that is lost where pages are put together otherwise. */
 export const launchBrowserWithWebGPU = () =>

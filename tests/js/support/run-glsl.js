@@ -165,10 +165,25 @@ function call(name, operands) {
   const parts = operands.flat()
   if (name === 'float' && parts.length === 1) return Number(parts[0])
   if (name === 'bool' && parts.length === 1) return Boolean(parts[0])
+  if (name === 'dot') return dot(...operands)
+  if (name === 'cross') return cross(...operands)
   if (functions[name]) return byComponent(functions[name])(...operands)
   const size = Number(/^vec([234])$/.exec(name)?.[1] ?? fail(`${name} is no function`))
   if (parts.length === 1) return new Array(size).fill(Number(parts[0]))
   return parts.length === size ? parts.map(Number) : fail(`${name} of ${parts.length} components`)
+}
+
+function dot(a, b) {
+  if (typeOf(a) !== typeOf(b) || !Array.isArray(a)) fail(`dot of ${typeOf(a)} and ${typeOf(b)}`)
+  return a.reduce((sum, _, i) => sum + a[i] * b[i], 0)
+}
+
+function cross(a, b) {
+  if (a.length !== 3 || b.length !== 3) fail(`cross of ${typeOf(a)} and ${typeOf(b)}`)
+  return [0, 1, 2].map((i) => {
+    const [j, k] = [(i + 1) % 3, (i + 2) % 3]
+    return a[j] * b[k] - a[k] * b[j]
+  })
 }
 
 function swizzle(value, letters) {

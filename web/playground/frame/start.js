@@ -79,6 +79,29 @@
     /** Since the page began; of p5 those that it has drawn. */
     frames: () => window.frameCount ?? frames,
     canvas: () => document.querySelector('canvas.p5Canvas, canvas[data-engine], canvas'),
+    /** So many seconds of the canvas as a Blob. */
+    async film(seconds) {
+      const canvas = window.playground.canvas()
+      const type = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'].find((kind) =>
+        window.MediaRecorder?.isTypeSupported(kind),
+      )
+      if (!type || !canvas?.captureStream)
+        throw new Error('This browser records no WebM: save a picture, or take another browser.')
+      const recorder = new MediaRecorder(canvas.captureStream(60), {
+        mimeType: type,
+        videoBitsPerSecond: 12e6,
+      })
+      const parts = []
+      recorder.addEventListener('dataavailable', ({ data }) => parts.push(data))
+      const stopped = new Promise((resolve, reject) => {
+        recorder.addEventListener('stop', resolve)
+        recorder.addEventListener('error', ({ error }) => reject(error))
+      })
+      recorder.start()
+      setTimeout(() => recorder.state === 'recording' && recorder.stop(), 1000 * seconds)
+      await stopped
+      return new Blob(parts, { type: 'video/webm' })
+    },
     /** The canvas as a Blob, right after it was drawn: later a browser may have emptied it. */
     snapshot: () =>
       new Promise((resolve) => {

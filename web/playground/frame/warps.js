@@ -39,15 +39,47 @@
       keep(
         'createWarp',
         () =>
-          compileWarp(plainOffset(offset, options), {
-            uniforms: moved?.uniforms,
-            surfaceVariation,
-          }),
+          withLines(
+            compileWarp(plainOffset(offset, options), {
+              uniforms: moved?.uniforms,
+              surfaceVariation,
+              debug: true,
+            }),
+          ),
         { space, surfaceVariation },
       )
       return warp
     }
   }
+  // Only of the sketch, by its lines alone.
+  const place = (text) => text.split(`${playground.source}:`)[1]?.match(/^\d+/)?.[0]
+  const short = (text) =>
+    text.code.replaceAll(/^( *)\/\/ From (.*)\n/gm, (_, indent, from) =>
+      place(from) ? `${indent}// From line ${place(from)}\n` : '',
+    )
+  const withLines = (made) => ({
+    ...made,
+    code: short(made),
+    emit(...how) {
+      const text = made.emit(...how)
+      return { ...text, code: short(text) }
+    },
+  })
+
+  // The shape that was drawn last with a shader of the sketch's, and where it stood.
+  const { Renderer3D, RendererGL } = p5
+  const [renderers, method] = Renderer3D
+    ? [Renderer3D.prototype, '_drawGeometry']
+    : [RendererGL.prototype, 'drawBuffers']
+  const draw = renderers[method]
+  renderers[method] = function (given, ...rest) {
+    const { userFillShader, uModelMatrix } = this.states ?? this
+    const geometry = this.retainedMode?.geometry[given]?.model ?? given
+    if (userFillShader && geometry?.faces?.length)
+      playground.drawn = { geometry, matrix: [...(uModelMatrix.mat4 ?? uModelMatrix)] }
+    return draw.call(this, given, ...rest)
+  }
+
   /** As `compileWarp` takes it, which reads neither operators nor places. */
   function plainOffset(given, { scope, returns } = {}) {
     const operators = window[Symbol.for('warpjet.operators')]

@@ -57,11 +57,14 @@ function draw() {
 
 const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
 
+/** How often both are made anew, and how many frames each then draws. */
+const rounds = 100
+const frames = 4
+
 window.bench = () => {
   const ways = { warped: (object) => warp(object, offset), byHand }
-  const first = { warped: [], byHand: [] }
-  const frame = { warped: [], byHand: [] }
-  for (let round = 0; round < 12; round++) {
+  const times = { 'first frame': [], frame: [] }
+  for (let round = 0; round < rounds; round++) {
     const made = Object.entries(ways).map(([name, way]) => {
       const object = mesh()
       // Nothing is known of a text that is new.
@@ -70,20 +73,29 @@ window.bench = () => {
     })
     // In turn, so that what else the machine does counts for both.
     if (round % 2) made.reverse()
-    for (let i = 0; i < 20; i++)
+    for (let i = 0; i < frames; i++) {
+      const pair = {}
       for (const { name, object, update } of made) {
         scene.add(object)
         update(16 * i)
-        ;(i ? frame : first)[name].push(draw())
+        pair[name] = draw()
         scene.remove(object)
       }
+      times[i ? 'frame' : 'first frame'].push(pair)
+    }
     for (const { object, dispose } of made) {
       dispose()
       object.geometry.dispose()
       object.material.dispose()
     }
   }
-  const medians = ({ warped, byHand }) => ({ warped: median(warped), byHand: median(byHand) })
-  return { 'first frame': medians(first), frame: medians(frame) }
+  return Object.fromEntries(Object.entries(times).map(([name, pairs]) => [name, summary(pairs)]))
 }
+
+/** Medians, and that of the quotients of neighbours. */
+const summary = (pairs) => ({
+  warped: median(pairs.map(({ warped }) => warped)),
+  byHand: median(pairs.map(({ byHand }) => byHand)),
+  quotient: median(pairs.map(({ warped, byHand }) => warped / byHand)),
+})
 document.title = 'ready'

@@ -1,0 +1,65 @@
+// What the first page of the site, and a page of its docs, may make a visitor load before it can be used.
+import { existsSync, readFileSync } from 'node:fs'
+import { dirname, join } from 'node:path/posix'
+import { gzipSync } from 'node:zlib'
+import { path, walk } from './files.mjs'
+import { Stop, say } from './terminal.mjs'
+
+/** Bytes as a server sends them, compressed; requests with the page itself. Pictures further down are loaded as one gets there. */
+const budgets = {
+  'index.html': { bytes: 60_000, requests: 10 },
+  'docs/tutorial-1-first-warp.html': { bytes: 40_000, requests: 8 },
+  'gallery/sine-sphere/index.html': { bytes: 60_000, requests: 10 },
+}
+
+const packed = /\.(?:html|css|js|json|svg)$/
+
+const sizeOf = (file) => {
+  const bytes = readFileSync(path(file))
+  return packed.test(file) ? gzipSync(bytes, { level: 9 }).length : bytes.length
+}
+
+/** What a text names that is loaded with it: neither what it links to, nor what it loads later. */
+function loadedBy(text) {
+  const tags = [...text.matchAll(/<(?:script|link|img)\b[^>]*>/g)].map(([tag]) => tag)
+  const early = tags.filter((tag) => !/loading="lazy"/.test(tag))
+  return [
+    ...early.map((tag) => /(?:src|href)="([^"]+)"/.exec(tag)?.[1]),
+    ...[...text.matchAll(/\burl\('([^']+)'\)/g)].map(([, url]) => url),
+    ...[...text.matchAll(/(?:^|;|\})import(?:[^'"();]*from)?["'](\.[^"']+)["']/g)].map(
+      ([, url]) => url,
+    ),
+  ].filter((url) => url && !url.startsWith('data:') && !url.startsWith('http'))
+}
+
+/** The files of `folder` that the page at `start` loads at once. */
+export function filesOf(folder, start) {
+  const files = new Set([start])
+  for (const file of files) {
+    if (!packed.test(file)) continue
+    const text = readFileSync(path(folder, file), 'utf8')
+    for (const url of loadedBy(text)) {
+      const found = join(dirname(file), url.split(/[?#]/)[0])
+      if (existsSync(path(folder, found))) files.add(found)
+      else throw new Stop(`${folder}/${file} names ${url}, which is not there.`)
+    }
+  }
+  return [...files]
+}
+
+/** Prints what pages weigh; throws where one weighs more than it may. */
+export function checkSite(folder) {
+  const over = []
+  for (const [page, { bytes, requests }] of Object.entries(budgets)) {
+    const files = filesOf(folder, page)
+    const total = files.reduce((sum, file) => sum + sizeOf(join(folder, file)), 0)
+    say(
+      `${page.padEnd(34)} ${(total / 1000).toFixed(1)} KB of ${bytes / 1000}, ${files.length} requests of ${requests}`,
+    )
+    if (total > bytes || files.length > requests) over.push(page)
+  }
+  const all = walk(folder)
+  const whole = all.reduce((sum, file) => sum + readFileSync(path(file)).length, 0)
+  say(`the whole site                     ${(whole / 1e6).toFixed(1)} MB, ${all.length} files`)
+  if (over.length) throw new Stop(`Over its budget: ${over.join(', ')}.`)
+}

@@ -1,0 +1,50 @@
+// examples/*/index.html: the page of each example by itself, all of one make, with the scripts that its entry in the catalogue names.
+import { readFileSync } from 'node:fs'
+import { sections } from '../../web/catalogue.js'
+import { pageOf } from '../../web/playground/document.js'
+import { hosts, threeStyle } from '../../web/playground/hosts.js'
+import { path } from '../lib/files.mjs'
+
+const ownCopies = (elsewhere) => `<!-- This repository's own copies. Elsewhere${elsewhere}. -->`
+
+/** Of those that the sketch imports. */
+const importsOf = (sketch) =>
+  Object.fromEntries(
+    Object.entries(hosts.three.modules).filter(([name]) =>
+      name.endsWith('/') ? sketch.includes(`from '${name}`) : sketch.includes(`from '${name}'`),
+    ),
+  )
+
+function exampleText({ name, title, scripts = [], background }, host) {
+  if (host !== 'three')
+    return pageOf(
+      { host: 'p5', chosen: scripts },
+      {
+        title,
+        before: ownCopies(', such as in the p5 editor, name those of a CDN'),
+        sketch: '<script src="sketch.js"></script>',
+      },
+    )
+  const sketch = readFileSync(path(`examples/${name}/sketch.js`), 'utf8')
+  return pageOf(
+    { host },
+    {
+      title,
+      before: ownCopies(' name those of a CDN, or let a bundler find them'),
+      modules: importsOf(sketch),
+      style: threeStyle(background),
+      sketch: '<script type="module" src="sketch.js"></script>',
+    },
+  )
+}
+
+/** By the path of the file. */
+export const examplePages = () =>
+  Object.fromEntries(
+    sections.flatMap(({ examples, scripts, host }) =>
+      examples.map((example) => [
+        `examples/${example.name}/index.html`,
+        exampleText({ scripts, ...example }, host),
+      ]),
+    ),
+  )

@@ -1,0 +1,110 @@
+// web/docs/plots.md: each operation on numbers with a plot of its value and derivative, the text that comes of both, and a line
+// that runs; formulas.mjs has the formulas. The site draws the plots (web/site/plot.js) from what warpjet computes.
+import { formulaText } from './formulas.mjs'
+
+/** How the operation is called for its plot, and from where to where; x alone from -3 to 3 unless named. */
+const calls = {
+  add: ['x.add(1)'],
+  sub: ['x.sub(1)'],
+  mult: ['x.mult(2)'],
+  div: ['glsl.div(1, x)'],
+  pow: ['x.pow(3)', -1.5, 1.5],
+  sqrt: ['x.sqrt()', 0, 4],
+  inversesqrt: ['x.inversesqrt()', 0.05, 4],
+  exp: ['x.exp()', -3, 1.5],
+  exp2: ['x.exp2()', -3, 2],
+  log: ['x.log()', 0.05, 4],
+  log2: ['x.log2()', 0.05, 4],
+  tan: ['x.tan()', -4, 4],
+  asin: ['x.asin()', -1, 1],
+  acos: ['x.acos()', -1, 1],
+  acosh: ['x.acosh()', 1, 5],
+  atanh: ['x.atanh()', -1, 1],
+  sinh: ['x.sinh()', -2, 2],
+  cosh: ['x.cosh()', -2, 2],
+  radians: ['x.radians()', -180, 180],
+  mod: ['x.mod(1.5)'],
+  min: ['x.min(1)'],
+  max: ['x.max(1)'],
+  clamp: ['x.clamp(-1, 1)'],
+  mix: ['glsl.mix(-1, 2, x)', -0.5, 1.5],
+  step: ['glsl.step(0.5, x)'],
+  smoothstep: ['glsl.smoothstep(-1, 1, x)', -2, 2],
+}
+/** Of the two operations of the name `atan`, the second. */
+const atan2 = ['glsl.atan(x, -1)', -4, 4]
+
+/** What the derivative is where there is none. */
+const kinks = {
+  abs: 'At 0 the derivative is 0.',
+  sign: 'The derivative is 0 everywhere, at the step too.',
+  floor: 'The derivative is 0 everywhere, at the steps too.',
+  ceil: 'The derivative is 0 everywhere, at the steps too.',
+  round: 'The derivative is 0 everywhere, at the steps too.',
+  trunc: 'The derivative is 0 everywhere, at the steps too.',
+  step: 'The derivative is 0 everywhere, at the edge too.',
+  fract: 'The derivative is 1 everywhere, at the jumps too.',
+  mod: 'The derivative by `x` is 1 everywhere, by the divisor -floor(x / divisor).',
+  min: 'The derivative is that of the operand whose value is taken, of the first one where they are equal.',
+  max: 'The derivative is that of the operand whose value is taken, of the first one where they are equal.',
+  clamp: 'The derivative is that of the operand whose value is taken, bounds included.',
+  asin: 'At -1 and 1 the derivative counts as 0.',
+  acos: 'At -1 and 1 the derivative counts as 0.',
+  acosh: 'At 1 the derivative counts as 0.',
+  log: 'At 0 value and derivative are infinite.',
+  log2: 'At 0 value and derivative are infinite.',
+  inversesqrt: 'At 0 value and derivative are infinite.',
+  atanh: 'At -1 and 1 value and derivative are infinite.',
+  div: 'At 0 value and derivative are infinite.',
+}
+
+const isNumeric = ({ kinds, result, heading }) =>
+  heading !== 'Conditions' && [...kinds, result].every((kind) => kind === 'number or vector')
+
+function section(operation, index, all) {
+  const { name, operands, meaning } = operation
+  const isSecond = all.findIndex((other) => other.name === name) < index
+  const title = isSecond ? `${name}(y, x)` : name
+  const [call, from = -3, to = 3] = isSecond ? atan2 : (calls[name] ?? [`x.${name}()`])
+  if (!call.includes('x') || (operands.length > 1 && !calls[name] && !isSecond))
+    throw new Error(`.scripts/reference/plots.mjs lacks a call of ${name}.`)
+  const reach = to - from
+  const along = `position.y().add(1).mult(${reach / 2}).add(${from})`
+  const sentences = [/[.!]$/.test(meaning) ? meaning : `${meaning}.`]
+  if (kinks[name] && !isSecond) sentences.push(kinks[name])
+  return `### ${title}
+
+${sentences.join(' ')}
+
+${formulaText(title, operands)}
+
+<!-- plot ${call} from ${from} to ${to} -->
+
+<!-- prettier-ignore -->
+\`\`\`js
+createWarp(({ glsl, position }) => {
+  const x = ${along}
+  return glsl.vec3(${call}.mult(0.1).clamp(-1, 1), 0, 0)
+})
+\`\`\`
+`
+}
+
+export function plotsText({ operations, headings }) {
+  const shown = operations.filter(isNumeric)
+  const groups = headings
+    .map((heading) => {
+      const own = shown.filter((operation) => operation.heading === heading)
+      return own.length && `## ${heading}\n\n${own.map(section).join('\n')}`
+    })
+    .filter(Boolean)
+  return `<!-- Written by \`npm run reference\`; the operations come from src/ops/table.hpp and src/builder/compositions.hpp. -->
+
+# Operations, plotted
+
+Every operation on numbers, with what it computes and its derivative by each operand, as exact as it stands here. On the site each has
+a plot of both by x, and below it the text that a shader gets for them. “Run” moves a ball sideways by it, from its top to its bottom. [All operations in short](operations.md), those on
+vectors and matrices too; [noise](noise.md) has pictures of its own, and [how exact each is](derivatives.md) was measured.
+
+${groups.join('\n')}`
+}

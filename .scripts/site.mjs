@@ -1,0 +1,38 @@
+// npm run site: writes the site to .build/site, static files for any folder of any server, and holds it to its budgets. With
+// `-- --time` it measures how soon the first page answers, too.
+import { rmSync } from 'node:fs'
+import { build } from './build.mjs'
+import { path, step } from './lib/files.mjs'
+import { locked } from './lib/lock.mjs'
+import { checkSite } from './lib/site-budget.mjs'
+import { good, isMain, main } from './lib/terminal.mjs'
+import { viteBuild } from './lib/vite.mjs'
+import { setup } from './setup.mjs'
+
+export const folder = '.build/site'
+
+/** `dist` is to be there. */
+export const buildSite = () =>
+  locked(() =>
+    step('Site', {
+      inputs: ['package-lock.json', 'dist', 'examples', 'web'],
+      outputs: [`${folder}/index.html`, `${folder}/sw.js`],
+      work: async () => {
+        rmSync(path(folder), { recursive: true, force: true })
+        await viteBuild({ configFile: path('web/vite.config.js'), logLevel: 'warn' })
+      },
+    }),
+  )
+
+if (isMain(import.meta))
+  await main(async () => {
+    await setup()
+    await build()
+    await buildSite()
+    checkSite(folder)
+    if (process.argv.includes('--time')) {
+      const { measureSite } = await import('./bench/site-start.mjs')
+      await measureSite(folder)
+    }
+    good(`The site is in ${folder}: put it into any folder of any server.`)
+  })

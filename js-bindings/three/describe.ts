@@ -1,0 +1,16 @@
+// How a sentence names what is of three.js.
+import type { Object3D } from 'three'
+import { describe } from '../checks/errors.js'
+
+const flags = ['isObject3D', 'isMaterial', 'isBufferGeometry', 'isTexture']
+
+/** `a BoxGeometry`, `a MeshBasicMaterial`; what is not of three.js as everywhere else. */
+export function describeOfThree(value: unknown): string {
+  const given = (value ?? {}) as Record<string, unknown>
+  const isOfThree = flags.some((flag) => given[flag] === true)
+  return isOfThree && typeof given.type === 'string' ? `a ${given.type}` : describe(value)
+}
+
+/** `the Mesh "boat"`, or `this Mesh`. */
+export const nameOf = ({ name, type }: Object3D) =>
+  name ? `the ${type} "${name}"` : `this ${type}`

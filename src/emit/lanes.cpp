@@ -1,0 +1,182 @@
+#include "emit/lanes.hpp"
+
+#include <algorithm>
+
+namespace warpjet {
+
+namespace {
+
+bool areEqual(const Lanes& lanes) {
+  return std::all_of(lanes.begin(), lanes.end(), [&](NodeId id) { return id == lanes[0]; });
+}
+
+}  // namespace
+
+void Packs::add(const Lanes& lanes) {
+  for (int i = 0; i < lanes.count; ++i)
+    places_[index(lanes[i])] = static_cast<std::uint32_t>(lanes_.size()) + i;
+  lanes_.resize(lanes_.size() + Lanes::most, noNode);
+  std::copy(lanes.begin(), lanes.end(), lanes_.end() - Lanes::most);
+}
+
+void Packs::dissolve(std::uint32_t pack) {
+  for (const NodeId id : (*this)[pack]) places_[index(id)] = none;
+}
+
+Lanes Packs::operator[](std::uint32_t pack) const {
+  Lanes lanes;
+  const NodeId* all = &lanes_[pack * Lanes::most];
+  while (lanes.count < Lanes::most && all[lanes.count] != noNode) lanes.add(all[lanes.count]);
+  return lanes;
+}
+
+Lanes Packs::operandsOf(const Lanes& lanes, int i) const {
+  Lanes operands;
+  for (const NodeId id : lanes) operands.add(graph_.operand(id, i));
+  return operands;
+}
+
+// Of three operands all that may be numbers are, or none.
+bool Packs::takesNumber(const Lanes& lanes, int i) const {
+  const ops::SomeOperands numbers = spellingOf(lanes).numbers;
+  if ((numbers >> i & 1) == 0) return false;
+  for (int other = 0; other < graph_.arity(lanes[0]); ++other) {
+    const bool isAsked = other == i || (graph_.arity(lanes[0]) == 3 && (numbers >> other & 1) != 0);
+    if (isAsked && !areEqual(operandsOf(lanes, other))) return false;
+  }
+  return true;
+}
+
+bool Packs::isHope(const Lanes& lanes) const {
+  for (int i = 0; i < lanes.count; ++i) {
+    if (numberOf(lanes[i]) >= never || packOf(lanes[i]) != none) return false;
+    if (std::find(lanes.begin(), lanes.begin() + i, lanes[i]) != lanes.begin() + i) return false;
+  }
+  return true;
+}
+
+// Whether the lanes are one operation, which vectors have.
+bool Packs::isOperation(const Lanes& lanes) const {
+  const Op op = graph_.node(lanes[0]).op;
+  if (!graph_.isOperation(lanes[0])) return false;
+  for (const NodeId id : lanes) {
+    if (!graph_.is(id, op)) return false;
+  }
+  const ops::Info& info = ops::info(op);
+  if (info.signature.result != ops::Type::Float) return false;
+  if (!info.helpers[static_cast<std::size_t>(language_)].empty()) return false;
+  for (int i = 0; i < info.arity; ++i) {
+    if (info.signature.operands[i] != ops::Type::Float && !takesNumber(lanes, i)) return false;
+  }
+  return true;
+}
+
+std::uint64_t Packs::placeOf(NodeId id) const {
+  if (packOf(id) != none) return std::uint64_t{1} << 60 | places_[index(id)];
+  const auto [first, second, unused] = graph_.node(id).operands;
+  const auto place = [vector = first](std::uint64_t kind, std::uint32_t part, std::uint32_t i) {
+    return kind << 60 | std::uint64_t{part} << 34 | std::uint64_t{vector} << 2 | i;
+  };
+  if (graph_.isResult(id) && !isStatement(id)) return place(2, second / 4, second % 4);
+  if (!graph_.isInput(id) || graph_.input(first).shape.isNumber()) return 0;
+  const auto rows = static_cast<std::uint32_t>(graph_.input(first).shape.rows);
+  return place(3, second / rows, second % rows);
+}
+
+int Packs::sizeAround(NodeId id) const {
+  if (packOf(id) != none) return (*this)[packOf(id)].count;
+  return graph_.isInput(id) ? graph_.input(graph_.node(id).operands[0]).shape.rows : 0;
+}
+
+bool Packs::isPart(const Lanes& lanes) const {
+  const std::uint64_t vector = placeOf(lanes[0]) / 4;
+  return vector != 0 && std::all_of(lanes.begin(), lanes.end(),
+                                    [&](NodeId id) { return placeOf(id) / 4 == vector; });
+}
+
+// Terms are met from the last one to the first.
+std::optional<Packs::Factors> Packs::factorsOf(NodeId sum) const {
+  Factors factors;
+  for (NodeId rest = sum, term = noNode; term != rest;) {
+    const bool isMore = graph_.is(rest, ops::find("add")) && (rest == sum || !isStatement(rest));
+    term = isMore ? graph_.operand(rest, 1) : rest;
+    if (isMore)
+      rest = graph_.operand(rest, 0);
+    else if (rest == sum)
+      return std::nullopt;
+    if (isStatement(term) || !graph_.is(term, ops::find("mult"))) return std::nullopt;
+    NodeId a = graph_.operand(term, 0), b = graph_.operand(term, 1);
+    if (factors.a.count == Lanes::most) return std::nullopt;
+    if (factors.a.count > 0 && placeOf(a) / 4 != placeOf(factors.a[0]) / 4) std::swap(a, b);
+    if (placeOf(a) % 4 != placeOf(b) % 4) return std::nullopt;
+    factors.a.add(a);
+    factors.b.add(b);
+    if (!isPart(factors.a) || !isPart(factors.b)) return std::nullopt;
+  }
+  std::reverse(factors.a.nodes.begin(), factors.a.nodes.begin() + factors.a.count);
+  std::reverse(factors.b.nodes.begin(), factors.b.nodes.begin() + factors.b.count);
+  return factors;
+}
+
+// Component i is a[i + 1] * b[i + 2] - a[i + 2] * b[i + 1], with either factor first.
+std::optional<Packs::Factors> Packs::crossedBy(const Lanes& lanes) const {
+  Factors factors;
+  if (lanes.count != 3) return std::nullopt;
+  factors.a.count = factors.b.count = 3;
+  std::uint64_t u = 0, v = 0;  // the vectors
+  for (int k = 0; k < 6; ++k) {
+    const int i = k / 2, first = (i + 1 + k % 2) % 3, second = 3 - i - first;
+    if (!graph_.is(lanes[i], ops::find("sub"))) return std::nullopt;
+    const NodeId product = graph_.operand(lanes[i], k % 2);
+    if (isStatement(product) || !graph_.is(product, ops::find("mult"))) return std::nullopt;
+    NodeId a = graph_.operand(product, 0), b = graph_.operand(product, 1);
+    if (k == 0 ? placeOf(a) % 4 != 1 : placeOf(a) / 4 != u) std::swap(a, b);
+    if (k == 0) u = placeOf(a) / 4, v = placeOf(b) / 4;
+    if (u == 0 || placeOf(a) != u * 4 + first) return std::nullopt;
+    if (v == 0 || placeOf(b) != v * 4 + second) return std::nullopt;
+    factors.a.nodes[first] = a;
+    factors.b.nodes[second] = b;
+  }
+  return factors;
+}
+
+int Packs::length(NodeId id, int levels) const {
+  if (isStatement(id)) return packOf(id) == none ? name : name + member;
+  if (graph_.isInput(id)) {
+    const Input& input = graph_.input(graph_.node(id).operands[0]);
+    const int label = std::min(static_cast<int>(input.label.size()), 12);
+    return input.shape.isNumber() ? label : label + member;
+  }
+  return levels == 0 ? usualNumber : operationLength(Lanes({&id, 1}), levels);
+}
+
+int Packs::operationLength(const Lanes& lanes, int levels) const {
+  if (!graph_.isOperation(lanes[0])) return usualNumber;
+  int total = static_cast<int>(spellingOf(lanes).text.size());
+  for (int i = 0; i < graph_.arity(lanes[0]); ++i) {
+    const auto [form, length] = written(operandsOf(lanes, i), As::Operand, levels - 1);
+    total += length - member;
+    if (form == Form::Number && lanes.count > 1 && !takesNumber(lanes, i)) total += rowStart;
+  }
+  return total;
+}
+
+Packs::Written Packs::written(const Lanes& lanes, As as, int levels) const {
+  bool isInPlace = true;
+  if (as == As::Operand) {
+    if (areEqual(lanes)) return {Form::Number, length(lanes[0], levels)};
+    if (isPart(lanes)) return {Form::Part, length(lanes[0], levels) - 1 + lanes.count};
+    if (hopes_ && isHope(lanes)) return {Form::Part, name};
+    for (const NodeId id : lanes) isInPlace &= !isStatement(id);
+  }
+  int row = rowStart + (lanes.count - 1) * separator;
+  for (const NodeId id : lanes)
+    row += as == As::Operand ? length(id, levels) : operationLength(Lanes({&id, 1}), levels);
+  if (levels > 0 && isInPlace && isOperation(lanes)) {
+    const int together = operationLength(lanes, levels);
+    if (together + margin <= row) return {Form::Operation, together};
+  }
+  return {Form::Row, row};
+}
+
+}  // namespace warpjet

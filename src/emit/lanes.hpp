@@ -1,0 +1,116 @@
+// How several nodes are written as the components of one vector, and how long that is.
+//
+// Lanes are up to four nodes. They are one number for all, a part of a vector that there is, one
+// operation on vectors, or a row of numbers, whichever is shortest. Nothing is computed otherwise
+// than component by component, so every component has the bits of its own scalar text.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "emit/dialect.hpp"
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+struct Lanes {
+  static constexpr int most = 4;
+
+  std::array<NodeId, most> nodes{};
+  int count = 0;
+
+  Lanes() = default;
+  explicit Lanes(std::span<const NodeId> all) {
+    for (const NodeId id : all) add(id);
+  }
+
+  void add(NodeId id) { nodes[count++] = id; }
+  NodeId operator[](int i) const { return nodes[i]; }
+  const NodeId* begin() const { return nodes.data(); }
+  const NodeId* end() const { return nodes.data() + count; }
+};
+
+// Which nodes are statements, and which of those share one.
+class Packs {
+ public:
+  enum class Form : std::uint8_t { Number, Part, Operation, Row };
+  // Whether lanes are read, or are what a statement computes.
+  enum class As : std::uint8_t { Operand, Statement };
+
+  Packs(const Graph& graph, const Dialect& dialect)
+      : graph_(graph),
+        language_(dialect.language),
+        numbers_(graph.size(), none),
+        places_(graph.size(), none) {}
+
+  // The node has a statement of its own, with that number among those that might be shared.
+  void addStatement(NodeId id, std::uint32_t number) { numbers_[index(id)] = number; }
+  static constexpr std::uint32_t never = none - 1;
+  std::uint32_t numberOf(NodeId id) const { return numbers_[index(id)]; }
+
+  void add(const Lanes& lanes);
+  void dissolve(std::uint32_t pack);
+  // Lanes that hope for a statement count as if they had one.
+  void setHopes(bool hopes) { hopes_ = hopes; }
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(lanes_.size() / Lanes::most); }
+  Lanes operator[](std::uint32_t pack) const;
+  // What a node is a lane of, or none.
+  std::uint32_t packOf(NodeId id) const {
+    return places_[index(id)] == none ? none : places_[index(id)] / Lanes::most;
+  }
+
+  struct Written {
+    Form form;
+    int length;  // in characters, about
+  };
+  Written written(const Lanes& lanes, As as, int levels = deepest) const;
+  int lengthOfStatement(NodeId id) const { return operationLength(Lanes({&id, 1}), deepest); }
+
+  // Which component of which vector a node is, as four times the vector's key and the component;
+  // less than four if it is none.
+  std::uint64_t placeOf(NodeId id) const;
+  // How many components that vector has, if it is a variable of ours or of the host.
+  int sizeAround(NodeId id) const;
+  bool isPart(const Lanes& lanes) const;
+  // The i-th operand of each.
+  Lanes operandsOf(const Lanes& lanes, int i) const;
+  // Whether the i-th operand of lanes is the same for all, and may be one number.
+  bool takesNumber(const Lanes& lanes, int i) const;
+  // The vectors whose dot product a sum is, which a language may add up in any order.
+  struct Factors {
+    Lanes a, b;
+  };
+  std::optional<Factors> factorsOf(NodeId sum) const;
+  // The vectors whose cross product three lanes are.
+  std::optional<Factors> crossedBy(const Lanes& lanes) const;
+  // Whether all could share a statement that none of them shares.
+  bool isHope(const Lanes& lanes) const;
+
+ private:
+  // Texts have less levels, unless somebody wants them deeper.
+  static constexpr int deepest = 16;
+  static constexpr int name = 3, member = 2, rowStart = 6, separator = 2, usualNumber = 5;
+  // An operation that is hardly shorter than a row is read less well.
+  static constexpr int margin = 4;
+
+  bool isStatement(NodeId id) const { return numberOf(id) != none; }
+  int length(NodeId id, int levels) const;
+  int operationLength(const Lanes& lanes, int levels) const;
+  bool isOperation(const Lanes& lanes) const;
+  const ops::Spelling& spellingOf(const Lanes& lanes) const {
+    return ops::info(graph_.node(lanes[0]).op).spellings.in(language_);
+  }
+
+  const Graph& graph_;
+  ops::Language language_;
+  bool hopes_ = false;
+  std::vector<std::uint32_t> numbers_;  // by node, of its statement
+  std::vector<std::uint32_t> places_;   // by node, which lane it is
+  std::vector<NodeId> lanes_;           // four for each pack
+};
+
+}  // namespace warpjet

@@ -1,0 +1,224 @@
+#include "emit/packs.hpp"
+
+#include <algorithm>
+
+namespace warpjet {
+
+namespace {
+
+using As = Packs::As;
+using Form = Packs::Form;
+
+// Packs the statements of one body, which have numbers from `first` on.
+class Packer {
+ public:
+  Packer(const Graph& graph, Packs& packs, Statements& body, std::uint32_t first)
+      : graph_(graph),
+        packs_(packs),
+        body_(body),
+        first_(first),
+        count_(static_cast<std::uint32_t>(body.all.size())),
+        levels_(count_),
+        readers_(body.work) {
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      for (const std::uint32_t read : body.work.readsOf(i))
+        levels_[i] = std::max(levels_[i], levels_[read] + 1);
+    }
+  }
+
+  void run() {
+    packs_.setHopes(true);
+    const std::uint32_t first = packs_.size();
+    for (const Statement& statement : body_.all) {
+      if (statement.node == noNode && statement.output->shape.isVector())
+        packParts(Lanes(statement.output->components), As::Operand);
+    }
+    for (std::uint32_t i = first; i < packs_.size(); ++i) {
+      const Lanes lanes = packs_[i];
+      packParts(lanes, As::Statement);
+      packReaders(lanes);
+    }
+    packs_.setHopes(false);
+    if (packs_.size() > first) merge();
+  }
+
+ private:
+  // Of a statement beside what it computes: `  float t12 = ;` and its line's end, or `  vec3 …`.
+  static constexpr int frame = 15;
+  // Who reads more than a few is looked for no further.
+  static constexpr std::size_t mostReaders = 8;
+
+  // What cannot be packed is beyond.
+  std::uint32_t numberOf(NodeId id) const { return packs_.numberOf(id) - first_; }
+
+  // What a statement reads is on a lower level than it. Lanes share theirs, so nothing that is
+  // packed waits for itself.
+  bool pack(const Lanes& lanes) {
+    if (lanes.count < 2 || !packs_.isHope(lanes)) return false;
+    std::uint32_t highest = 0;
+    for (const NodeId id : lanes) {
+      if (numberOf(id) >= count_) return false;
+      highest = std::max(highest, levels_[numberOf(id)]);
+    }
+    for (const NodeId id : lanes) {
+      if (!canRise(numberOf(id), highest)) return false;
+    }
+    for (const NodeId id : lanes) levels_[numberOf(id)] = highest;
+    packs_.add(lanes);
+    return true;
+  }
+
+  bool canRise(std::uint32_t i, std::uint32_t level) const {
+    if (levels_[i] == level) return true;
+    const auto readers = readers_.of(i);
+    return readers.size() <= mostReaders &&
+           std::all_of(readers.begin(), readers.end(),
+                       [&](std::uint32_t reader) { return levels_[reader] > level; });
+  }
+
+  // What an operation on vectors reads that could be a vector.
+  void packParts(const Lanes& lanes, As as) {
+    if (lanes.count < 2 || (as == As::Operand && pack(lanes))) return;
+    if (packs_.written(lanes, as).form != Form::Operation) return;
+    for (int i = 0; i < graph_.arity(lanes[0]); ++i)
+      packParts(packs_.operandsOf(lanes, i), As::Operand);
+  }
+
+  // Of the statements that read the first lane, those that one for each other lane resembles.
+  void packReaders(const Lanes& lanes) {
+    for (const std::uint32_t reader : readersOf(lanes[0])) {
+      Lanes found;
+      found.add(body_.all[reader].node);
+      if (found[0] == noNode) continue;
+      for (int i = 1; i < lanes.count; ++i) addMostAlike(found, lanes[i]);
+      pack(found);
+    }
+  }
+
+  void addMostAlike(Lanes& lanes, NodeId read) const {
+    NodeId best = noNode;
+    int most = 0;
+    for (const std::uint32_t reader : readersOf(read)) {
+      Lanes with = lanes;
+      with.add(body_.all[reader].node);
+      if (body_.all[reader].node == noNode || !packs_.isHope(with)) continue;
+      if (packs_.written(with, As::Statement).form != Form::Operation) continue;
+      const int gain = gainOf(with);
+      if (gain <= most) continue;
+      most = gain;
+      best = body_.all[reader].node;
+    }
+    if (best != noNode) lanes.add(best);
+  }
+
+  // Some of them, if they are many.
+  std::span<const std::uint32_t> readersOf(NodeId id) const {
+    const auto all = readers_.of(numberOf(id));
+    return all.first(std::min(all.size(), mostReaders));
+  }
+
+  int gainOf(const Lanes& lanes) const {
+    int gain = -frame - packs_.written(lanes, As::Statement).length;
+    for (const NodeId id : lanes) gain += frame + packs_.lengthOfStatement(id);
+    return gain;
+  }
+
+  // Statements of one pack, and a result that is just that, become one. Those of lower levels come
+  // first, so that each reads only earlier ones.
+  void merge() {
+    std::vector<std::uint32_t> firstOf(count_ + 1, none), nextOf(count_);
+    for (std::uint32_t i = count_; i-- > 0;) {
+      nextOf[i] = firstOf[levels_[i]];
+      firstOf[levels_[i]] = i;
+    }
+    std::vector<std::uint32_t> unitOf(count_, none);
+    Statements merged;
+    for (std::uint32_t level = 0; firstOf[level] != none; ++level) {
+      for (std::uint32_t i = firstOf[level]; i != none; i = nextOf[i]) {
+        if (unitOf[i] == none) mergeOne(merged, unitOf, i);
+      }
+    }
+    body_ = std::move(merged);
+  }
+
+  void mergeOne(Statements& merged, std::vector<std::uint32_t>& unitOf, std::uint32_t i) {
+    const auto unit = static_cast<std::uint32_t>(merged.all.size());
+    Statements::Set reads = merged.noReads();
+    const auto join = [&](std::uint32_t other) {
+      unitOf[other] = unit;
+      for (const std::uint32_t read : body_.work.readsOf(other))
+        merged.include(reads, unitOf[read]);
+    };
+    Statement statement = body_.all[i];
+    if (statement.node != noNode) statement.pack = packs_.packOf(statement.node);
+    if (statement.pack != none && isLoss(packs_[statement.pack])) {
+      packs_.dissolve(statement.pack);
+      statement.pack = none;
+    }
+    if (statement.pack == none) {
+      join(i);
+    } else {
+      const Lanes lanes = packs_[statement.pack];
+      for (const NodeId id : lanes) join(numberOf(id));
+      for (const std::uint32_t reader : readers_.of(numberOf(lanes[0]))) {
+        if (statement.output || !isJust(lanes, body_.all[reader])) continue;
+        statement.output = body_.all[reader].output;
+        unitOf[reader] = unit;
+      }
+    }
+    merged.add(statement, reads);
+  }
+
+  // Whether a statement assigns these lanes to a result.
+  bool isJust(const Lanes& lanes, const Statement& statement) const {
+    return statement.node == noNode &&
+           std::equal(lanes.begin(), lanes.end(), statement.output->components.begin(),
+                      statement.output->components.end());
+  }
+
+  // What hoped for others in vain. A single number is read with `.x` behind it, where packs and
+  // vectors need no `vec3( )`.
+  bool isLoss(const Lanes& lanes) const {
+    int gain = gainOf(lanes);
+    for (const NodeId id : lanes) {
+      for (const std::uint32_t reader : readers_.of(numberOf(id))) {
+        const Statement& statement = body_.all[reader];
+        const bool isVector = statement.node == noNode ? !statement.output->shape.isNumber()
+                                                       : packs_.packOf(statement.node) != none;
+        gain += isVector ? 2 : -2;
+      }
+    }
+    return gain <= 0;
+  }
+
+  const Graph& graph_;
+  Packs& packs_;
+  Statements& body_;
+  std::uint32_t first_, count_;
+  std::vector<std::uint32_t> levels_;  // by statement
+  Readers readers_;
+};
+
+}  // namespace
+
+void packStatements(const Graph& graph, Packs& packs, std::vector<Statements>& bodies,
+                    const EmitOptions& options) {
+  std::uint32_t number = 0;
+  for (const Statements& body : bodies) {
+    for (const auto& [id, output, pack] : body.all) {
+      const bool canBePacked =
+          id != noNode && !output && !graph.isOurCall(id) && graph.type(id) == ops::Type::Float;
+      if (id != noNode) packs.addStatement(id, canBePacked ? number : Packs::never);
+      ++number;
+    }
+  }
+  if (!options.vectors) return;
+  number = 0;
+  for (Statements& body : bodies) {
+    const auto count = static_cast<std::uint32_t>(body.all.size());
+    Packer(graph, packs, body, number).run();
+    number += count;
+  }
+}
+
+}  // namespace warpjet

@@ -1,0 +1,78 @@
+// How the writer writes vectors.
+#include "emit/writer.hpp"
+
+namespace warpjet {
+
+void Writer::writeLanes(std::string& text, const Lanes& lanes, Packs::As as,
+                        ops::Precedence loosest) {
+  const auto form = packs_.written(lanes, as).form;
+  if (form == Packs::Form::Part) return writePart(text, lanes);
+  if (form == Packs::Form::Operation) return writeOperation(text, lanes, loosest);
+  const std::span all(lanes.begin(), form == Packs::Form::Number ? 1 : lanes.count);
+  writeRow(text, vectorOf(lanes.count), all, as);
+}
+
+// One number is that of all components, and parts of a vector are written as that.
+void Writer::writeRow(std::string& text, Shape shape, std::span<const NodeId> all, Packs::As as) {
+  std::string values;
+  std::span<const NodeId> rest = all;
+  while (!rest.empty()) {
+    if (!values.empty()) values += ", ";
+    std::size_t count = 1;
+    const bool isOfParts = shape.isVector() && as == Packs::As::Operand;
+    while (isOfParts && count < rest.size() && packs_.isPart(Lanes(rest.first(count + 1)))) ++count;
+    if (count > 1)
+      writePart(values, Lanes(rest.first(count)));
+    else
+      as == Packs::As::Statement ? writeOperation(values, rest[0]) : write(values, rest[0]);
+    rest = rest.subspan(count);
+  }
+  fill(text, all.size() == 1 ? dialect_.splat : dialect_.construction,
+       {dialect_.typeName(graph_.type(all[0]), shape), values});
+}
+
+void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Precedence loosest) {
+  if (const auto factors = packs_.crossedBy(lanes)) return writeProduct(text, "cross(", *factors);
+  const ops::Spelling& spelling = spellingOf(lanes[0]);
+  const bool parenthesized = spelling.result < loosest;
+  if (parenthesized) text += '(';
+  std::string_view rest = spelling.text;
+  for (std::size_t dollar; (dollar = rest.find('$')) != rest.npos;) {
+    text += rest.substr(0, dollar);
+    const int i = rest[dollar + 1] - '0';
+    rest.remove_prefix(dollar + 2);
+    const Lanes operands = packs_.operandsOf(lanes, i);
+    if (packs_.takesNumber(lanes, i)) {
+      open(text, operands[0], spelling.operands[i]);
+      finish(text);
+    } else {
+      writeLanes(text, operands, Packs::As::Operand, spelling.operands[i]);
+    }
+  }
+  text += rest;
+  if (parenthesized) text += ')';
+}
+
+// As the first one is written, but for what follows the last point.
+void Writer::writePart(std::string& text, const Lanes& lanes) {
+  open(text, lanes[0], ops::Precedence::Primary);
+  text.pop_back();
+  bool isWhole = packs_.sizeAround(lanes[0]) == lanes.count;
+  for (int i = 0; i < lanes.count; ++i) {
+    const int component = static_cast<int>(packs_.placeOf(lanes[i]) % 4);
+    text += "xyzw"[component];
+    isWhole &= component == i;
+  }
+  if (isWhole) text.resize(text.size() - lanes.count - 1);
+}
+
+// The names are the same in all languages; see names.cpp.
+void Writer::writeProduct(std::string& text, std::string_view name, const Packs::Factors& factors) {
+  text += name;
+  writePart(text, factors.a);
+  text += ", ";
+  writePart(text, factors.b);
+  text += ')';
+}
+
+}  // namespace warpjet

@@ -1,0 +1,37 @@
+#include "eval/each_lane.hpp"
+
+#include <array>
+
+namespace warpjet {
+
+namespace {
+
+double numberIn(const Lanes& lanes, std::size_t i, ops::Type type) {
+  const double bits = asMask(lanes).bits[i];
+  return type == ops::Type::Float ? double{lanes[i]} : type == ops::Type::Int ? bits : -bits;
+}
+
+float numberAs(ops::Type type, double value) {
+  if (type == ops::Type::Float) return static_cast<float>(value);
+  const auto whole = static_cast<std::int32_t>(value);
+  return __builtin_bit_cast(float, type == ops::Type::Int ? whole : -whole);
+}
+
+constexpr auto signatures =
+    ops::numbered<ops::count>([](auto... row) { return std::array{ops::infos[row].signature...}; });
+
+}  // namespace
+
+Lanes eachLane(Op op, const Operands<Lanes>& x) {
+  const ops::Signature& signature = signatures[index(op)];
+  Lanes all;
+  for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+    Operands<double> numbers{};
+    for (int k = 0; k < arities[index(op)]; ++k)
+      numbers[k] = numberIn(x[k], lane, signature.operands[k]);
+    all.set(lane, numberAs(signature.result, ops::valueOf(op, numbers)));
+  }
+  return all;
+}
+
+}  // namespace warpjet

@@ -1,0 +1,12 @@
+// Whether something holds, by number.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace warpjet {
+
+// A byte each: std::vector<bool> packs bits, which takes 3 KB of code in the wasm.
+using Flags = std::vector<std::uint8_t>;
+
+}  // namespace warpjet

@@ -1,0 +1,89 @@
+// Every block of the docs that says “Run”, run in the playground as a reader does: it draws or prints, and nothing goes wrong.
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { walk } from '../../.scripts/lib/files.mjs'
+import { blocksOf } from '../../web/site/markdown.js'
+import { linkTo } from '../../web/site/runnable.js'
+import { desktop, path } from './support/bench.js'
+import { launchBrowser, openPage } from './support/browser.js'
+import { settled, shown, text } from './support/playground.js'
+import { serveSite } from './support/site.js'
+
+const patience = { timeout: 120_000 }
+const blocks = walk('web/docs', /\.md$/).flatMap((file) =>
+  blocksOf(readFileSync(path(file), 'utf8'))
+    .filter(({ sketch }) => sketch)
+    .map((block) => ({ ...block, place: `${file}:${block.line}` })),
+)
+
+/**
+ * With a sixteenth of the pixels, a thirtieth of the usual sphere's triangles, and no more frames than it takes to be shown:
+ * without a GPU they are what takes long.
+ */
+const quick = ({ host, text }) =>
+  text
+    .replaceAll(/createCanvas\(.*\)/g, '$&; pixelDensity(0.25)')
+    .replaceAll('sphere(150, 160, 120)', 'sphere(150, 30, 22)') + (host === 'p5' ? stopped : '')
+const stopped = `
+{
+  const { draw } = window
+  window.draw = () => (frameCount > 2 ? noLoop() : draw())
+}
+`
+
+/** A canvas is empty once its frame is shown; so it stays until somebody has looked. */
+function keepFrames() {
+  const { getContext } = HTMLCanvasElement.prototype
+  HTMLCanvasElement.prototype.getContext = function (kind, options) {
+    return getContext.call(this, kind, { ...options, preserveDrawingBuffer: true })
+  }
+}
+
+let browser, server, url, page, messages
+before(async () => {
+  browser = await launchBrowser()
+  server = await serveSite(5350)
+  url = `${server.resolvedUrls.local[0]}playground/index.html`
+  const context = await browser.newContext(desktop)
+  await context.addInitScript(() => delete Navigator.prototype.serviceWorker)
+  await context.addInitScript(keepFrames)
+  ;({ page, messages } = await openPage(context, url))
+  await settled(page)
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** How many colours the picture has. */
+const colours = async () =>
+  (await shown(page)).evaluate(() => {
+    const image = window.playground.canvas()
+    const copy = new OffscreenCanvas(image.width, image.height).getContext('2d')
+    copy.drawImage(image, 0, 0)
+    const { data } = copy.getImageData(0, 0, image.width, image.height)
+    return new Set(new Uint32Array(data.buffer)).size
+  })
+
+for (const { place, sketch } of blocks)
+  test(place, async () => {
+    const changed = { ...sketch, text: quick(sketch) }
+    await page.evaluate((hash) => {
+      document.querySelector('main').ariaBusy = 'true'
+      location.hash = hash
+    }, linkTo(changed))
+    for (let i = 0; (await text(page)) !== changed.text && i < 200; i++)
+      await page.waitForTimeout(50)
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    await page.getByRole('tab', { name: 'Console' }).click()
+    const bad = await page.locator('.printed :is(.warn, .error)').allTextContents()
+    assert.deepEqual(bad, [])
+    if (/\bprint\(/.test(sketch.text)) assert.ok(await page.locator('.printed li').count())
+    // A flat plane has one colour, before that of the background.
+    else assert.ok((await colours()) > 1, 'there is nothing to see')
+    // What it prints goes to the console of the page, too.
+    if (!/\bprint\(/.test(sketch.text)) assert.deepEqual(messages, [])
+    messages.splice(0)
+  })

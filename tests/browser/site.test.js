@@ -1,0 +1,205 @@
+// The built site in a folder of a server: every page without a console message and without a finding of axe, by keyboard, on a
+// phone, with less motion, without WebGL, and without a network.
+import assert from 'node:assert/strict'
+import { mkdirSync, readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { after, before, describe, test } from 'node:test'
+import { walk } from '../../.scripts/lib/files.mjs'
+import { checkSite } from '../../.scripts/lib/site-budget.mjs'
+import { folder } from '../../.scripts/site.mjs'
+import { desktop, path, phone } from './support/bench.js'
+import { launchBrowser, openPage } from './support/browser.js'
+import { settled } from './support/playground.js'
+import { serveSite } from './support/site.js'
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
+const screenshots = path('.build/screenshots')
+const patience = { timeout: 120_000 }
+
+let browser, server, url, pages
+before(async () => {
+  mkdirSync(screenshots, { recursive: true })
+  browser = await launchBrowser()
+  server = await serveSite(5340, '/some/folder/')
+  url = server.resolvedUrls.local[0]
+  const files = walk(folder, /\.html$/).map((file) => file.slice(folder.length + 1))
+  // Those that a frame shows are sketches and nothing else.
+  pages = files.filter((file) => !/^(?:examples|bench\/(?:driven|p5-sketch))/.test(file))
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** So that what is looked at is what the server gives. */
+const withoutWorker = () => delete Navigator.prototype.serviceWorker
+
+/** Less motion: the examples' sketches wait to be started. */
+const calm = (size) => ({ ...size, reducedMotion: 'reduce' })
+
+const findings = (page) =>
+  page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { iframes: false })
+    return violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)}`)
+  })
+
+for (const [name, size, colorScheme] of [
+  ['a desktop', desktop, 'light'],
+  ['a phone', phone, 'dark'],
+])
+  test(`on ${name} every page has nothing that axe finds, prints nothing, and fits`, async () => {
+    const context = await browser.newContext({ ...calm(size), colorScheme })
+    await context.addInitScript(withoutWorker)
+    await context.addInitScript(axe)
+    const { page, messages } = await openPage(context, url)
+    const wrong = []
+    for (const file of pages) {
+      await page.goto(url + file, patience)
+      if (file.startsWith('playground')) await settled(page)
+      for (const finding of await findings(page)) wrong.push(`${file}: ${finding}`)
+      const width = await page.evaluate(() => document.documentElement.scrollWidth)
+      if (width > size.viewport.width) wrong.push(`${file} is ${width} wide`)
+      for (const message of messages.splice(0)) wrong.push(`${file}: ${message}`)
+    }
+    await context.close()
+    assert.deepEqual(wrong, [])
+  })
+
+test('the pages keep their budgets', () => checkSite(folder))
+
+describe('the first page', () => {
+  let context, page, messages
+  before(async () => {
+    context = await browser.newContext({ ...desktop })
+    await context.addInitScript(withoutWorker)
+    ;({ page, messages } = await openPage(context, url))
+  })
+  after(() => context.close())
+
+  const looks = () => page.locator('.hero canvas').screenshot()
+
+  test('has a warp that moves by itself', async () => {
+    await page.waitForSelector('.hero canvas', patience)
+    const first = await looks()
+    await page.waitForTimeout(500)
+    assert.notDeepEqual(await looks(), first)
+    await page.screenshot({ path: `${screenshots}/site-first.png` })
+  })
+
+  test('filters its pictures by words and by section', async () => {
+    const tiles = page.locator('.tiles > li:visible')
+    const all = await tiles.count()
+    await page.locator('#words').fill('bunny')
+    assert.ok((await tiles.count()) > 0 && (await tiles.count()) < all)
+    for (const text of await tiles.evaluateAll((list) => list.map(({ dataset }) => dataset.words)))
+      assert.match(text, /bunny/)
+    await page.locator('#words').fill('')
+    await page.locator('#section').selectOption('Deformers')
+    assert.equal(await tiles.count(), 13)
+    await page.locator('#section').selectOption('')
+    assert.equal(await tiles.count(), all)
+  })
+
+  test('is walked by keyboard: past the bar, into the search, and to what was found', async () => {
+    await page.goto(url, patience)
+    await page.keyboard.press('Tab')
+    assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Skip to the page')
+    await page.keyboard.press('Enter')
+    assert.equal(await page.evaluate(() => location.hash), '#main')
+    await page.keyboard.press('/')
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'search')
+    await page.keyboard.type('rotate about an axis')
+    await page.waitForSelector('#found a', patience)
+    await page.keyboard.press('ArrowDown')
+    await page.keyboard.press('ArrowUp')
+    await page.keyboard.press('Enter')
+    await page.waitForURL(/docs\//)
+    assert.match(await page.locator('h1').textContent(), /Rotate about an axis/)
+  })
+
+  for (const [question, answer] of [
+    ['Rotate about an axis', /how-to-rotate/],
+    ['use noise', /noise/],
+    ["what is space: 'world'", /spaces|units|p5\.html/],
+    ['waving flag', /how-to-flag/],
+    ['melting bunny', /deformer-melt|tutorial-5/],
+  ])
+    test(`answers “${question}” first of all`, async () => {
+      await page.goto(url, patience)
+      await page.locator('#search').fill(question)
+      const first = page.locator('#found a').first()
+      await first.waitFor(patience)
+      await page.waitForTimeout(100)
+      assert.match(await first.getAttribute('href'), answer)
+    })
+
+  test('has printed nothing', () => assert.deepEqual(messages, []))
+})
+
+test('with less motion the first page stands still, and an example waits', async () => {
+  const context = await browser.newContext({ ...calm(desktop) })
+  await context.addInitScript(withoutWorker)
+  const { page } = await openPage(context, url)
+  await page.waitForSelector('.hero canvas', patience)
+  await page.waitForTimeout(300)
+  const first = await page.locator('.hero canvas').screenshot()
+  await page.mouse.move(900, 300)
+  await page.waitForTimeout(500)
+  assert.deepEqual(await page.locator('.hero canvas').screenshot(), first)
+  await page.goto(`${url}gallery/deformer-bend/index.html`)
+  assert.equal(await page.locator('iframe').count(), 0)
+  await page.getByRole('button', { name: 'Play' }).click()
+  await page.waitForSelector('iframe.shown', patience)
+  await context.close()
+})
+
+test('without WebGL there are pictures', async () => {
+  const context = await browser.newContext({ ...desktop })
+  await context.addInitScript(withoutWorker)
+  await context.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null))
+  const { page, messages } = await openPage(context, url)
+  await page.waitForTimeout(500)
+  const isLoaded = (selector) => page.locator(selector).evaluate((image) => image.naturalWidth > 0)
+  assert.equal(await page.locator('.hero canvas').count(), 0)
+  assert.ok(await isLoaded('.hero img'))
+  await page.goto(`${url}gallery/deformer-bend/index.html`)
+  assert.ok(await isLoaded('.stage img'))
+  assert.match(await page.locator('.rate').textContent(), /no WebGL/)
+  assert.deepEqual(messages, [])
+  await context.close()
+})
+
+test('a slider changes the sketch, and the picture follows', async () => {
+  const context = await browser.newContext({ ...desktop })
+  await context.addInitScript(withoutWorker)
+  const { page, messages } = await openPage(context, `${url}gallery/deformer-twist/index.html`)
+  const frame = await page.waitForSelector('iframe.shown', patience)
+  await page.getByLabel('Angle').fill('0')
+  await page.getByText('.cos().mult(0)').waitFor(patience)
+  await page.waitForFunction((old) => !old.isConnected, frame, patience)
+  await page.waitForSelector('iframe.shown', patience)
+  assert.equal(await page.locator('iframe').count(), 1)
+  assert.deepEqual(messages, [])
+  await context.close()
+})
+
+test('once seen, all of it is there without a network', async () => {
+  const context = await browser.newContext(desktop)
+  const { page, messages } = await openPage(context, url)
+  // It takes over once it has kept all files.
+  await page.waitForFunction(() => navigator.serviceWorker.controller, null, patience)
+  await context.setOffline(true)
+  await page.reload(patience)
+  await page.waitForSelector('.hero canvas', patience)
+  await page.locator('#search').fill('noise')
+  await page.waitForSelector('#found a', patience)
+  await page.goto(`${url}docs/plots.html`, patience)
+  assert.match(await page.locator('h1').textContent(), /plotted/)
+  await page.goto(`${url}gallery/text-bulge/index.html`, patience)
+  const frame = await (await page.waitForSelector('iframe.shown', patience)).contentFrame()
+  await frame.waitForFunction(() => window.frameCount >= 2, null, patience)
+  await page.goto(`${url}playground/index.html`, patience)
+  await settled(page)
+  assert.deepEqual(messages, [])
+  await context.close()
+})

@@ -1,0 +1,361 @@
+// What a lowered text says in words: its functions (Define, Call) and its loops (Fold, Next), run
+// here in double by the few lines below, beside the same in C++.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "glsl/glsl.hpp"
+
+namespace warpjet::glsl {
+namespace {
+
+using Numbers = std::vector<double>;
+
+Listing listed(const std::string& text, int function, int maxIterations = 0) {
+  Source source(text);
+  EXPECT_EQ(source.problem(), "");
+  Listing listing = source.lower(function, maxIterations);
+  EXPECT_EQ(source.problem(), "");
+  return listing;
+}
+
+class Ran {
+ public:
+  Ran(const Listing& listing, Numbers arguments, Numbers uniforms = {})
+      : listing_(listing), arguments_(std::move(arguments)), uniforms_(std::move(uniforms)) {
+    Numbers made;
+    run(made, {});
+    for (const std::uint32_t result : listing.results) results.push_back(made.at(result));
+  }
+
+  Numbers results;
+  int defined = 0, called = 0, folds = 0;
+  // Of each function, as Define has them, and of the loop.
+  std::vector<std::uint32_t> sizes, variables;
+  std::uint32_t steps = 0;
+
+ private:
+  std::uint32_t word() { return listing_.words.at(at_++); }
+
+  Numbers operands(const Numbers& made, std::uint32_t count) {
+    Numbers all;
+    for (; count > 0; --count) all.push_back(made.at(word()));
+    return all;
+  }
+
+  // Until Next, End or the end of the list.
+  void run(Numbers& made, const Numbers& parameters) {
+    while (at_ < listing_.words.size()) {
+      const auto code = static_cast<Code>(word());
+      switch (code) {
+        case Code::Next:
+        case Code::End:
+          return;
+        case Code::Define:
+          define();
+          break;
+        case Code::Call: {
+          const std::uint32_t routine = word();
+          const Numbers given = operands(made, word());
+          ++called;
+          const std::size_t back = std::exchange(at_, bodies_.at(routine));
+          Numbers inner;
+          run(inner, given);
+          const Numbers found = operands(inner, word());
+          made.insert(made.end(), found.begin(), found.end());
+          at_ = back;
+          break;
+        }
+        case Code::Fold:
+          fold(made, parameters);
+          break;
+        case Code::Constant:
+        case Code::Whole:
+          made.push_back(listing_.constants.at(word()));
+          break;
+        case Code::Parameter:
+          made.push_back(parameters.at(word()));
+          break;
+        case Code::Argument:
+          made.push_back(arguments_.at(word()));
+          at_ += 2;
+          break;
+        case Code::Uniform:
+          made.push_back(uniforms_.at(word()));
+          at_ += 2;
+          break;
+        default:
+          made.push_back(value(code, operands(made, word())));
+      }
+    }
+  }
+
+  // Goes over the body, whose words are of any length, by running it once.
+  void define() {
+    ++defined;
+    sizes.push_back(word());
+    variables.push_back(word());
+    bodies_.push_back(at_);
+    Numbers inner;
+    run(inner, Numbers(sizes.back()));
+    at_ += word();
+  }
+
+  void fold(Numbers& made, const Numbers& parameters) {
+    ++folds;
+    const std::uint32_t count = word(), size = word();
+    steps = count;
+    Numbers now = operands(made, size);
+    const std::size_t body = at_, before = made.size();
+    for (std::uint32_t i = 0; i < count; ++i) {
+      at_ = body;
+      made.resize(before);
+      made.push_back(i);
+      made.insert(made.end(), now.begin(), now.end());
+      run(made, parameters);
+      now = operands(made, size);
+    }
+    made.insert(made.end(), now.begin(), now.end());
+  }
+
+  static double value(Code code, const Numbers& x) {
+    switch (code) {
+      case Code::Neg:
+        return -x[0];
+      case Code::Add:
+        return x[0] + x[1];
+      case Code::Sub:
+        return x[0] - x[1];
+      case Code::Mult:
+        return x[0] * x[1];
+      case Code::Div:
+        return x[0] / x[1];
+      case Code::Sin:
+        return std::sin(x[0]);
+      case Code::Cos:
+        return std::cos(x[0]);
+      case Code::Lt:
+        return x[0] < x[1];
+      case Code::Gt:
+        return x[0] > x[1];
+      case Code::Le:
+        return x[0] <= x[1];
+      case Code::Ge:
+        return x[0] >= x[1];
+      case Code::And:
+        return x[0] != 0 && x[1] != 0;
+      case Code::Or:
+        return x[0] != 0 || x[1] != 0;
+      case Code::Not:
+        return x[0] == 0;
+      case Code::IfElse:
+      case Code::IntIfElse:
+        return x[0] != 0 ? x[1] : x[2];
+      case Code::IntAdd:
+        return x[0] + x[1];
+      case Code::IntSub:
+        return x[0] - x[1];
+      case Code::IntLt:
+        return x[0] < x[1];
+      case Code::IntEq:
+        return x[0] == x[1];
+      case Code::IntOf:
+        return std::trunc(x[0]);
+      case Code::FloatOf:
+        return x[0];
+      case Code::IntOfHalves:
+        return x[1] * 65536 + x[0];
+      case Code::IntMod:
+        return std::fmod(x[0], x[1]);
+      default:
+        ADD_FAILURE() << codeNames[static_cast<std::size_t>(code)] << " is not known here";
+        return 0;
+    }
+  }
+
+  const Listing& listing_;
+  Numbers arguments_, uniforms_;
+  std::vector<std::size_t> bodies_;
+  std::size_t at_ = 0;
+};
+
+// Long enough to stay a function.
+const std::string wave = R"(
+float wave(float x, float y, float steep) {
+  float s = sin(x * 1.5 + y) * steep;
+  s += cos(y * 2.5 - x) * s + sin(s * 3.0);
+  return s * sin(x + s) + cos(s - y);
+}
+)";
+
+double waveAt(double x, double y, double steep) {
+  double s = std::sin(x * 1.5 + y) * steep;
+  s += std::cos(y * 2.5 - x) * s + std::sin(s * 3);
+  return s * std::sin(x + s) + std::cos(s - y);
+}
+
+TEST(GlslDefine, WhatIsCalledOftenIsDefinedOnce) {
+  const Listing listing =
+      listed(wave +
+                 "float f(float x, float y) { return wave(x, y, 0.5) + wave(y, x * x, 0.5) * "
+                 "wave(x + 1.0, 2.0, 0.5); }",
+             1);
+  const Ran run(listing, {0.3, -0.7});
+  EXPECT_EQ(run.defined, 1);
+  EXPECT_EQ(run.called, 3);
+  EXPECT_EQ(listing.routines, "wave\n");
+  const double expected =
+      waveAt(0.3, -0.7, 0.5) + waveAt(-0.7, 0.3 * 0.3, 0.5) * waveAt(1.3, 2, 0.5);
+  EXPECT_NEAR(run.results.at(0), expected, 1e-12);
+}
+
+TEST(GlslDefine, DerivativesAreByWhatVariesAndThatComesFirst) {
+  // The first argument is the same constant wherever it is called.
+  const std::string text =
+      "float turned(float steep, float x, float y) { float s = sin(x * 1.5 + y) "
+      "* steep; s += cos(y * 2.5 - x) * s + sin(s * 3.0); return s * sin(x + s) "
+      "+ cos(s - y); }\n"
+      "float f(float x, float y) { return turned(0.25, x, y) + turned(0.25, "
+      "y, x) + turned(0.25, x * y, y); }";
+  const Listing listing = listed(text, 1);
+  const Ran run(listing, {0.4, 1.1});
+  ASSERT_EQ(run.defined, 1);
+  EXPECT_EQ(run.sizes[0], 3u);
+  EXPECT_EQ(run.variables[0], 2u);
+  EXPECT_NEAR(run.results.at(0),
+              waveAt(0.4, 1.1, 0.25) + waveAt(1.1, 0.4, 0.25) + waveAt(0.44, 1.1, 0.25), 1e-12);
+}
+
+TEST(GlslDefine, AUniformThatItReadsIsHandedOver) {
+  std::string text = "uniform float steep;\n" + wave;
+  text.replace(text.find(", float steep"), 13, "");
+  const Listing listing =
+      listed(text + "float f(float x) { return wave(x, 1.0) + wave(1.0, x) + wave(x, x); }", 1);
+  const Ran run(listing, {0.6}, {0.8});
+  EXPECT_EQ(run.defined, 1);
+  EXPECT_EQ(run.sizes[0], 3u);
+  EXPECT_NEAR(run.results.at(0), waveAt(0.6, 1, 0.8) + waveAt(1, 0.6, 0.8) + waveAt(0.6, 0.6, 0.8),
+              1e-6);
+}
+
+TEST(GlslDefine, WhatIsCalledOnceIsEntered) {
+  const Ran run(listed(wave + "float f(float x) { return wave(x, 1.0, 0.5); }", 1), {0.2});
+  EXPECT_EQ(run.defined + run.called, 0);
+  EXPECT_NEAR(run.results.at(0), waveAt(0.2, 1, 0.5), 1e-12);
+}
+
+TEST(GlslDefine, AFunctionMayCallAnother) {
+  const std::string twice =
+      "float twice(float x, float y) { float a = wave(x, y, 0.5), b = wave(y, "
+      "a, 0.5); return a * sin(b) + b * cos(a) + sin(a * b) * cos(x - y) + "
+      "sin(x * y + a); }\n";
+  const auto twiceAt = [](double x, double y) {
+    const double a = waveAt(x, y, 0.5), b = waveAt(y, a, 0.5);
+    return a * std::sin(b) + b * std::cos(a) + std::sin(a * b) * std::cos(x - y) +
+           std::sin(x * y + a);
+  };
+  const Ran run(
+      listed(wave + twice + "float f(float x) { return twice(x, 0.5) + twice(x * x, x); }", 2),
+      {0.9});
+  EXPECT_EQ(run.defined, 2);
+  EXPECT_NEAR(run.results.at(0), twiceAt(0.9, 0.5) + twiceAt(0.81, 0.9), 1e-12);
+}
+
+// The body of a loop that is long enough to stay one.
+const std::string body =
+    "s += a * sin(q * 1.5 + cos(s)) * cos(q - s); q = q * 0.75 + sin(s) * 0.5; a *= 0.5;";
+
+double looped(double x, int steps, const std::function<bool(double, int)>& stops) {
+  double s = 0, a = 1, q = x;
+  for (int i = 0; i < steps && !stops(q, i); ++i) {
+    s += a * std::sin(q * 1.5 + std::cos(s)) * std::cos(q - s);
+    q = q * 0.75 + std::sin(s) * 0.5;
+    a *= 0.5;
+  }
+  return s + q;
+}
+
+std::string looping(const std::string& head, const std::string& first = "") {
+  return "float f(float x) { float s = 0.0, a = 1.0, q = x; " + head + " { " + first + body +
+         " } return s + q; }";
+}
+
+const auto never = [](double, int) { return false; };
+
+TEST(GlslFold, ALongLoopIsOne) {
+  const Listing listing = listed(looping("for (int i = 0; i < 12; i++)"), 0);
+  const Ran run(listing, {0.7});
+  EXPECT_EQ(run.folds, 1);
+  EXPECT_EQ(run.steps, 12u);
+  EXPECT_NEAR(run.results.at(0), looped(0.7, 12, never), 1e-12);
+}
+
+TEST(GlslFold, CountersFollowFromTheStep) {
+  const Listing listing =
+      listed(looping("for (int i = 9; i > -12; i -= 3)", "s += float(i) * q * 0.125;"), 0);
+  const Ran run(listing, {0.7});
+  EXPECT_EQ(run.steps, 7u);
+  double s = 0, a = 1, q = 0.7;
+  for (int i = 9; i > -12; i -= 3) {
+    s += i * q * 0.125;
+    s += a * std::sin(q * 1.5 + std::cos(s)) * std::cos(q - s);
+    q = q * 0.75 + std::sin(s) * 0.5;
+    a *= 0.5;
+  }
+  EXPECT_NEAR(run.results.at(0), s + q, 1e-12);
+}
+
+TEST(GlslFold, BreakIsAState) {
+  const Listing listing =
+      listed(looping("for (int i = 0; i < 20; i++)", "if (q < 0.625) break; "), 0);
+  for (const double x : {0.1, 0.7, 1.9, 5.0}) {
+    const Ran run(listing, {x});
+    EXPECT_EQ(run.folds, 1);
+    EXPECT_NEAR(run.results.at(0), looped(x, 20, [](double q, int) { return q < 0.625; }), 1e-12)
+        << x;
+  }
+}
+
+TEST(GlslFold, ALoopOfTheShaderAloneRunsToItsBound) {
+  const Listing listing = listed(looping("while (q > 0.625)"), 0, 15);
+  const Ran run(listing, {3.0});
+  EXPECT_EQ(run.steps, 15u);
+  EXPECT_NEAR(run.results.at(0), looped(3, 15, [](double q, int) { return q <= 0.625; }), 1e-12);
+}
+
+TEST(GlslFold, LoopsStandInEachOther) {
+  const std::string text =
+      "float f(float x) { float s = 0.0; for (int i = 0; i < 9; i++) { float t = s * 0.5; "
+      "for (int j = 0; j < 20; j++) { t += sin(t * 1.5 + x * float(j)) * cos(t - float(i)) * 0.25; "
+      "} s += sin(t) * cos(s * 2.0 + x); } return s; }";
+  const Ran run(listed(text, 0), {0.35});
+  double s = 0;
+  for (int i = 0; i < 9; ++i) {
+    double t = s * 0.5;
+    for (int j = 0; j < 20; ++j) t += std::sin(t * 1.5 + 0.35 * j) * std::cos(t - i) * 0.25;
+    s += std::sin(t) * std::cos(s * 2 + 0.35);
+  }
+  EXPECT_NEAR(run.results.at(0), s, 1e-10);
+  EXPECT_EQ(run.folds, 1 + 9);
+}
+
+TEST(GlslFold, AShortLoopIsWrittenOut) {
+  EXPECT_EQ(Ran(listed(looping("for (int i = 0; i < 2; i++)"), 0), {0.7}).folds, 0);
+}
+
+TEST(GlslListing, WholeNumbersFromOutsideComeInHalves) {
+  const Listing listing =
+      listed("uniform int n; float f(float x) { return float(n % 1000) + x; }", 0);
+  int halves = 0;
+  for (std::size_t i = 0; i + 3 < listing.words.size(); ++i)
+    halves += listing.words[i] == static_cast<std::uint32_t>(Code::Uniform) &&
+              (listing.words[i + 3] & Recorder::highHalf) != 0;
+  EXPECT_EQ(halves, 1);
+  EXPECT_NE(listing.names.find("uniform 1 1 int n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace warpjet::glsl

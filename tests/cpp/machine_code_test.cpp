@@ -1,0 +1,131 @@
+// Machine code: numbers and a whole module against bytes by hand. That it computes what the
+// interpreter does, tests/js/machine-code.test.js sees, where there is an engine.
+#include "eval/machine_code.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "eval/program.hpp"
+#include "eval/wasm_bytes.hpp"
+#include "support.hpp"
+
+namespace warpjet {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes numbered(std::uint32_t x) {
+  WasmBytes bytes;
+  bytes.number(x);
+  return bytes.bytes();
+}
+
+Bytes signedly(std::int32_t x) {
+  WasmBytes bytes;
+  bytes.signedNumber(x);
+  return bytes.bytes();
+}
+
+// The examples of the DWARF standard, which LEB128 comes from, and the ends of 32 bits.
+TEST(WasmBytes, NumbersAreLEB128) {
+  EXPECT_EQ(numbered(2), (Bytes{2}));
+  EXPECT_EQ(numbered(127), (Bytes{127}));
+  EXPECT_EQ(numbered(128), (Bytes{0x80, 1}));
+  EXPECT_EQ(numbered(12857), (Bytes{0x80 + 57, 100}));
+  EXPECT_EQ(numbered(~0u), (Bytes{0xff, 0xff, 0xff, 0xff, 0x0f}));
+  EXPECT_EQ(signedly(2), (Bytes{2}));
+  EXPECT_EQ(signedly(-2), (Bytes{0x7e}));
+  EXPECT_EQ(signedly(63), (Bytes{63}));
+  EXPECT_EQ(signedly(64), (Bytes{0xc0, 0}));
+  EXPECT_EQ(signedly(127), (Bytes{0xff, 0}));
+  EXPECT_EQ(signedly(-127), (Bytes{0x81, 0x7f}));
+  EXPECT_EQ(signedly(-128), (Bytes{0x80, 0x7f}));
+  EXPECT_EQ(signedly(INT32_MIN), (Bytes{0x80, 0x80, 0x80, 0x80, 0x78}));
+}
+
+TEST(WasmBytes, TextsAndSectionsHaveTheirLengthBefore) {
+  WasmBytes contents, module;
+  contents.text("run");
+  contents.text("lanes_", "exp");
+  module.section(7, contents);
+  EXPECT_EQ(module.bytes(),
+            (Bytes{7, 14, 3, 'r', 'u', 'n', 9, 'l', 'a', 'n', 'e', 's', '_', 'e', 'x', 'p'}));
+}
+
+class MachineCodeTest : public testing::Test {
+ protected:
+  Graph graph;
+  Expression x = scalar(graph, "x"), time = scalar(graph, "time");
+
+  MachineCode codeOf(Expression result) {
+    const auto made = program(graph, std::array{result.id});
+    const RegisterProgram registers =
+        allocateRegisters(made->words, made->instructions, std::array{0u}, {false, true});
+    // x of 4 vertices, the time, and room for 4 results.
+    const Placement inputs[] = {{0, 1}, {16, 1, true}}, results[] = {{20, 1}};
+    return machineCode(registers, inputs, results, 36);
+  }
+
+  static bool holds(const Bytes& bytes, const Bytes& part) {
+    return std::search(bytes.begin(), bytes.end(), part.begin(), part.end()) != bytes.end();
+  }
+};
+
+// x + 2, worked out with the specification's tables of opcodes.
+TEST_F(MachineCodeTest, AModuleByHand) {
+  const MachineCode made = codeOf(x + 2.0);
+  EXPECT_EQ(made.sharedAt, 36u);
+  EXPECT_EQ(made.shared, (std::vector<std::uint32_t>{0x40000000})) << "2.0f";
+  const Bytes head{0, 'a', 's', 'm', 1, 0, 0, 0};
+  EXPECT_TRUE(std::equal(head.begin(), head.end(), made.module.begin()));
+
+  // The address of x, four lanes of it, the constant, the sum, and four stores.
+  const Bytes address{0x20, 0, 0x20, 1, 0x41, 1, 0x6c, 0x6a, 0x21, 2};
+  Bytes body{2, 1, 0x7f, 2, 0x7b};
+  const auto add = [&](const Bytes& more) { body.insert(body.end(), more.begin(), more.end()); };
+  add(address);
+  add({0x20, 2, 0x20, 2, 0x20, 2, 0x20, 2});
+  add({0xfd, 0x5c, 2, 0, 0xfd, 0x56, 2, 4, 1, 0xfd, 0x56, 2, 8, 2, 0xfd, 0x56, 2, 12, 3});
+  add({0x21, 3});
+  add({0x20, 3, 0x20, 0, 0xfd, 0x09, 2, 36, 0xfd, 0xe4, 0x01, 0x21, 4});
+  add(address);
+  for (std::uint8_t lane = 0; lane < 4; ++lane)
+    add({0x20, 2, 0x20, 4, 0xfd, 0x5a, 2, static_cast<std::uint8_t>(20 + 4 * lane), lane});
+  add({0x0b});
+  body.insert(body.begin(), static_cast<std::uint8_t>(body.size()));
+  EXPECT_TRUE(holds(made.module, body));
+}
+
+// What all vertices share is computed by `start`: it is among the shared numbers, after the
+// constants and before those of formulas.
+TEST_F(MachineCodeTest, SharedNumbersStandInOrder) {
+  const MachineCode made = codeOf(x * (time * 3.0 + 1.0));
+  ASSERT_EQ(made.shared.size(), 5u);
+  EXPECT_EQ(made.shared[0], __builtin_bit_cast(std::uint32_t, 3.0f));
+  EXPECT_EQ(made.shared[1], __builtin_bit_cast(std::uint32_t, 1.0f));
+  // The time, and `start` stores its multiple: local 0, … v128.store32_lane at 36 + 4 · 3.
+  EXPECT_TRUE(holds(made.module, {0xfd, 0x5a, 2, 36 + 12, 0}));
+  EXPECT_GT(codeOf(sin(x)).shared.size(), 5u) << "the coefficients of a sine";
+}
+
+// Only what is used is imported, by the names that js-bindings/wasm/evaluation.cpp exports.
+TEST_F(MachineCodeTest, ImportsWhatItCalls) {
+  const auto name = [](std::string_view text) { return Bytes(text.begin(), text.end()); };
+  EXPECT_TRUE(holds(codeOf(exp(x)).module, name("lanes_exp")));
+  EXPECT_FALSE(holds(codeOf(exp(x)).module, name("lanes_log")));
+  EXPECT_FALSE(holds(codeOf(x * x).module, name("lanes_exp")));
+}
+
+// Of many instructions there are several functions, and registers in memory between them.
+TEST_F(MachineCodeTest, ALongProgramIsCut) {
+  Expression sum = x;
+  for (int i = 0; i < 1200; ++i) sum = sum * sum + x;
+  const MachineCode made = codeOf(sum);
+  EXPECT_GT(made.sharedAt, 36u);
+  EXPECT_EQ(codeOf(x * x).sharedAt, 36u);
+}
+
+}  // namespace
+}  // namespace warpjet

@@ -1,0 +1,91 @@
+// node tests/firefox/site.mjs [words of paths]: opens every page of the built site in Firefox, on a desktop and on a phone, and says what
+// any of them prints, what does not fit, and what stays undrawn. By hand, after `npm run site`: Firefox is no part of the set-up.
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { preview } from 'vite'
+import { path, walk } from '../../.scripts/lib/files.mjs'
+import { startFirefox } from './bidi.mjs'
+
+const folder = '.build/site'
+const screenshots = path('.build/screenshots/firefox')
+const sizes = { desktop: { width: 1280, height: 900 }, phone: { width: 360, height: 740 } }
+const patience = 60_000
+
+/** In the page, when it has come to rest → what is wrong with it. */
+async function look() {
+  const until = performance.now() + 60_000
+  const wait = async (ready) => {
+    while (!ready() && performance.now() < until) await new Promise((go) => setTimeout(go, 100))
+    return ready()
+  }
+  const wrong = []
+  const find = (selector) => document.querySelector(selector)
+  if (find('.hero') && !(await wait(() => find('.hero canvas')))) wrong.push('The hero is still')
+  if (find('main[data-name]') && !(await wait(() => find('iframe.shown'))))
+    wrong.push(`The example is not drawn: ${find('.rate').textContent}`)
+  if (find('.playground') && !(await wait(() => find('main').ariaBusy === 'false')))
+    wrong.push('The playground is busy')
+  if (find('.playground .mistake')?.textContent) wrong.push(find('.mistake').textContent)
+  const { scrollWidth } = document.documentElement
+  if (scrollWidth > innerWidth) wrong.push(`It is ${scrollWidth} wide`)
+  return JSON.stringify(wrong)
+}
+
+/** What a driver without a GPU says of itself. */
+const isOfDriver = (text) => /WebGL warning|WEBGL_debug_renderer_info|GPU stall/.test(text)
+
+const wanted = process.argv.slice(2)
+const pages = walk(folder, /\.html$/)
+  .map((file) => file.slice(folder.length + 1))
+  .filter((file) => !/^(?:examples|bench\/(?:driven|p5-sketch))/.test(file))
+  .filter((file) => !wanted.length || wanted.some((word) => file.includes(word)))
+mkdirSync(screenshots, { recursive: true })
+const server = await preview({
+  configFile: path('web/vite.config.js'),
+  logLevel: 'warn',
+  base: '/some/folder/',
+  preview: { port: 5360 },
+  build: { outDir: path(folder) },
+})
+const url = server.resolvedUrls.local[0]
+const firefox = await startFirefox()
+let messages = []
+firefox.on((method, params) => {
+  if (method === 'log.entryAdded' && !isOfDriver(params.text ?? ''))
+    messages.push(`${params.level}: ${params.text}`)
+})
+await firefox.send('session.subscribe', { events: ['log.entryAdded'] })
+const { contexts } = await firefox.send('browsingContext.getTree', {})
+const { context } = contexts[0]
+const wrong = []
+for (const [size, viewport] of Object.entries(sizes)) {
+  await firefox.send('browsingContext.setViewport', { context, viewport })
+  for (const file of pages) {
+    messages = []
+    const late = new Promise((give) =>
+      setTimeout(give, 2 * patience, { result: { value: '["It hangs"]' } }),
+    )
+    const seen = async () => {
+      await firefox.send('browsingContext.navigate', { context, url: url + file, wait: 'complete' })
+      return firefox.send('script.callFunction', {
+        functionDeclaration: String(look),
+        awaitPromise: true,
+        target: { context },
+      })
+    }
+    const { result, exceptionDetails } = await Promise.race([seen(), late])
+    const found = [...(result ? JSON.parse(result.value) : [exceptionDetails.text]), ...messages]
+    for (const each of found) wrong.push(`${size}, ${file}: ${each}`)
+    console.log(`${size} ${file} ${found.length ? found.join(' | ') : 'is well'}`)
+    if (/^index|playground|units|gallery\/(?:lotus|three-sea)/.test(file)) {
+      const { data } = await firefox.send('browsingContext.captureScreenshot', { context })
+      const name = `${size}-${file.replaceAll('/', '-')}.png`
+      writeFileSync(`${screenshots}/${name}`, Buffer.from(data, 'base64'))
+    }
+  }
+}
+await firefox.close()
+await server.close()
+console.log(
+  wrong.length ? `\n${wrong.join('\n')}` : `\nNothing is wrong with ${pages.length} pages.`,
+)
+process.exit(wrong.length ? 1 : 0)

@@ -1,0 +1,175 @@
+// The built-in functions of GLSL in double, as its specification writes them, for tests alone. Each takes lists of numbers and
+// the types of its operands, and gives its numbers; without a type of its own it has that of its widest operand.
+const each =
+  (f) =>
+  (...lists) => {
+    const size = Math.max(...lists.map((list) => list.length))
+    return Array.from({ length: size }, (_, i) =>
+      f(...lists.map((list) => list[list.length === 1 ? 0 : i])),
+    )
+  }
+const dot = (x, y) => x.reduce((sum, value, i) => sum + value * y[i], 0)
+const length = (x) => Math.sqrt(dot(x, x))
+const scaled = (x, by) => x.map((value) => value * by)
+const plus = (x, y) => x.map((value, i) => value + y[i])
+const even = (x) => {
+  const low = Math.floor(x)
+  return x - low === 0.5 ? low + (low % 2 ? 1 : 0) : Math.round(x)
+}
+const clamp = (x, low, high) => Math.min(Math.max(x, low), high)
+const mix = (a, b, t) => (typeof t === 'boolean' ? (t ? b : a) : a * (1 - t) + b * t)
+
+const bits = new DataView(new ArrayBuffer(4))
+const asBits = (kind) => (x) => (bits.setFloat32(0, x), bits[`get${kind}32`](0))
+const ofBits = (x) => (bits.setUint32(0, x >>> 0), bits.getFloat32(0))
+/** Two whole numbers of 16 bits, as a list of one uint, and back. */
+const packed = (f) => (v) => [((f(v[0]) & 0xffff) | (f(v[1]) << 16)) >>> 0]
+const unpacked =
+  (f) =>
+  ([u]) => [f(u & 0xffff), f(u >>> 16)]
+/** The nearest half, of 11 bits, and its value. */
+function halfOf(x) {
+  const size = Math.min(Math.abs(x), 65536)
+  if (size < 2 ** -14) return (x < 0 ? 0x8000 : 0) | even(size * 2 ** 24)
+  const power = Math.floor(Math.log2(size))
+  const value = even(size / 2 ** (power - 10)) * 2 ** (power - 10)
+  const grown = Math.floor(Math.log2(value))
+  return (x < 0 ? 0x8000 : 0) | ((grown + 15) << 10) | (value / 2 ** (grown - 10) - 1024)
+}
+function valueOfHalf(h) {
+  const [sign, power, rest] = [h & 0x8000 ? -1 : 1, (h >> 10) & 31, h & 1023]
+  return sign * (power === 0 ? rest * 2 ** -24 : (1024 + rest) * 2 ** (power - 25))
+}
+
+const sizeOfSquare = (m) => Math.sqrt(m.length)
+function minor(m, column, row) {
+  const n = sizeOfSquare(m)
+  return m.filter((_, i) => Math.floor(i / n) !== column && i % n !== row)
+}
+function determinant(m) {
+  if (m.length === 1) return m[0]
+  const n = sizeOfSquare(m)
+  return Array.from({ length: n }, (_, c) => c).reduce(
+    (sum, c) => sum + (c % 2 ? -1 : 1) * m[c * n] * determinant(minor(m, c, 0)),
+    0,
+  )
+}
+function inverse(m) {
+  const [n, d] = [sizeOfSquare(m), determinant(m)]
+  return m.map((_, i) => {
+    const [column, row] = [Math.floor(i / n), i % n]
+    return ((column + row) % 2 ? -1 : 1) * (determinant(minor(m, row, column)) / d)
+  })
+}
+
+const direct = (names) => Object.fromEntries(names.map((name) => [name, { run: each(Math[name]) }]))
+const number = (f) => ({ type: () => 'float', run: (...lists) => [f(...lists)] })
+const typed = (type, run) => ({ type, run })
+/** The type of as many numbers of another kind: 'float' and 'vec2', 'int' and 'ivec2' … */
+export const ofKind = (kind, type) => {
+  const size = /vec(\d)$/.exec(type)?.[1]
+  return size ? `${kind === 'float' ? '' : kind[0]}vec${size}` : kind
+}
+const kinds = (kind, f) => typed((type) => ofKind(kind, type), each(f))
+
+export const builtIns = {
+  ...direct([
+    'sin',
+    'cos',
+    'tan',
+    'asin',
+    'acos',
+    'sinh',
+    'cosh',
+    'tanh',
+    'asinh',
+    'acosh',
+    'atanh',
+  ]),
+  ...direct(['exp', 'log', 'log2', 'sqrt', 'abs', 'sign', 'floor', 'trunc', 'ceil', 'min', 'max']),
+  radians: { run: each((x) => (x * Math.PI) / 180) },
+  degrees: { run: each((x) => (x * 180) / Math.PI) },
+  atan: { run: (y, x) => (x ? each(Math.atan2)(y, x) : each(Math.atan)(y)) },
+  pow: { run: each(Math.pow) },
+  exp2: { run: each((x) => 2 ** x) },
+  inversesqrt: { run: each((x) => 1 / Math.sqrt(x)) },
+  round: { run: each(even) },
+  roundEven: { run: each(even) },
+  fract: { run: each((x) => x - Math.floor(x)) },
+  mod: { run: each((x, y) => x - y * Math.floor(x / y)) },
+  clamp: { run: each(clamp) },
+  mix: { run: each(mix) },
+  step: { run: each((edge, x) => (x < edge ? 0 : 1)) },
+  smoothstep: {
+    run: each((low, high, x) => {
+      const t = clamp((x - low) / (high - low), 0, 1)
+      return t * t * (3 - 2 * t)
+    }),
+  },
+  isnan: kinds('bool', Number.isNaN),
+  isinf: kinds('bool', (x) => Math.abs(x) === Infinity),
+
+  floatBitsToInt: kinds('int', asBits('Int')),
+  floatBitsToUint: kinds('uint', asBits('Uint')),
+  intBitsToFloat: kinds('float', ofBits),
+  uintBitsToFloat: kinds('float', ofBits),
+  packSnorm2x16: typed(
+    () => 'uint',
+    packed((x) => even(clamp(x, -1, 1) * 32767)),
+  ),
+  packUnorm2x16: typed(
+    () => 'uint',
+    packed((x) => even(clamp(x, 0, 1) * 65535)),
+  ),
+  packHalf2x16: typed(() => 'uint', packed(halfOf)),
+  unpackSnorm2x16: typed(
+    () => 'vec2',
+    unpacked((u) => clamp(((u << 16) >> 16) / 32767, -1, 1)),
+  ),
+  unpackUnorm2x16: typed(
+    () => 'vec2',
+    unpacked((u) => u / 65535),
+  ),
+  unpackHalf2x16: typed(() => 'vec2', unpacked(valueOfHalf)),
+
+  length: number(length),
+  distance: number((x, y) => length(plus(x, scaled(y, -1)))),
+  dot: number(dot),
+  cross: {
+    run: ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x],
+  },
+  normalize: { run: (x) => scaled(x, 1 / length(x)) },
+  faceforward: { run: (n, i, reference) => scaled(n, dot(reference, i) < 0 ? 1 : -1) },
+  reflect: { run: (i, n) => plus(i, scaled(n, -2 * dot(n, i))) },
+  refract: {
+    run: (i, n, [eta]) => {
+      const along = dot(n, i)
+      const k = 1 - eta * eta * (1 - along * along)
+      return k < 0 ? scaled(i, 0) : plus(scaled(i, eta), scaled(n, -(eta * along + Math.sqrt(k))))
+    },
+  },
+
+  matrixCompMult: { run: each((x, y) => x * y) },
+  outerProduct: typed(
+    (a, b) => (a === b ? `mat${a.at(-1)}` : `mat${b.at(-1)}x${a.at(-1)}`),
+    (a, b) => b.flatMap((x) => scaled(a, x)),
+  ),
+  determinant: number(determinant),
+  inverse: { run: inverse },
+
+  lessThan: kinds('bool', (x, y) => x < y),
+  lessThanEqual: kinds('bool', (x, y) => x <= y),
+  greaterThan: kinds('bool', (x, y) => x > y),
+  greaterThanEqual: kinds('bool', (x, y) => x >= y),
+  equal: kinds('bool', (x, y) => x === y),
+  notEqual: kinds('bool', (x, y) => x !== y),
+  any: typed(
+    () => 'bool',
+    (x) => [x.some(Boolean)],
+  ),
+  all: typed(
+    () => 'bool',
+    (x) => [x.every(Boolean)],
+  ),
+  not: { run: each((x) => !x) },
+}

@@ -1,0 +1,63 @@
+// The Jacobian of every function of the corpus, beside differences in double of a walk over the tree of another parser.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compile } from 'warpjet'
+import 'warpjet/glsl'
+import { corpus } from '../glsl/corpus.js'
+import { pointsOfCube } from '../glsl/points.js'
+import { walk } from '../glsl/walk.js'
+import { derivative } from '../random/differences.js'
+
+const points = pointsOfCube(12)
+
+/** Stairs finer than any difference: what is made of whole numbers has derivative zero. */
+const isStairs = new Set(['a hash of bits', 'halves', 'halves of a uint'])
+
+/** How sure differences must be of themselves to be asked; at a kink or a jump they are not. */
+const sure = 1e-4
+
+/** What no shader promises, such as the root of what is below zero. */
+const isPromised = Number.isFinite
+
+const compared = { slopes: 0, kinks: 0 }
+
+for (const { name, text } of corpus)
+  test(`${name}: values, and derivatives by x, y and z`, () => {
+    const compiled = compile((glsl) => {
+      const p = glsl.vec3Param('p')
+      const value = glsl.source(text, { function: 'corpus' })(p)
+      return { value, jacobian: glsl.jacobian(value, p) }
+    })
+    const f = walk(text, 'corpus')
+    let [slopes, kinks] = [0, 0]
+    for (const p of points) {
+      const { value, jacobian } = compiled.evaluate({ p })
+      const wanted = f(p)
+      const steepest = Math.max(1, ...Array.from(jacobian, Math.abs).filter(isPromised))
+      wanted.forEach((x, i) => {
+        if (!isPromised(x)) return
+        const isNear = Math.abs(value[i] - x) <= 2e-5 * steepest * Math.max(1, Math.abs(x))
+        assert.ok(isNear, `value ${i} at ${p}: ${value[i]}, not ${x}`)
+      })
+      for (let k = 0; k < 3; k++) {
+        const by = [{ name: 'p', index: k }]
+        derivative((point) => f(point.p), { p }, by, wanted).forEach(({ value, error }, i) => {
+          const ours = jacobian[3 * k + i]
+          if (isStairs.has(name)) return assert.equal(ours, 0)
+          const size = Math.max(1, Math.abs(value))
+          if (!(error <= sure * size)) return kinks++
+          slopes++
+          const isNear = Math.abs(ours - value) <= 10 * sure * size
+          return assert.ok(isNear, `slope ${i} by ${'xyz'[k]} at ${p}: ${ours}, not ${value}`)
+        })
+      }
+    }
+    assert.ok(isStairs.has(name) || kinks <= slopes / 5, `${slopes} slopes, ${kinks} kinks`)
+    compared.slopes += slopes
+    compared.kinks += kinks
+  })
+
+test('hardly a point of them lies at a kink', () => {
+  assert.ok(compared.slopes > 100 * (corpus.length - isStairs.size), `${compared.slopes} slopes`)
+  assert.ok(compared.kinks < compared.slopes / 100, `${compared.kinks} kinks`)
+})

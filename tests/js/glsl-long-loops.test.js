@@ -1,0 +1,83 @@
+// Random long loops of shader text, which stay loops: values as an interpreter of the text has them, step by step, in double;
+// derivatives as differences of those have them.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compile } from '../../dist/warpjet.js'
+import '../../dist/glsl.js'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { interpret } from '../glsl/interpret.js'
+import { randomLongLoops } from '../glsl/long-loops.js'
+
+const count = isRun('every random expression') ? 500 : 60
+
+const points = Array.from({ length: 6 }, (_, i) =>
+  [0.7548776662, 0.569840291, 0.3819660113].map((step) => 2 * ((0.5 + (i + 1) * step) % 1) - 1),
+)
+
+/** Where two central differences agree there is a slope; at a kink or a jump there is none to compare. */
+function slopeOf(f, p, k) {
+  const at = (h) => f(p.map((x, i) => (i === k ? x + h : x)))
+  const central = (h) => (at(h) - at(-h)) / (2 * h)
+  const [wide, narrow] = [central(2e-5), central(1e-5)]
+  const isSmooth = Math.abs(narrow - wide) <= 1e-5 * Math.max(1, Math.abs(narrow))
+  return isSmooth ? narrow : undefined
+}
+
+test('the interpreter by hand', () => {
+  const run = (body, x = 2) => interpret(`float f(float x) { ${body} }`).f(x)
+  assert.equal(run('int i = 7; return float(i / 2 * 2 + i % 2 - -i);'), 14)
+  assert.equal(run('vec3 v = vec3(1.0, 2.0, 3.0); v.zx = v.xy * 2.0; return dot(v, vec3(1.0));'), 8)
+  assert.equal(
+    run(
+      'float s = 0.0; for (int i = 0; i < 9; i++) { if (i == 2) continue; if (i > 4) break; s += float(i); } return s;',
+    ),
+    8,
+  )
+  assert.equal(run('int n = 3; float s = 0.0; while (n-- > 0) s += float(n); return s;'), 3)
+  assert.equal(
+    run('int n = 0; do { n++; } while (n < 0); return float(n) + (x > 1.0 ? 0.5 : 0.0);'),
+    1.5,
+  )
+  assert.equal(
+    run(
+      'for (int i = 0; i < 9; i++) for (int j = 0; j < 9; j++) if (i * j == 6) return float(i); return 0.0;',
+    ),
+    1,
+  )
+  assert.equal(run('float x = 3.0; { float x = 4.0; } return mix(x, 5.0, 0.5);'), 4)
+})
+
+test(`${count} random texts of long loops: values and gradients`, () => {
+  const problems = []
+  const compared = { slopes: 0, loops: 0 }
+  for (let seed = 1; seed <= count && problems.length < 3; seed++) {
+    const text = randomLongLoops(seed)
+    try {
+      const { f } = interpret(text)
+      const compiled = compile((glsl) => {
+        const p = glsl.vec3Param('p')
+        const value = glsl.source(text, { function: 'f' })(p)
+        return { value, gradient: glsl.gradient(value, p) }
+      })
+      if (/\bfor \(/.test(compiled.code)) compared.loops++
+      for (const p of points) {
+        const { value, gradient } = compiled.evaluate({ p })
+        const steepest = Math.max(1, ...gradient.map(Math.abs))
+        if (Math.abs(value - f(p)) > 1e-6 * steepest)
+          problems.push(`${seed} at ${p}: ${value}, not ${f(p)}\n${text}`)
+        gradient.forEach((found, k) => {
+          const slope = slopeOf(f, p, k)
+          if (slope === undefined) return
+          compared.slopes++
+          if (Math.abs(found - slope) > 1e-4 * steepest)
+            problems.push(`${seed}, by ${k} at ${p}: ${found}, not ${slope}\n${text}`)
+        })
+      }
+    } catch (error) {
+      problems.push(`${seed}: ${error.message}\n${text}`)
+    }
+  }
+  assert.equal(problems.length, 0, problems.join('\n\n').slice(0, 6000))
+  assert.ok(compared.slopes > count * 9, `${compared.slopes} slopes were compared`)
+  assert.ok(compared.loops > count * 0.6, `${compared.loops} texts kept a loop`)
+})

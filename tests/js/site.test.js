@@ -1,0 +1,147 @@
+// The pages of the site: what they link to is there, what they run comes back from its link, and what is named has its page.
+import assert from 'node:assert/strict'
+import { existsSync, readFileSync, readdirSync } from 'node:fs'
+import { dirname, join } from 'node:path/posix'
+import { before, test } from 'node:test'
+import { viteBuild } from '../../.scripts/lib/vite.mjs'
+import { sections } from '../../web/catalogue.js'
+import { sketchOf } from '../../web/playground/link.js'
+import { blocksOf } from '../../web/site/markdown.js'
+import { pages as listed } from '../../web/site/navigation.js'
+import { sitePages } from '../../web/site/pages.js'
+import { linkTo, runnable } from '../../web/site/runnable.js'
+import { sliders } from '../../web/sliders.js'
+
+const root = new URL('../../', import.meta.url)
+const read = (path) => readFileSync(new URL(path, root), 'utf8')
+const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
+const markdown = readdirSync(new URL('web/docs', root)).filter((file) => file.endsWith('.md'))
+
+let pages, html
+before(async () => {
+  pages = await sitePages()
+  html = [...pages].filter(([path]) => path.endsWith('.html'))
+})
+
+test('every file of the docs is in the navigation, once, and nothing else is', () => {
+  assert.deepEqual(listed.map(({ file }) => `${file}.md`).sort(), markdown.sort())
+})
+
+/** What Vite makes or hands on at that path. */
+const isMade = (path) =>
+  /^(?:playground|bench|drop)\/\w+\.html$/.test(path)
+    ? existsSync(new URL(`web/${path}`, root))
+    : /^site\/\w+\.(?:js|css|webp)$/.test(path) || /^(?:posters|docs)\/[\w-]+\.\w+$/.test(path)
+      ? existsSync(new URL(`web/${path}`, root))
+      : /^examples\/[\w-]+\/index\.html$/.test(path)
+        ? existsSync(new URL(path, root))
+        : /^examples\/[\w-]+\/\w+\.(?:obj|woff)$/.test(path)
+
+test('every link and picture of every page leads to something, anchors too', () => {
+  const wrong = []
+  for (const [path, text] of html)
+    for (const [, link] of text.matchAll(/(?:href|src)="([^"]+)"/g)) {
+      if (/^(?:https:|data:)/.test(link)) continue
+      const [file, anchor] = link.split('#')
+      const target = file ? join(dirname(path), file) : path
+      const there = pages.get(target)
+      const hasAnchor =
+        !anchor || /^(?:sketch|example)=/.test(anchor) || there?.includes(`id="${anchor}"`)
+      if (!(there || isMade(target)) || !hasAnchor) wrong.push(`${path}: ${link}`)
+    }
+  assert.deepEqual(wrong, [])
+})
+
+test('no page names a place from the top of a server', () => {
+  const wrong = html.filter(([, text]) => /(?:href|src)="\//.test(text))
+  assert.deepEqual(wrong, [])
+})
+
+test('a block comes back from its link as it stands', async () => {
+  const text = read('web/docs/tutorial-1-first-warp.md')
+  const [{ text: block, sketch }] = blocksOf(text)
+  assert.equal(sketch.text, block)
+  assert.deepEqual(await sketchOf(linkTo(sketch)), { text: block, host: 'p5', chosen: [] })
+})
+
+test('a part of a sketch gets the rest', () => {
+  const { text } = runnable('createWarp(({ position }) => position)\n', 'js')
+  assert.match(text, /^let warp\n[^]*\n  warp = createWarp\([^]*\n  warp\(\)\n/)
+  const framed = runnable('b()\n', 'js', 'deformers\nfunction setup() {\n  …\n}\n')
+  assert.deepEqual(framed, {
+    text: 'function setup() {\n  b()\n}\n',
+    host: 'p5',
+    chosen: ['deformers'],
+  })
+  assert.equal(runnable('npm i\n', 'sh'), undefined)
+  assert.equal(runnable('createWarp(f)\n', 'js', ' not '), undefined)
+})
+
+test('every example has a page and a picture of at most 20 KB', () => {
+  for (const name of names) {
+    assert.ok(pages.has(`gallery/${name}/index.html`), name)
+    const bytes = readFileSync(new URL(`web/posters/${name}.webp`, root))
+    assert.equal(bytes.toString('latin1', 8, 12), 'WEBP', name)
+    assert.ok(bytes.length <= 20_000, `${name}: ${bytes.length}`)
+  }
+})
+
+test('what is copied from an example has the script tags that the sketch needs', () => {
+  const page = pages.get('gallery/deformer-twist/index.html')
+  const { page: copied } = JSON.parse(/id="sketch">([^]*?)<\/script>/.exec(page)[1])
+  for (const file of ['p5.min.js', 'p5.warpjet.min.js', 'warpjet.deformers.min.js'])
+    assert.match(
+      copied,
+      new RegExp(`<script src="https://cdn\\.jsdelivr\\.net/npm/\\S+@\\d\\S*/${file}"></script>`),
+    )
+  assert.ok(copied.includes(read('examples/deformer-twist/sketch.js').trimEnd()))
+})
+
+test('each slider is of a number that stands in its sketch once, and begins within its range', () => {
+  for (const name of names) {
+    const sketch = read(`examples/${name}/sketch.js`)
+    for (const { label, value, from, to, at, length } of sliders(name, sketch)) {
+      assert.equal(Number(sketch.slice(at, at + length)), value, `${name}: ${label}`)
+      assert.ok(from <= value && value <= to, `${name}: ${label} is ${value}`)
+    }
+  }
+})
+
+test('the search looks through headings of the docs and through examples', () => {
+  const parts = JSON.parse(pages.get('site/search.json'))
+  const urls = parts.map(({ url }) => url)
+  assert.equal(new Set(urls).size, urls.length)
+  for (const url of [
+    'docs/how-to-rotate.html',
+    'docs/noise.html',
+    'docs/spaces.html',
+    'gallery/bunny/index.html',
+  ])
+    assert.ok(urls.includes(url), url)
+})
+
+test('a build is one for production and leaves NODE_ENV as it was, so that servers before and after it do not matter', async () => {
+  const { NODE_ENV } = process.env
+  const seen = []
+  const entry = {
+    name: 'entry',
+    resolveId: (id) => id,
+    load: () => {
+      seen.push(process.env.NODE_ENV)
+      return 'export {}'
+    },
+  }
+  const build = { write: false, lib: { entry: 'entry.js', formats: ['es'] } }
+  try {
+    for (const value of [undefined, 'development']) {
+      delete process.env.NODE_ENV
+      if (value) process.env.NODE_ENV = value
+      await viteBuild({ configFile: false, logLevel: 'silent', plugins: [entry], build })
+      assert.equal(process.env.NODE_ENV, value)
+    }
+    assert.deepEqual(seen, ['production', 'production'])
+  } finally {
+    delete process.env.NODE_ENV
+    if (NODE_ENV) process.env.NODE_ENV = NODE_ENV
+  }
+})

@@ -1,0 +1,27 @@
+/** Lines of the editor that are lit, because somebody points at what comes of them. */
+import { StateEffect, StateField } from '@codemirror/state'
+import { Decoration, EditorView } from '@codemirror/view'
+
+const light = StateEffect.define()
+const line = Decoration.line({ class: 'cm-lit' })
+
+const lit = StateField.define({
+  create: () => Decoration.none,
+  update: (marks, { changes, effects, state }) =>
+    effects.reduce(
+      (before, effect) =>
+        effect.is(light)
+          ? Decoration.set(
+              effect.value
+                .filter((number) => number <= state.doc.lines)
+                .sort((a, b) => a - b)
+                .map((number) => line.range(state.doc.line(number).from)),
+            )
+          : before,
+      marks.map(changes),
+    ),
+  provide: (field) => EditorView.decorations.from(field),
+})
+
+export const litLines = lit
+export const lightLines = (view, numbers) => view.dispatch({ effects: light.of(numbers) })

@@ -1,0 +1,110 @@
+/**
+ * Vite plugin: the pages of web/site, made in development as they are asked for, written once in a build; with them their
+ * style, font and pictures, and the text of the first page's warp, which is made before and needs no compiler there.
+ */
+import { readFile, readdir } from 'node:fs/promises'
+import { extname } from 'node:path'
+import { fileURLToPath } from 'node:url'
+
+const root = new URL('../../', import.meta.url)
+const read = (path) => readFile(new URL(path, root))
+
+const plainFiles = {
+  'site/site.css': 'web/site/site.css',
+  'site/hero.webp': 'web/site/hero.webp',
+  'site/fredoka.woff2': 'node_modules/@fontsource/fredoka/files/fredoka-latin-600-normal.woff2',
+}
+const folders = { 'posters/': /\.webp$/, 'docs/': /\.(?:png|svg|webp)$/ }
+
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.css': 'text/css; charset=utf-8',
+  '.json': 'application/json',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.webp': 'image/webp',
+  '.woff2': 'font/woff2',
+}
+
+/** Vite packs what a plugin imports by a name that it can read, and all of warpjet is no part of a setting. */
+const load = (path) => import(new URL(path, root).href)
+
+const sitePages = async () => (await load('web/site/pages.js')).sitePages()
+
+/** Where the file at that path of the site lies in the repository, for those that are handed on as they are. */
+function sourceOf(path) {
+  if (path in plainFiles) return plainFiles[path]
+  const folder = Object.keys(folders).find((name) => path.startsWith(name))
+  return folder && folders[folder].test(path) && !path.includes('..') ? `web/${path}` : undefined
+}
+
+async function handedOn() {
+  const found = Object.keys(plainFiles)
+  for (const [folder, matches] of Object.entries(folders))
+    for (const file of await readdir(new URL(`web/${folder}`, root)))
+      if (matches.test(file)) found.push(folder + file)
+  return found
+}
+
+async function heroText() {
+  const { compileWarp } = await load('dist/warpjet.js')
+  const { hero, names, uniforms } = await load('web/site/hero-warp.js')
+  const { code, declarations } = compileWarp(hero, { names, uniforms, surfaceVariation: false })
+  return `export default ${JSON.stringify({ code, declarations })}`
+}
+
+const heroModule = 'virtual:hero-text'
+
+export function sitePagesPlugin() {
+  let pages
+  return {
+    name: 'site-pages',
+
+    resolveId: (id) => (id === heroModule ? `\0${heroModule}` : undefined),
+    load: (id) => (id === `\0${heroModule}` ? heroText() : undefined),
+
+    configureServer(server) {
+      const forget = (file) => {
+        if (/[\\/]web[\\/]docs[\\/].*\.md$/.test(file)) pages = undefined
+      }
+      server.watcher.on('all', (_, file) => forget(file))
+      server.middlewares.use(async (request, response, next) => {
+        let path = decodeURIComponent(request.url.split('?')[0]).slice(1)
+        if (path === '' || /^(?:docs|gallery\/[\w-]+)\/$/.test(path)) path += 'index.html'
+        try {
+          let content
+          if (
+            /^(?:index\.html|docs\/[\w-]+\.html|gallery\/[\w-]+\/index\.html|site\/search\.json)$/.test(
+              path,
+            )
+          )
+            content = (await (pages ??= sitePages())).get(path)
+          else if (sourceOf(path)) content = await read(sourceOf(path)).catch(() => undefined)
+          if (content === undefined) return next()
+          response.setHeader('Content-Type', types[extname(path)])
+          response.setHeader('Cache-Control', 'no-cache')
+          response.end(content)
+        } catch (error) {
+          pages = undefined
+          next(error)
+        }
+      })
+    },
+
+    async generateBundle() {
+      // GitHub would leave out the folder node_modules otherwise.
+      this.emitFile({ type: 'asset', fileName: '.nojekyll', source: '' })
+      for (const [fileName, source] of await sitePages())
+        this.emitFile({ type: 'asset', fileName, source })
+      for (const fileName of await handedOn())
+        this.emitFile({ type: 'asset', fileName, source: await read(sourceOf(fileName)) })
+    },
+  }
+}
+
+export const siteScripts = Object.fromEntries(
+  ['site', 'home', 'example'].map((name) => [
+    `site/${name}`,
+    fileURLToPath(new URL(`../site/${name}.js`, import.meta.url)),
+  ]),
+)

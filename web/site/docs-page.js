@@ -1,0 +1,58 @@
+/** A page of the docs: the ways to the others at its side, and the next one below. */
+import { plain } from './html.js'
+import { frame } from './layout.js'
+import { groups, pages } from './navigation.js'
+
+const entry = (here) => (page) =>
+  `<li><a href="${page.file}.html"${page.file === here ? ' aria-current="page"' : ''}>${page.title}</a></li>`
+
+const contents = (here) =>
+  groups
+    .map(
+      ({ title, pages }) =>
+        `<section><h2>${title}</h2><ul>${pages.map(entry(here)).join('')}</ul></section>`,
+    )
+    .join('')
+
+function beside(file) {
+  const index = pages.findIndex((page) => page.file === file)
+  const [before, after] = [pages[index - 1], index < 0 ? pages[0] : pages[index + 1]]
+  const link = (page, rel, word) =>
+    page
+      ? `<a rel="${rel}" href="${page.file}.html"><small>${word}</small>${page.title}</a>`
+      : '<span></span>'
+  return `<nav class="beside" aria-label="Before and after">${link(before, 'prev', 'Before')}${link(after, 'next', 'Next')}</nav>`
+}
+
+/** What to say of a page in a list of found pages: how its text begins. */
+const beginning = (html) => {
+  const [, first = ''] = /<p>([^]*?)<\/p>/.exec(html) ?? []
+  return plain(first).slice(0, 160)
+}
+
+export function docsPage({ file, url, html }) {
+  const title = plain(/<h1[^>]*>([^]*?)<\/h1>/.exec(html)?.[1] ?? file)
+  return frame(
+    { url, title: `${title} · warpjet`, description: beginning(html), kind: 'docs', here: 'Docs' },
+    `<div class="columns">
+      <details class="contents" open>
+        <summary>All pages</summary>
+        <nav aria-label="Docs">${contents(file)}</nav>
+      </details>
+      <main id="main" tabindex="-1">
+        ${html}
+        ${beside(file)}
+      </main>
+    </div>`,
+  )
+}
+
+/** The first page of the docs is made of the list itself. */
+export const overview = () => `<h1>Docs</h1>
+<p>New here? <a href="${pages[0].file}.html">The first warp</a> takes two minutes. Every piece of code that says “Run” opens in the playground, where it can be changed.</p>
+<div class="overview">${groups
+  .map(
+    ({ title, pages }) =>
+      `<section><h2>${title}</h2><ul>${pages.map(entry()).join('')}</ul></section>`,
+  )
+  .join('')}</div>`

@@ -1,0 +1,96 @@
+/** The page of an example: runs it while it is seen, shows its two texts, and runs it anew as the sliders say. */
+import { highlight } from '../highlighting.js'
+import { makeStage } from '../stage.js'
+import { copyButton } from './copy.js'
+
+const find = (selector) => document.querySelector(selector)
+const main = find('main')
+const { sketch, page, sliders } = JSON.parse(find('#sketch').textContent)
+
+/* The two texts. That of the shader comes later, from the running sketch. */
+
+const code = find('.block code')
+const tabs = [...document.querySelectorAll('.tabs [value]')]
+const texts = { sketch: code.innerHTML, glsl: 'Made when the sketch starts.' }
+let shown = 'sketch'
+
+function show(tab) {
+  shown = tab
+  code.innerHTML = texts[tab]
+  code.parentElement.ariaLabel = tab === 'sketch' ? 'Sketch' : 'GLSL'
+  for (const button of tabs) button.ariaPressed = String(button.value === tab)
+}
+for (const button of tabs)
+  button.addEventListener('click', () => {
+    show(button.value)
+    code.parentElement.scrollTo(0, 0)
+  })
+copyButton(find('.tabs .copy'), () => page.replace(sketch.trimEnd(), () => changed().trimEnd()))
+
+let shader
+function setShader(text) {
+  if (text === shader) return
+  shader = text
+  texts.glsl = highlight(text, 'glsl')
+  if (shown === 'glsl') show('glsl')
+}
+
+/* The sliders. */
+
+const inputs = [...document.querySelectorAll('.sliders input')]
+const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false })
+
+/** The sketch with the sliders' numbers in it. */
+function changed() {
+  let text = sketch
+  const moved = sliders
+    .map((slider, index) => ({ ...slider, now: inputs[index] }))
+    .filter(({ now, value }) => now.dataset.moved && Number(now.value) !== value)
+    .sort((a, b) => b.at - a.at)
+  for (const { at, length, now } of moved)
+    text = text.slice(0, at) + short.format(now.value) + text.slice(at + length)
+  return text
+}
+
+let timer
+for (const input of inputs)
+  input.addEventListener('input', () => {
+    input.dataset.moved = 'yes'
+    input.nextElementSibling.textContent = short.format(input.value)
+    clearTimeout(timer)
+    timer = setTimeout(() => {
+      texts.sketch = highlight(changed(), 'javascript')
+      if (shown === 'sketch') show('sketch')
+      stage.setSketch(changed())
+    }, 250)
+  })
+
+/* The picture. */
+
+const rate = find('.rate')
+const pause = find('.pause')
+const { name, title } = main.dataset
+const stage = makeStage(
+  find('.stage'),
+  { page: `../../examples/${name}/gallery.html`, title },
+  ({ frames, rate: perSecond, code }) => {
+    rate.textContent = perSecond
+      ? `frame ${frames} · ${perSecond.toFixed(perSecond < 10 ? 1 : 0)} fps`
+      : ''
+    if (code) setShader(code)
+  },
+)
+
+function setPaused(isPaused) {
+  pause.ariaPressed = String(isPaused)
+  pause.textContent = isPaused ? 'Play' : 'Pause'
+  stage.setPaused(isPaused)
+}
+pause.addEventListener('click', () => setPaused(pause.ariaPressed !== 'true'))
+// Whoever wants less motion says when it begins.
+const wantsLess = matchMedia('(prefers-reduced-motion: reduce)').matches
+const canDraw = Boolean(document.createElement('canvas').getContext('webgl2'))
+if (!canDraw) {
+  pause.hidden = true
+  rate.textContent = 'This browser has no WebGL: here is a picture of it.'
+} else setPaused(wantsLess)

@@ -1,0 +1,52 @@
+/** The frame of every page of the site: head, bar, search, and what the page says. */
+import { escaped } from './html.js'
+import { places } from './navigation.js'
+
+/** `url` is where the page stands, from the first page; → what leads from there to the first page. */
+export const rootOf = (url) => '../'.repeat(url.split('/').length - 1) || './'
+
+const link =
+  (root, here) =>
+  ({ title, href }) =>
+    `<a href="${root}${href}"${title === here ? ' aria-current="true"' : ''}>${title}</a>`
+
+/**
+ * A whole page as HTML. `here` names the place of the bar that it belongs to, `kind` its look, `script` the module of web/site
+ * that it runs beside site.js, `preload` a picture that one sees first.
+ */
+export function frame({ url, title, description, kind, here, script, preload }, content) {
+  const root = rootOf(url)
+  const scripts = ['site', script].filter(Boolean)
+  return `<!doctype html>
+<html lang="en" data-root="${root}">
+  <head>
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    <meta name="color-scheme" content="dark light" />
+    <meta name="description" content="${escaped(description)}" />
+    <title>${escaped(title)}</title>
+    <link rel="icon" href="data:," />
+    <link rel="stylesheet" href="${root}site/site.css" />
+    ${preload ? `<link rel="preload" as="image" href="${root}${preload}" fetchpriority="high" />` : ''}
+    <script>
+      try { document.documentElement.dataset.theme = localStorage.theme ?? '' } catch {}
+    </script>
+    ${scripts.map((name) => `<script type="module" src="${root}site/${name}.js"></script>`).join('\n    ')}
+  </head>
+  <body class="${kind}">
+    <a class="skip" href="#main">Skip to the page</a>
+    <header class="bar">
+      <a class="name" href="${root}index.html">warpjet</a>
+      <nav aria-label="Site">${places.map(link(root, here)).join('')}</nav>
+      <search>
+        <input type="search" id="search" placeholder="Search" aria-label="Search the site" autocomplete="off"
+          role="combobox" aria-expanded="false" aria-controls="found" aria-autocomplete="list" />
+        <div id="found" role="listbox" aria-label="Found" hidden></div>
+      </search>
+      <button type="button" class="theme" aria-label="Light or dark"></button>
+    </header>
+    ${content}
+  </body>
+</html>
+`
+}

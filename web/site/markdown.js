@@ -1,0 +1,111 @@
+/** The Markdown of the docs as HTML: headings that can be linked to, coloured code, and “Run” where it runs. */
+import hljs from 'highlight.js'
+import markdownIt from 'markdown-it'
+import { escaped } from './html.js'
+import { plotOf } from './plot.js'
+import { linkTo, runnable } from './runnable.js'
+
+export const slug = (text) =>
+  text
+    .toLowerCase()
+    .replaceAll(/[^\p{L}\p{N}\s_-]/gu, '')
+    .trim()
+    .replaceAll(/\s/g, '-')
+
+const languages = {
+  svelte: 'xml',
+  vue: 'xml',
+  html: 'xml',
+  jsx: 'javascript',
+  js: 'javascript',
+  sh: 'bash',
+}
+
+function coloured(text, language) {
+  const known = hljs.getLanguage(languages[language] ?? language)
+  return known
+    ? hljs.highlight(text, { language: known.name.toLowerCase().split(',')[0] }).value
+    : escaped(text)
+}
+
+/** The comments right before a block say how it runs, where the block alone does not. */
+const directive = (tokens, index) =>
+  [tokens[index - 1], tokens[index - 2]]
+    .map(
+      (token) =>
+        /<!-- run\b([^]*?)-->/.exec(token?.type === 'html_block' ? token.content : '')?.[1],
+    )
+    .find(Boolean)
+
+/** The code blocks of a text → [{ text, language, sketch, line }], `sketch` of those that run. */
+export function blocksOf(markdown) {
+  const tokens = markdownIt({ html: true }).parse(markdown, {})
+  return tokens.flatMap((token, index) => {
+    if (token.type !== 'fence') return []
+    const { content: text, info: language, map } = token
+    return [
+      {
+        text,
+        language,
+        line: map[0] + 1,
+        sketch: runnable(text, language, directive(tokens, index)),
+      },
+    ]
+  })
+}
+
+export function makeMarkdown() {
+  const markdown = markdownIt({ html: true })
+  const { rules } = markdown.renderer
+
+  rules.heading_open = (tokens, index, options, env, self) => {
+    const text = tokens[index + 1].children.map(({ content }) => content).join('')
+    tokens[index].attrSet('id', slug(text))
+    return self.renderToken(tokens, index, options)
+  }
+
+  rules.fence = (tokens, index) => {
+    const { content, info } = tokens[index]
+    const sketch = runnable(content, info, directive(tokens, index))
+    const run = sketch
+      ? `<a class="run" href="../playground/index.html${linkTo(sketch)}">Run</a>`
+      : ''
+    return `<div class="block">${run}<pre tabindex="0"><code>${coloured(content, info)}</code></pre></div>\n`
+  }
+
+  rules.html_block = (tokens, index) => {
+    const { content } = tokens[index]
+    const [, call, from, to] = /^<!-- plot (.*) from (\S+) to (\S+) -->/.exec(content) ?? []
+    if (call) return plotOf(call, Number(from), Number(to))
+    return content.startsWith('<!--') ? '' : content
+  }
+
+  rules.table_open = () =>
+    '<div class="table" role="group" aria-label="Table" tabindex="0"><table>\n'
+  rules.table_close = () => '</table></div>\n'
+
+  const link =
+    rules.link_open ??
+    ((tokens, index, options, env, self) => self.renderToken(tokens, index, options))
+  rules.link_open = (tokens, index, ...rest) => {
+    const href = tokens[index].attrGet('href')
+    // Files link to each other as files, for who reads them in the repository or the package.
+    tokens[index].attrSet('href', href.replace(/^([\w-]+)\.md(?=#|$)/, '$1.html'))
+    return link(tokens, index, ...rest)
+  }
+
+  // Examples are named by their folder, which leads to their page.
+  rules.code_inline = (tokens, index) => {
+    const text = tokens[index].content
+    const [, name] = /^examples\/([\w-]+)$/.exec(text) ?? []
+    const code = `<code>${escaped(text)}</code>`
+    return name ? `<a href="../gallery/${name}/index.html">${code}</a>` : code
+  }
+
+  const image = rules.image
+  rules.image = (tokens, index, ...rest) => {
+    tokens[index].attrSet('loading', 'lazy')
+    return image(tokens, index, ...rest)
+  }
+  return markdown
+}

@@ -1,0 +1,54 @@
+/** Every page of the site that is text: Eleventy reads the Markdown of web/docs and lays it out → the files by their path. */
+import { fileURLToPath } from 'node:url'
+import Eleventy from '@11ty/eleventy'
+import { docsPage, overview } from './docs-page.js'
+import { examplePage, examples } from './example-page.js'
+import { homePage } from './home-page.js'
+import { makeMarkdown } from './markdown.js'
+import { searchIndex } from './search-index.js'
+
+const docs = fileURLToPath(new URL('../docs', import.meta.url))
+
+function configure(config) {
+  config.setLibrary('md', makeMarkdown())
+  config.setTemplateFormats(['md'])
+  // What a page says in braces is code, and nothing to fill in.
+  config.addGlobalData('templateEngineOverride', 'md')
+  config.addGlobalData(
+    'permalink',
+    () =>
+      ({ page }) =>
+        `docs/${page.fileSlug}.html`,
+  )
+  return { dir: { input: docs } }
+}
+
+async function renderedDocs() {
+  const eleventy = new Eleventy(docs, undefined, {
+    quietMode: true,
+    configPath: false,
+    config: configure,
+  })
+  const rendered = await eleventy.toJSON()
+  return rendered.map(({ url, content }) => ({
+    file: /([\w-]+)\.html$/.exec(url)[1],
+    html: content,
+  }))
+}
+
+/** → Map from path to text, for a folder of any server. */
+export async function sitePages() {
+  const texts = await renderedDocs()
+  const files = new Map([['index.html', homePage()]])
+  const index = { file: 'index', html: overview() }
+  for (const { file, html } of [index, ...texts]) {
+    const url = `docs/${file}.html`
+    files.set(url, docsPage({ file, url, html }))
+  }
+  for (const example of examples) {
+    const url = `gallery/${example.name}/index.html`
+    files.set(url, examplePage({ ...example, url }))
+  }
+  files.set('site/search.json', JSON.stringify(searchIndex(texts)))
+  return files
+}

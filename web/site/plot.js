@@ -1,0 +1,55 @@
+/** An operation as a picture: its value and its derivative by x, as warpjet computes them, and the text of both. */
+import { compile } from '../../dist/warpjet.js'
+import { escaped } from './html.js'
+
+const [width, height] = [560, 220]
+const steps = 280
+const short = (value) => String(Number(value.toPrecision(3)))
+
+/** The points of a curve as paths, apart where it jumps or leaves the picture. */
+function paths(values, toX, toY, limit) {
+  let path = ''
+  let before
+  for (const [x, y] of values) {
+    const isGood = Number.isFinite(y) && Math.abs(y) <= limit
+    const isJump = before !== undefined && Math.abs(y - before) > limit / 4
+    if (isGood)
+      path += `${before === undefined || isJump ? 'M' : 'L'}${toX(x).toFixed(1)} ${toY(y).toFixed(1)}`
+    before = isGood ? y : undefined
+  }
+  return path
+}
+
+export function plotOf(call, from, to) {
+  const program = compile((glsl) => {
+    const x = glsl.param('x')
+    const value = new Function('glsl', 'x', `return ${call}`)(glsl, x)
+    return { value, derivative: glsl.derivative(value, x) }
+  })
+  const places = Array.from({ length: steps + 1 }, (_, i) => from + ((to - from) * i) / steps)
+  const at = places.map((x) => [x, program.evaluate({ x })])
+  const curves = ['value', 'derivative'].map((name) => at.map(([x, results]) => [x, results[name]]))
+  const sizes = curves
+    .flat()
+    .map(([, y]) => Math.abs(y))
+    .filter(Number.isFinite)
+    .sort((a, b) => a - b)
+  // A pole does not press the rest flat.
+  const limit =
+    1.15 * Math.max(Math.min(sizes.at(-1), 3 * sizes[Math.floor(sizes.length * 0.8)]), 0.2)
+  const toX = (x) => 8 + ((x - from) / (to - from)) * (width - 16)
+  const toY = (y) => height / 2 - (y / limit) * (height / 2 - 10)
+  const zero = from < 0 && to > 0 ? `M${toX(0)} 0V${height}` : ''
+  return `<figure class="plot">
+<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="Value and derivative of ${escaped(call)}, for x from ${from} to ${to}">
+<path class="axes" d="M0 ${height / 2}H${width}${zero}"/>
+<path class="derivative" d="${paths(curves[1], toX, toY, limit)}"/>
+<path class="value" d="${paths(curves[0], toX, toY, limit)}"/>
+<text x="8" y="${height / 2 + 16}">${from}</text><text x="${width - 8}" y="${height / 2 + 16}" text-anchor="end">${to}</text>
+<text x="8" y="14">${short(limit)}</text>
+</svg>
+<figcaption><span class="value">value</span> <span class="derivative">derivative</span> of <code>${escaped(call)}</code></figcaption>
+<pre tabindex="0" aria-label="The text of both"><code>${escaped(program.code.trim())}</code></pre>
+</figure>
+`
+}

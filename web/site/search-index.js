@@ -1,0 +1,29 @@
+/** What the search looks through: a part of a page each, by its heading. */
+import { examples } from './example-page.js'
+import { plain } from './html.js'
+import { pages } from './navigation.js'
+
+function partsOf({ file, html }) {
+  const page = pages.find((page) => page.file === file)?.title ?? file
+  return html.split(/(?=<h[123] id=)/).flatMap((part) => {
+    const [whole, , id, heading] = /<h([123]) id="([^"]*)">([^]*?)<\/h\1>/.exec(part) ?? []
+    if (!whole) return []
+    const isFirst = part.includes('<h1')
+    return {
+      url: `docs/${file}.html${isFirst ? '' : `#${id}`}`,
+      title: plain(heading),
+      page: isFirst ? (pages.find((page) => page.file === file)?.group ?? 'Docs') : page,
+      text: plain(part.replace(whole, '')),
+    }
+  })
+}
+
+export const searchIndex = (docs) => [
+  ...docs.flatMap(partsOf),
+  ...examples.map(({ name, title, figure, text }) => ({
+    url: `gallery/${name}/index.html`,
+    title,
+    page: 'Gallery',
+    text: `${figure} ${text}`,
+  })),
+]

@@ -1,0 +1,106 @@
+/** On every page: light or dark, the search, and what keeps the site for when there is no network. */
+const { documentElement } = document
+const root = new URL(documentElement.dataset.root, location.href)
+
+/* Light or dark: as the system has it, until somebody says otherwise. */
+
+const isDark = () =>
+  documentElement.dataset.theme
+    ? documentElement.dataset.theme === 'dark'
+    : matchMedia('(prefers-color-scheme: dark)').matches
+
+document.querySelector('.theme').addEventListener('click', () => {
+  const theme = isDark() ? 'light' : 'dark'
+  documentElement.dataset.theme = theme
+  try {
+    localStorage.theme = theme
+  } catch {
+    // A page without storage forgets it.
+  }
+})
+
+/* On a narrow page the list of pages is closed until it is wanted. */
+
+const contents = document.querySelector('.contents')
+if (contents && matchMedia('(max-width: 59.99rem)').matches) contents.open = false
+
+/* Search: what it looks through is fetched when somebody is about to search. */
+
+const field = document.querySelector('#search')
+const found = document.querySelector('#found')
+let search
+
+const ready = () => (search ??= import('./search.js').then(({ makeSearch }) => makeSearch(root)))
+
+const chosen = () => found.querySelector('[aria-selected="true"]')
+
+function close() {
+  found.hidden = true
+  field.ariaExpanded = 'false'
+  field.removeAttribute('aria-activedescendant')
+}
+
+function choose(entry) {
+  if (chosen()) chosen().ariaSelected = 'false'
+  if (!entry) return
+  entry.ariaSelected = 'true'
+  entry.scrollIntoView({ block: 'nearest' })
+  field.setAttribute('aria-activedescendant', entry.id)
+}
+
+async function look() {
+  const words = field.value.trim()
+  if (!words) return close()
+  const look = await ready()
+  if (field.value.trim() !== words) return
+  const entries = look(words)
+  found.replaceChildren(
+    ...(entries.length ? entries : [{ title: 'Nothing found', page: 'Try another word' }]).map(
+      ({ url, title, page, text }, index) => {
+        const entry = document.createElement(url ? 'a' : 'p')
+        if (url) entry.href = new URL(url, root)
+        Object.assign(entry, {
+          id: `found-${index}`,
+          role: 'option',
+          ariaSelected: 'false',
+          tabIndex: -1,
+        })
+        for (const [tag, words] of [
+          ['b', title],
+          ['small', page],
+          ['span', text],
+        ]) {
+          if (!words) continue
+          entry.append(Object.assign(document.createElement(tag), { textContent: words }), ' ')
+        }
+        return entry
+      },
+    ),
+  )
+  found.hidden = false
+  field.ariaExpanded = 'true'
+  choose(found.querySelector('a'))
+}
+
+field.addEventListener('focus', ready, { once: true })
+field.addEventListener('input', look)
+field.addEventListener('keydown', (event) => {
+  const step = { ArrowDown: 'nextElementSibling', ArrowUp: 'previousElementSibling' }[event.key]
+  if (step && chosen()?.[step]) {
+    choose(chosen()[step])
+    event.preventDefault()
+  } else if (event.key === 'Enter' && chosen()) chosen().click()
+  else if (event.key === 'Escape') close()
+})
+found.addEventListener('click', close)
+addEventListener('click', ({ target }) => target.closest('search') || close())
+addEventListener('keydown', (event) => {
+  const isTyping = event.target.closest?.('input, textarea, select, [contenteditable]')
+  if (event.key !== '/' || isTyping) return
+  event.preventDefault()
+  field.focus()
+})
+
+/* All of it is there without a network, once it was kept. */
+
+addEventListener('load', async () => (await import('../offline.js')).keepForOffline(root))
