@@ -5,6 +5,7 @@ import { warp } from 'warpjet/three'
 import { warpNode } from 'warpjet/three/webgpu'
 import * as scenes from './scenes.js'
 import * as wave from './wave.js'
+import { settledHeap } from './heap.js'
 import { differing } from './pixels.js'
 
 const { size } = scenes
@@ -186,14 +187,14 @@ async function churn({ backend, times }) {
     warped.update(1000)
     return draw(renderer, scene).then(() => warped.dispose())
   }
-  const state = () => {
-    globalThis.gc?.()
-    return { ...renderer.info.memory, heap: performance.memory?.usedJSHeapSize }
+  const state = async () => {
+    const heap = await settledHeap()
+    return { ...renderer.info.memory, heap }
   }
   for (let i = 0; i < 20; i++) await once()
-  const before = state()
+  const before = await state()
   for (let i = 0; i < times; i++) await once()
-  return { before, after: state() }
+  return { before, after: await state() }
 }
 
 window.three = {

@@ -1,6 +1,7 @@
 // What tests ask of a page with three.js and 'warpjet/three'.
 import * as THREE from 'three'
 import { warp } from 'warpjet/three'
+import { settledHeap } from './heap.js'
 import { differing } from './pixels.js'
 import * as scenes from './scenes.js'
 import * as wave from './wave.js'
@@ -192,13 +193,9 @@ export async function churn(times) {
     renderer.render(scene, scenes.camera())
   }
   const state = async () => {
-    // What a weak reference was asked for lives until the turn ends, and what hangs on it goes with the next collection.
-    for (let turn = 0; turn < 4; turn++) {
-      await new Promise((resolve) => setTimeout(resolve, 20))
-      globalThis.gc?.()
-    }
+    const heap = await settledHeap()
     const { memory, programs } = renderer.info
-    return { ...memory, programs: programs.length, heap: performance.memory?.usedJSHeapSize }
+    return { ...memory, programs: programs.length, heap }
   }
   // Until all code is compiled and all caches are as large as they get.
   for (let i = 0; i < 20; i++) once()
