@@ -1,4 +1,5 @@
 // Runs vertex shaders on the real pipeline and reads back what they computed, by transform feedback.
+import { serveBytes } from './bytes.js'
 import { layout, stride } from './dense-mesh.js'
 
 const uniformTypes = { millis: 'float', mouse: 'vec2', size: 'vec2', pixelDensity: 'float' }
@@ -33,22 +34,27 @@ const typeName = (size) => (size === 1 ? 'float' : `vec${size}`)
 
 /** A page with a WebGL2 context, or with a WebGL 1 context, which can only link shaders. */
 export async function openPipeline(browser, contextName = 'webgl2') {
+  const server = await serveBytes()
   const page = await browser.newPage()
+  // With its browser, too.
+  page.once('close', () => server.close())
+  await page.goto(server.url)
   await page.evaluate(prepare, { contextName, layout, stride })
   const link = (source) => page.evaluate((source) => void pipeline.link(source), source)
-  const load = (mesh) =>
-    page.evaluate((text) => pipeline.load(text), Buffer.from(mesh.buffer).toString('base64'))
+
+  async function load(mesh) {
+    server.give(new Uint8Array(mesh.buffer, mesh.byteOffset, mesh.byteLength))
+    await page.evaluate(() => pipeline.load())
+  }
 
   /** One draw for each set of uniforms → for each a Float32Array with six numbers a vertex. */
   async function run(source, draws) {
-    const results = await page.evaluate(
-      ([source, draws]) => pipeline.run(source, draws),
-      [source, draws],
-    )
-    return results.map(
-      (text) => new Float32Array(Uint8Array.from(Buffer.from(text, 'base64')).buffer),
-    )
+    await page.evaluate(([source, draws]) => pipeline.run(source, draws), [source, draws])
+    const numbers = new Float32Array(server.take())
+    const each = numbers.length / draws.length
+    return draws.map((_, i) => numbers.subarray(i * each, (i + 1) * each))
   }
+
   return { link, load, run, close: () => page.close() }
 }
 
@@ -97,23 +103,18 @@ function prepare({ contextName, layout, stride }) {
     return program
   }
 
-  const toBase64 = (bytes) => {
-    let text = ''
-    for (let i = 0; i < bytes.length; i += 8192)
-      text += String.fromCharCode(...bytes.subarray(i, i + 8192))
-    return btoa(text)
-  }
+  const [meshBuffer, resultBuffer] = [gl.createBuffer(), gl.createBuffer()]
 
-  function load(text) {
-    const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0))
-    vertexCount = bytes.length / 4 / stride
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer())
+  async function load() {
+    const bytes = await (await fetch('/given')).arrayBuffer()
+    vertexCount = bytes.byteLength / 4 / stride
+    gl.bindBuffer(gl.ARRAY_BUFFER, meshBuffer)
     gl.bufferData(gl.ARRAY_BUFFER, bytes, gl.STATIC_DRAW)
-    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, gl.createBuffer())
+    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, resultBuffer)
     gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, vertexCount * 24, gl.STREAM_READ)
   }
 
-  function run(source, draws) {
+  async function run(source, draws) {
     const program = programOf(source)
     gl.useProgram(program)
     let offset = 0
@@ -125,7 +126,9 @@ function prepare({ contextName, layout, stride }) {
       }
       offset += size
     }
-    const results = draws.map((uniforms) => {
+    const size = vertexCount * 24
+    const results = new Uint8Array(draws.length * size)
+    draws.forEach((uniforms, i) => {
       for (const [name, value] of Object.entries(uniforms)) {
         const values = [value].flat()
         gl[`uniform${values.length}fv`](gl.getUniformLocation(program, name), values)
@@ -134,11 +137,10 @@ function prepare({ contextName, layout, stride }) {
       gl.beginTransformFeedback(gl.POINTS)
       gl.drawArrays(gl.POINTS, 0, vertexCount)
       gl.endTransformFeedback()
-      const bytes = new Uint8Array(vertexCount * 24)
-      gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, bytes)
-      return toBase64(bytes)
+      gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, results, i * size, size)
     })
-    return results
+    // Of a blob the driver is not told what is in it.
+    await fetch('/taken', { method: 'POST', body: new Blob([results]) })
   }
 
   window.pipeline = { link, load, run }
