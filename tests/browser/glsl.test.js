@@ -57,7 +57,7 @@ function onCpu({ text }) {
 const tolerance = (value) => 2e-3 * Math.max(1, Math.abs(value))
 
 /** What GLSL 1.00 has not. */
-const hasBits = /\b(?:floatBitsToUint|u(?:int|vec\d)|pack\w+2x16)\(|\bint \w+ = .*&/
+const hasBits = /\b(?:floatBitsTo\w+|u?intBitsTo\w+|u(?:int|vec\d)|pack\w+2x16)\(|\bint \w+ = .*&/
 
 /** How many numbers are not nearly the same; what no shader promises, such as 0/0, is left out. */
 function differing(values, wanted, compared = { count: 0 }) {

@@ -2,6 +2,7 @@
 import { readFileSync, readdirSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { join } from 'node:path'
+import { ownBuiltIns } from './own-built-ins.js'
 import { own } from './own.js'
 
 const modules = fileURLToPath(new URL('../../node_modules', import.meta.url))
@@ -77,7 +78,7 @@ const toVec3 = (type, call) =>
 /** Each with a function `vec3 corpus(vec3 p)` at the end of its text. */
 export const corpus = [
   ...[...files()].map((file) => read(file, readFileSync(join(modules, file), 'utf8'))),
-  ...Object.entries(own).map(([name, text]) => read(name, text)),
+  ...Object.entries({ ...own, ...ownBuiltIns }).map(([name, text]) => read(name, text)),
 ]
   .filter(Boolean)
   .map(({ name, text, head, type, parameters }) => ({
