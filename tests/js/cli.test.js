@@ -18,6 +18,7 @@ import { after, describe, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import validator from 'gltf-validator'
 import { compileWarp, targets, version } from 'warpjet'
+import { differentiate } from 'warpjet/glsl'
 import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import { readGlb, writeGlb } from './support/glb.js'
 import { sphere } from './support/meshes.js'
@@ -436,6 +437,15 @@ vec3 up(vec3 p) { return p + vec3(0.0, 1.0, 0.0); }
 float map(vec3 p) { return dot(p, p); }
 `,
   )
+  write(
+    'spiral.glsl',
+    `vec2 spiral(vec2 p, float t, int n, bool isOn) {
+  vec2 q = p;
+  for (int i = 0; i < n; i++) q += sin(q.yx * t);
+  return isOn ? q : p * t;
+}
+`,
+  )
   write('bad.frag', 'vec3 offset(vec3 p) {\n  return q;\n}\n')
 
   test('emit takes it in the place of a warp.js', async () => {
@@ -471,6 +481,37 @@ float map(vec3 p) { return dot(p, p); }
     const { code, stdout } = await warpjet('derive', 'waves.glsl', '--function', 'map', '--by', 'p')
     assert.equal(code, 0)
     assert.match(stdout, /^vec4 mapGradient\(vec3 p\) \{/)
+  })
+
+  test('derive prints what differentiate gives, with each of its options, or writes it', async () => {
+    const source = readFileSync(join(folder, 'spiral.glsl'), 'utf8')
+    const expected = differentiate(source, {
+      function: 'spiral',
+      by: 't',
+      target: 'wgsl',
+      name: 'along',
+      maxIterations: 5,
+    })
+    const args = ['--function', 'spiral', '--by', 't', '--target', 'wgsl', '--name', 'along']
+    const { stdout } = await works('derive', 'spiral.glsl', ...args, '--max-iterations', '5')
+    assert.equal(stdout, expected)
+    assert.match(stdout, /^fn along\(p: vec2f, t: f32, n: i32, isOn: bool\) -> vec2f \{/)
+    const written = await works(
+      'derive',
+      'spiral.glsl',
+      '--max-iterations',
+      '5',
+      '-o',
+      'jacobian.glsl',
+    )
+    assert.equal(written.stdout, '')
+    assert.equal(
+      readFileSync(join(folder, 'jacobian.glsl'), 'utf8'),
+      differentiate(source, { maxIterations: 5 }),
+    )
+    const wrong = await warpjet('derive', 'spiral.glsl', '--by', 'q')
+    assert.equal(wrong.code, 1)
+    assert.match(wrong.stderr, /--by must be a parameter of spiral, one of p, t, n, isOn/)
   })
 
   test('what is wrong in it is told with its line', async () => {
