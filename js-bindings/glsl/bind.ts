@@ -49,8 +49,8 @@ export function bindExternals(
       if (isWhole(type)) (declared as Marking)[markWhole]?.(name)
       return checked(method, glsl, external, declared[name])
     }
-    if (isAttribute && name === 'gl_InstanceID' && inputs.instance)
-      return inputs.instance as unknown as Expression
+    if (isAttribute && name === 'gl_InstanceID')
+      return inputNamed(inputs, 'instance') ?? parameterOf(method, glsl, external)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
