@@ -5,7 +5,7 @@ import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import type { Session } from '../expression/session.js'
 import { drawInputs, inputSizes, markWhole, variationInputs } from '../inputs/inputs.js'
-import type { WarpInputs } from '../types/types.js'
+import type { Vec4, WarpInputs } from '../types/types.js'
 import { imageSizeText } from './function-text.js'
 import { type Given as Value, Halves, halvesOf } from './halves.js'
 import type { Named, External } from './listing.js'
@@ -101,6 +101,11 @@ function checked(
   const value = typeof declared === 'number' ? glsl.val!(declared) : (declared as Expression)
   const given = value.session.shapeOf(value)
   if (`${given}` === `${shape}`) return value
+  // Four numbers of the option are a vec4 until a text wants a matrix of them.
+  if (type === 'mat2' && `${given}` === '1,4') {
+    const { x, y, z, w } = value as unknown as Vec4
+    return glsl.mat2!(x(), y(), z(), w())
+  }
   throw new WarpError(
     `${method}: the uniform ${name} is ${article(type)} in the text, but ${describeShape(given)} was given.`,
   )
