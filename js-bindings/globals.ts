@@ -51,4 +51,10 @@ declare global {
     geometry: Geometry,
     options: number | AdaptiveOptions | LevelsOptions,
   ): Promise<Geometry & { warnings: string[] }>
+
+  /**
+   * A shader of `modify()` or `buildMaterialShader()` with normals that are turned as its hooks move positions. Needs
+   * warpjet.glsl.min.js. What cannot be is told on the console, and the shader comes back as it was.
+   */
+  function exactNormals<Shader extends object>(shader: Shader): Shader
 }

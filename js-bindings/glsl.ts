@@ -7,7 +7,7 @@ import { registerFrontEnd } from './glsl/call.js'
 export { WarpError } from './checks/errors.js'
 export { differentiate, type DifferentiateOptions } from './glsl/differentiate.js'
 export { exactNormals } from './p5/exact-normals.js'
-export { glslOffset, type GlslOffsetOptions } from './glsl/offset.js'
+export { glslOffset, type GlslOffset, type GlslOffsetOptions } from './glsl/offset.js'
 export type { GlslOptions } from './glsl/options.js'
 
 registerFrontEnd()

@@ -10,6 +10,7 @@ const kilobytes = (bytes) => `${(bytes / 1024).toFixed(1)} KB`
 const limits = {
   'dist/p5.warpjet.min.js': 169.4 * 1024,
   'dist/p5.warpjet.slim.min.js': 129.8 * 1024,
+  'dist/warpjet.glsl.min.js': 120 * 1024,
   'dist/warpjet.operators.min.js': 60 * 1024,
 }
 

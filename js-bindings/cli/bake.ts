@@ -39,7 +39,7 @@ export async function bake(args: string[]): Promise<void> {
     most === undefined ? undefined : readCount('max-triangles', most, mostTriangles, wrong)
 
   const progress = new Progress(values.quiet)
-  const { offset, uniforms: declared } = await readWarp(file, readChoice(values, wrong))
+  const { offset, uniforms: declared } = await readWarp(file, readChoice(values, wrong), uniforms)
   // The text is not needed; baking finds out how the surface varies by itself.
   const warp = await blame(file, () =>
     compileWarp(offset, { uniforms: declared, surfaceVariation: true }),
@@ -115,8 +115,10 @@ function readUniforms(settings: readonly string[], wrong: Wrong): Uniforms {
 
 function checkUniforms(file: string, warp: CompiledWarp, uniforms: object) {
   const missing = warp.uniforms.find(({ name }) => !Object.hasOwn(uniforms, name))
-  if (missing)
-    throw new WarpError(
-      `${file} reads ${missing.name}; add --set ${missing.name}=<number>, or, if it is an image, know that only a GPU can run it.`,
-    )
+  if (!missing) return
+  // A text reads what is no float as `float(n)`, or in halves.
+  const name = /^\w+\(([^ )]+)/.exec(missing.name)?.[1] ?? missing.name
+  throw new WarpError(
+    `${file} reads ${name}; add --set ${name}=<number>, or, if it is an image, know that only a GPU can run it.`,
+  )
 }

@@ -6,6 +6,7 @@ import { mostIterations } from '../glsl/options.js'
 import { type UsageError, readCount } from './usage.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { glslOffset } from '../glsl.js'
+import { inputSizes } from '../inputs/inputs.js'
 import type { OffsetFunction, UniformOptions } from '../types/types.js'
 
 /** What a file exports. */
@@ -45,9 +46,16 @@ export function readChoice(
   return { function: name, returns, maxIterations }
 }
 
-/** Runs the file, or reads it, where its name says that it is shader text. */
-export async function readWarp(file: string, choice: GlslChoice = {}): Promise<WarpFile> {
-  if (isGlsl(file)) return { offset: await readGlsl(file, choice), uniforms: undefined }
+/**
+ * Runs the file, or reads it, where its name says that it is shader text: its uniforms then have the types that it says, and the
+ * values that are given.
+ */
+export async function readWarp(
+  file: string,
+  choice: GlslChoice = {},
+  values: object = {},
+): Promise<WarpFile> {
+  if (isGlsl(file)) return { offset: await readGlsl(file, choice), uniforms: ofText(values) }
   const module: Record<string, unknown> = await load(file)
   const uniforms = module.uniforms as UniformOptions | undefined
   const found = (offset: unknown) => ({ offset: offset as OffsetFunction, uniforms })
@@ -60,6 +68,12 @@ export async function readWarp(file: string, choice: GlslChoice = {}): Promise<W
       : `${file} exports no function; write \`export default ({ glsl, position }) => glsl.vec3(…)\`.`,
   )
 }
+
+/** Without the inputs, which nobody declares. */
+const ofText = (values: object) =>
+  Object.fromEntries(
+    Object.entries(values).filter(([name]) => !Object.hasOwn(inputSizes, name)),
+  ) as UniformOptions
 
 const isGlsl = (file: string) => /\.(?:glsl|vert|frag|vs|fs)$/i.test(file)
 

@@ -5,7 +5,7 @@ import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import type { Session } from '../expression/session.js'
 import { drawInputs, inputSizes, markWhole, variationInputs } from '../inputs/inputs.js'
-import type { WarpInputs } from '../types/types.js'
+import type { Vec4, WarpInputs } from '../types/types.js'
 import { imageSizeText } from './function-text.js'
 import { type Given as Value, Halves, halvesOf } from './halves.js'
 import type { Named, External } from './listing.js'
@@ -49,6 +49,8 @@ export function bindExternals(
       if (isWhole(type)) (declared as Marking)[markWhole]?.(name)
       return checked(method, glsl, external, declared[name])
     }
+    if (isAttribute && name === 'gl_InstanceID')
+      return inputNamed(inputs, 'instance') ?? parameterOf(method, glsl, external)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
@@ -99,6 +101,11 @@ function checked(
   const value = typeof declared === 'number' ? glsl.val!(declared) : (declared as Expression)
   const given = value.session.shapeOf(value)
   if (`${given}` === `${shape}`) return value
+  // Four numbers of the option are a vec4 until a text wants a matrix of them.
+  if (type === 'mat2' && `${given}` === '1,4') {
+    const { x, y, z, w } = value as unknown as Vec4
+    return glsl.mat2!(x(), y(), z(), w())
+  }
   throw new WarpError(
     `${method}: the uniform ${name} is ${article(type)} in the text, but ${describeShape(given)} was given.`,
   )

@@ -129,7 +129,7 @@ function checkHead(
   for (const each of parameters)
     if (
       each.isOut ||
-      !/^(?:float|int|bool|vec[234]|mat[234])$/.test(each.type) ||
+      !/^(?:float|u?int|bool|vec[234]|mat[234])$/.test(each.type) ||
       each.name === '?'
     )
       refuse(

@@ -3,7 +3,7 @@ import { WarpError, describe } from '../checks/errors.js'
 import { nearest } from '../checks/nearest.js'
 import { checkOptions } from '../checks/options.js'
 import type { Builder } from '../expression/builder.js'
-import type { OffsetFunction, UniformValues, WarpInputs } from '../types/types.js'
+import type { UniformValues, Vec3, WarpInputs } from '../types/types.js'
 import { bindExternals, inputNamed, inputTypes } from './bind.js'
 import { type FunctionHead, withSource } from './listing.js'
 import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
@@ -13,6 +13,11 @@ export interface GlslOffsetOptions extends GlslOptions {
   /** What the function gives: how far a vertex moves, or where it moves to. `'offset'` unless given. */
   returns?: 'offset' | 'position'
 }
+
+/** An offset function that any host takes: what the text reads beside the position, it finds by itself. */
+export type GlslOffset<Uniforms extends UniformValues = {}> = (
+  inputs: Pick<WarpInputs<Uniforms>, 'glsl' | 'position' | 'uniforms'>,
+) => Vec3
 
 /**
  * An offset function from a text in GLSL ES 3.00 or 1.00, for whatever takes one: `createWarp`, `compileWarp`, `chain`.
@@ -25,7 +30,7 @@ export interface GlslOffsetOptions extends GlslOptions {
 export function glslOffset<Uniforms extends UniformValues = {}>(
   source: string,
   options: GlslOffsetOptions = {},
-): OffsetFunction<Uniforms> {
+): GlslOffset<Uniforms> {
   checkSource('glslOffset', source)
   checkOptions('glslOffset', options, ['function', 'maxIterations', 'returns'])
   const { returns = 'offset' } = options

@@ -7,6 +7,7 @@ import { compileWarp } from '../compile/compile-warp-text.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { glslOffset } from '../glsl/offset.js'
 import { drawInputs } from '../inputs/inputs.js'
+import type { OffsetFunction } from '../types/types.js'
 
 interface ModifiedShader {
   readonly hooks: {
@@ -221,11 +222,14 @@ vec3 warpjetPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     outputs,
     surfaceVariation: false,
   } as const
-  const offset = glslOffset(source, {
+  const read = glslOffset(source, {
     function: 'warpjetPosition',
     returns: 'position',
     maxIterations: 256,
   })
+  // Without those either: what is called millis, size or instance is the sketch's.
+  const offset: OffsetFunction = ({ glsl, position, normal, uv, color, uniforms }) =>
+    read({ glsl, position, normal, uv, color, uniforms } as never)
   if (compileWarp(offset, { ...options, normals: false }).stats.operations === 0) return undefined
   const { code, declarations } = compileWarp(offset, options)
   return { declarations, text, hook: weaving.hook({ code, own, text, turned: outputs.normal }) }

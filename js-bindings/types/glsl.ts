@@ -110,7 +110,7 @@ export interface Glsl extends Functions, NoiseFunctions, AliasesOf<Functions>, M
   source<Result extends Expression = Scalar>(
     source: string,
     options?: SourceOptions,
-  ): (...operands: readonly Operand[]) => Result
+  ): (...operands: readonly (Operand | Expression)[]) => Result
   /** A function of your own, in the shader's language; used like a built-in one. */
   fn<Arity extends FunctionArity>(options: FunctionOptions<Arity>): OwnFunction<Arity>
 }

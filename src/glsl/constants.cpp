@@ -1,5 +1,6 @@
 #include "glsl/constants.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace warpjet::glsl {
@@ -122,6 +123,32 @@ std::optional<std::int32_t> constantInt(const Tree& tree, ExpressionId expressio
   const auto value = evaluate(tree, expression, 0);
   if (!value) return std::nullopt;
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(*value)));
+}
+
+bool isConstant(const Tree& tree, ExpressionId expression, std::span<const VariableId> others) {
+  using enum Expression::Kind;
+  std::vector<ExpressionId> open{expression};
+  while (!open.empty()) {
+    const Expression& node = tree.expressions[open.back()];
+    open.pop_back();
+    switch (node.kind) {
+      case Variable: {
+        // A parameter that is const has no value yet.
+        const auto& variable = tree.variables[node.index];
+        const bool isKnown = variable.kind == Variable::Kind::Constant && variable.start != nothing;
+        if (!isKnown && std::find(others.begin(), others.end(), node.index) == others.end())
+          return false;
+        break;
+      }
+      case Call:
+      case Assign:
+      case Increment:
+        return false;
+      default:
+        open.insert(open.end(), node.operands.begin(), node.operands.end());
+    }
+  }
+  return true;
 }
 
 }  // namespace warpjet::glsl

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "glsl/tree.hpp"
 
@@ -11,5 +12,9 @@ namespace warpjet::glsl {
 std::optional<double> constantNumber(const Tree& tree, ExpressionId expression);
 
 std::optional<std::int32_t> constantInt(const Tree& tree, ExpressionId expression);
+
+// Whether it is a constant expression of the language, whose value may not be known here, where
+// these variables count as constants too.
+bool isConstant(const Tree& tree, ExpressionId expression, std::span<const VariableId> others = {});
 
 }  // namespace warpjet::glsl

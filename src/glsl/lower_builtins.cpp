@@ -110,8 +110,10 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
       return forEach([&](std::size_t i) { return recorder_.negated(x[0][i]); });
     // What a warp computes is a number, or no position comes of it.
     case IsNan:
+      // In WGSL, != of what is no number may be false.
       return forEach([&](std::size_t i) {
-        return recorder_.apply(Code::Ne, base, {x[0][i], x[0][i]});
+        return recorder_.apply(Code::Not, base,
+                               {recorder_.apply(Code::Eq, base, {x[0][i], x[0][i]})});
       });
     case IsInf:
       return forEach([&](std::size_t i) {

@@ -61,9 +61,11 @@ ExpressionId Parser::assignment() {
     if (!isPlain && (!row || row->level == 7 || row->level == 8 || findOperator(text))) return left;
     take();
     const ExpressionId place = makeAssignable(left, token.place, text);
+    if (row) requireVersion(textOf(row->op), token.place);
     const ExpressionId right = assignment();
     if (problems_.any()) return left;
     const Type wanted = typeOf(place), came = typeOf(right);
+    if (tree_.types.hasArray(wanted)) requireVersion("an assignment of arrays", token.place);
     if (tree_.types.hasSampler(wanted))
       return failed(token.place, "an image cannot be assigned; read it here by texture()");
     if (isPlain ? wanted != came : typeOfBinary(row->op, wanted, came, tree_.types) != wanted)
@@ -108,6 +110,7 @@ ExpressionId Parser::binary(int level) {
     const OperatorRow* row = peek().kind == Kind::Symbol ? findOperator(peek().text) : nullptr;
     if (!row || row->level < level) return left;
     const Location place = take().place;
+    requireVersion(textOf(row->op), place);
     const ExpressionId right = binary(row->level + 1);
     if (problems_.any()) return left;
     left = makeBinary(row->op, left, right, place);
@@ -127,6 +130,7 @@ ExpressionId Parser::makeBinary(Operator op, ExpressionId left, ExpressionId rig
             tree_.types.withArticle(b) +
             (mixes ? "; GLSL converts nothing by itself: write 1.0 for 1, or float(x)" : ""));
   }
+  if (tree_.types.hasArray(a)) requireVersion("a comparison of arrays", place);
   return add(Expression{
       .kind = Code::Binary, .op = op, .type = *type, .place = place, .operands = {left, right}});
 }
@@ -151,6 +155,7 @@ ExpressionId Parser::unary() {
       kind = Code::Not;
     } else if (token.is("~")) {
       kind = Code::Complement;
+      requireVersion(token.text, token.place);
     } else {
       return postfix();
     }
@@ -182,6 +187,8 @@ ExpressionId Parser::makeAssignable(ExpressionId operand, Location place, std::s
       return failed(place, quoted(variable.name) + " is a constant and cannot be changed");
     if (variable.kind == Variable::Kind::Uniform || variable.kind == Variable::Kind::Attribute)
       return failed(place, quoted(variable.name) + " is given by the host and cannot be changed");
+    if (std::find(counters_.begin(), counters_.end(), root->index) != counters_.end())
+      requireVersion("a change of a loop's counter in its body", place);
   }
   const Expression& node = tree_.expressions[operand];
   if (!node.isAssignable || root->kind != Code::Variable)

@@ -1,7 +1,9 @@
 // Functions: their heads, their parameters, and that none calls itself.
 #include <algorithm>
 
+#include "glsl/builtins.hpp"
 #include "glsl/parser.hpp"
+#include "glsl/versions.hpp"
 
 namespace warpjet::glsl {
 
@@ -9,6 +11,8 @@ void Parser::function(Type result, const Token& name) {
   if (!scope_.isGlobal()) return fail(name.place, "a function cannot stand inside another one");
   const Meaning known = scope_.find(name.text);
   if (known.kind != Meaning::Kind::Function && !checkFree(name)) return;
+  if (isBuiltIn(name.text) && versionProblem(text_.version, name.text).empty())
+    requireVersion("a function with the name of a built-in one", name.place);
   if (result.length == 0) return fail(name.place, "the array that a function gives needs a length");
   if (tree_.types.hasSampler(result))
     return fail(name.place, "a function cannot give an image; give what texture() reads of it");

@@ -44,6 +44,7 @@ ExpressionId Parser::member(ExpressionId operand) {
   if (type.isArray() && name.is("length")) {
     expect("(", "length");
     expect(")", "length(");
+    requireVersion("a length that is asked for", place);
     return add(Expression{.kind = Code::Constant,
                           .type = intType,
                           .value = static_cast<double>(type.length),
@@ -84,6 +85,8 @@ ExpressionId Parser::element(ExpressionId operand) {
   if (!typeOf(index).isWhole() || !typeOf(index).isScalar())
     return failed(
         place, "an index must be an int or uint, but is " + tree_.types.withArticle(typeOf(index)));
+  if (!isConstant(tree_, index, counters_) && !isUniform(operand))
+    requireVersion("an index that only the shader knows", place);
   const int count = type.isArray() ? type.length : type.isMatrix() ? type.columns : type.rows;
   if (const auto known = constantInt(tree_, index); known && (*known < 0 || *known >= count))
     return failed(place, "the index " + std::to_string(*known) + " is not one of 0 to " +
@@ -96,6 +99,15 @@ ExpressionId Parser::element(ExpressionId operand) {
                         .type = element,
                         .place = place,
                         .operands = {operand, index}});
+}
+
+// Of all others GLSL ES 1.00 wants to know the index.
+bool Parser::isUniform(ExpressionId operand) const {
+  const Expression* root = &tree_.expressions[operand];
+  while (root->kind != Code::Variable && !root->operands.empty())
+    root = &tree_.expressions[root->operands[0]];
+  return root->kind == Code::Variable &&
+         tree_.variables[root->index].kind == Variable::Kind::Uniform;
 }
 
 ExpressionId Parser::primary() {
@@ -118,7 +130,10 @@ ExpressionId Parser::number() {
   if (token.kind == Kind::Float) {
     made.type = floatType;
     made.value = floatValue(token, problems_);
+    if (token.text.back() == 'f' || token.text.back() == 'F')
+      requireVersion("a number with an f", token.place);
   } else {
+    if (token.kind == Kind::Uint) requireVersion("a whole number with a u", token.place);
     const std::uint32_t bits = intValue(token, problems_);
     made.type = token.kind == Kind::Int ? intType : uintType;
     made.value =
@@ -137,6 +152,7 @@ ExpressionId Parser::named() {
                           .place = name.place});
   }
   if (startsType()) {
+    if (peek(1).is("[")) requireVersion("an array made in one expression", name.place);
     const Type made = type();
     return construct(made, name.place);
   }
@@ -154,6 +170,7 @@ ExpressionId Parser::named() {
     return failed(name.place, quoted(name.text) + " is not declared" + nearest.question());
   }
   take();
+  if (name.text.starts_with("gl_")) requireVersion(name.text, name.place);
   return add(Expression{.kind = Code::Variable,
                         .isAssignable = true,
                         .type = tree_.variables[meaning.index].type,
@@ -217,6 +234,10 @@ ExpressionId Parser::call(const Token& name) {
                                   "); GLSL converts nothing by itself");
   }
   const BuiltIn& row = builtIns[found->row];
+  requireVersion(name.text, name.place);
+  if (row.way >= Way::AbsInt && row.way <= Way::ClampInt)
+    requireVersion("abs, sign, min, max or clamp of whole numbers", name.place);
+  if (row.way == Way::MixBool) requireVersion("mix by a bvec", name.place);
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (isOut(row, i)) makeAssignable(operands[i], name.place, "this call");
   if (row.way == Way::Refused)

@@ -122,6 +122,7 @@ StatementId Parser::declaration(Qualifiers given, Type type, const Token& name) 
     // A variable is known from here on, not in its own value.
     start = assignment();
     if (problems_.any()) return nothing;
+    if (tree_.types.hasArray(typeOf(start))) requireVersion("an assignment of arrays", name.place);
     if (type.length == 0 && typeOf(start).isArray() && typeOf(start).element() == type.element())
       type = typeOf(start);
     if (kind == Uniform || kind == Attribute) {
@@ -201,9 +202,12 @@ StatementId Parser::forStatement() {
         .kind = Statement::Kind::Evaluate, .expression = expression(), .place = stepPlace});
   }
   expect(")", "the head of a for");
+  const std::size_t outer = counters_.size();
+  if (!problems_.any()) requireCounting(start, test, step, place);
   ++loops_;
   const StatementId body = statement(false);
   --loops_;
+  counters_.resize(outer);
   scope_.close();
   return add(Statement{.kind = Statement::Kind::Loop,
                        .expression = test,
@@ -211,7 +215,44 @@ StatementId Parser::forStatement() {
                        .children = {start, step, body}});
 }
 
+// The loops that GLSL ES 1.00 has, appendix A.4: one number counts from a constant to a constant by
+// a constant, and its body leaves it alone.
+void Parser::requireCounting(StatementId start, ExpressionId test, StatementId step,
+                             Location place) {
+  if (text_.version != 100) return;
+  const auto counter = [&]() -> VariableId {
+    const Statement& declared = tree_.statements[start];
+    if (declared.kind != Statement::Kind::Declare || declared.expression == nothing) return nothing;
+    const Type type = tree_.variables[declared.index].type;
+    const bool isNumber = type == intType || type == floatType;
+    return isNumber && isConstant(tree_, declared.expression) ? declared.index : nothing;
+  }();
+  const auto isCounter = [&](ExpressionId expression) {
+    const Expression& node = tree_.expressions[expression];
+    return node.kind == Code::Variable && node.index == counter;
+  };
+  const auto isCompared = [&] {
+    if (test == nothing) return false;
+    const Expression& node = tree_.expressions[test];
+    return node.kind == Code::Binary && node.op >= Operator::Equal &&
+           node.op <= Operator::AtLeast && isCounter(node.operands[0]) &&
+           isConstant(tree_, node.operands[1]);
+  };
+  const auto isStepped = [&] {
+    if (step == nothing) return false;
+    const Expression& node = tree_.expressions[tree_.statements[step].expression];
+    if (node.kind == Code::Increment) return isCounter(node.operands[0]);
+    return node.kind == Code::Assign && node.isCombined &&
+           (node.op == Operator::Add || node.op == Operator::Subtract) &&
+           isCounter(node.operands[0]) && isConstant(tree_, node.operands[1]);
+  };
+  if (counter == nothing || !isCompared() || !isStepped())
+    return requireVersion("a for that does not count by a constant, from one and to one", place);
+  counters_.push_back(counter);
+}
+
 StatementId Parser::whileStatement() {
+  requireVersion("while", peek().place);
   const Location place = take().place;
   const ExpressionId test = condition("while");
   scope_.open();
@@ -226,6 +267,7 @@ StatementId Parser::whileStatement() {
 }
 
 StatementId Parser::doStatement() {
+  requireVersion("do", peek().place);
   const Location place = take().place;
   scope_.open();
   ++loops_;
@@ -243,6 +285,7 @@ StatementId Parser::doStatement() {
 }
 
 StatementId Parser::switchStatement() {
+  requireVersion("switch", peek().place);
   const Location place = take().place;
   expect("(", "switch");
   const ExpressionId value = expression();

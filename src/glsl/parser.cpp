@@ -1,89 +1,16 @@
 // Tokens, types, and what stands above functions.
 #include "glsl/parser.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "glsl/builtins.hpp"
 #include "glsl/constants.hpp"
+#include "glsl/keywords.hpp"
+#include "glsl/versions.hpp"
 
 namespace warpjet::glsl {
 
 namespace {
 
 constexpr std::int32_t longestArray = 4096;
-
-// What nobody can name: GLSL ES 3.00, section 3.8, as far as a text might try.
-constexpr std::string_view keywords[]{"const",
-                                      "uniform",
-                                      "layout",
-                                      "centroid",
-                                      "flat",
-                                      "smooth",
-                                      "break",
-                                      "continue",
-                                      "do",
-                                      "for",
-                                      "while",
-                                      "switch",
-                                      "case",
-                                      "default",
-                                      "if",
-                                      "else",
-                                      "in",
-                                      "out",
-                                      "inout",
-                                      "true",
-                                      "false",
-                                      "invariant",
-                                      "discard",
-                                      "return",
-                                      "lowp",
-                                      "mediump",
-                                      "highp",
-                                      "precision",
-                                      "struct",
-                                      "attribute",
-                                      "varying",
-                                      "goto",
-                                      "class",
-                                      "union",
-                                      "enum",
-                                      "typedef",
-                                      "template",
-                                      "this",
-                                      "inline",
-                                      "noinline",
-                                      "volatile",
-                                      "public",
-                                      "static",
-                                      "extern",
-                                      "external",
-                                      "interface",
-                                      "long",
-                                      "short",
-                                      "double",
-                                      "half",
-                                      "fixed",
-                                      "unsigned",
-                                      "superp",
-                                      "input",
-                                      "output",
-                                      "sizeof",
-                                      "cast",
-                                      "namespace",
-                                      "using",
-                                      "sampler3D",
-                                      "samplerCube",
-                                      "sampler2DArray",
-                                      "sampler2DShadow",
-                                      "isampler2D",
-                                      "usampler2D"};
-
-bool isKeyword(std::string_view name) {
-  return std::find(std::begin(keywords), std::end(keywords), name) != std::end(keywords) ||
-         findType(name);
-}
 
 }  // namespace
 
@@ -119,6 +46,11 @@ bool Parser::expect(std::string_view text, std::string_view after) {
   return false;
 }
 
+void Parser::requireVersion(std::string_view what, Location place) {
+  std::string problem = versionProblem(text_.version, what);
+  if (!problem.empty()) fail(place, std::move(problem));
+}
+
 std::string_view Parser::takeName(std::string_view what) {
   if (peek().kind != Kind::Name || isKeyword(peek().text)) {
     fail(peek().place, "a name is missing for " + std::string(what) + "; " + found());
@@ -134,15 +66,25 @@ bool Parser::goDeeper() {
 }
 
 Tree Parser::parse() {
-  for (const auto& [name, type] :
-       {std::pair<std::string_view, Type>{"gl_Position", vectorType(Base::Float, 4)},
-        {"gl_PointSize", floatType},
-        {"gl_FragColor", vectorType(Base::Float, 4)},
-        {"gl_FragCoord", vectorType(Base::Float, 4)}}) {
+  using enum Variable::Kind;
+  struct BuiltInVariable {
+    std::string_view name;
+    Type type;
+    Variable::Kind kind;
+  };
+  for (const auto& [name, type, kind] :
+       {BuiltInVariable{"gl_Position", vectorType(Base::Float, 4), Global},
+        {"gl_PointSize", floatType, Global},
+        {"gl_VertexID", intType, Attribute},
+        {"gl_InstanceID", intType, Attribute},
+        {"gl_FragColor", vectorType(Base::Float, 4), Global},
+        {"gl_FragCoord", vectorType(Base::Float, 4), Global}}) {
     Token token = end_;
     token.text = name;
-    addVariable(token, type, Variable::Kind::Global);
+    addVariable(token, type, kind);
   }
+  // Those of the text alone count.
+  heldOutside_ = 0;
   while (peek().kind != Kind::End) global();
   if (!problems_.any()) refuseRecursion();
   return std::move(tree_);
@@ -153,8 +95,18 @@ void Parser::global() {
   if (accept("precision")) {
     if (!accept("highp") && !accept("mediump") && !accept("lowp"))
       fail(peek().place, "a precision is missing, such as highp; " + found());
-    type();
+    // An image of any kind has one, though it may not be read here.
+    if (peek().text.find("sampler") != std::string_view::npos) {
+      take();
+    } else {
+      type();
+    }
     expect(";", "a precision");
+    return;
+  }
+  // `invariant gl_Position;` asks the driver for care with what is declared already.
+  if (peek().is("invariant") && (peek(2).is(";") || peek(2).is(","))) {
+    while (peek().kind != Kind::End && !accept(";")) take();
     return;
   }
   const Qualifiers given = qualifiers();
@@ -179,6 +131,11 @@ Parser::Qualifiers Parser::qualifiers() {
   const auto set = [&](Variable::Kind kind) { found.kind = kind; };
   for (;; take(), found.any = true) {
     const Token& token = peek();
+    requireVersion(token.text, token.place);
+    if (scope_.isGlobal() && token.is("in"))
+      requireVersion("in before a global variable", token.place);
+    if (scope_.isGlobal() && token.is("out"))
+      requireVersion("out before a global variable", token.place);
     if (token.is("const")) {
       found.isConst = true;
     } else if (token.is("uniform")) {
@@ -215,6 +172,7 @@ Type Parser::type() {
   const Token& word = peek();
   Type found;
   if (const NamedType* row = findType(word.text); row && word.kind == Kind::Name) {
+    requireVersion(word.text, word.place);
     found = row->type;
   } else if (scope_.find(word.text).kind == Meaning::Kind::Structure) {
     found.base = Base::Struct;
@@ -226,7 +184,9 @@ Type Parser::type() {
     return voidType;
   }
   take();
-  return peek().is("[") ? arrayOf(found) : found;
+  if (!peek().is("[")) return found;
+  requireVersion("the length of an array before its name", peek().place);
+  return arrayOf(found);
 }
 
 Type Parser::arrayOf(Type element) {
@@ -234,7 +194,9 @@ Type Parser::arrayOf(Type element) {
   if (element.isArray()) fail(place, "an array of arrays is not in the language");
   Type array = element;
   array.length = 0;
-  if (!peek().is("]")) {
+  if (peek().is("]")) {
+    requireVersion("an array without a length", place);
+  } else {
     const ExpressionId size = expression();
     if (problems_.any()) return element;
     const auto length = constantInt(tree_, size);

@@ -40,6 +40,8 @@ class Parser {
   bool accept(std::string_view text);
   bool expect(std::string_view text, std::string_view after);
   void fail(Location place, std::string sentence) { problems_.add(place, std::move(sentence)); }
+  // Fails where the version of the text has no such thing.
+  void requireVersion(std::string_view what, Location place);
   std::string found() const;
   std::string_view takeName(std::string_view what);
   bool goDeeper();
@@ -71,6 +73,7 @@ class Parser {
   StatementId switchStatement();
   StatementId returnStatement();
   StatementId jump();
+  void requireCounting(StatementId start, ExpressionId test, StatementId step, Location place);
   ExpressionId condition(std::string_view after);
   StatementId add(Statement statement);
   StatementId makeBlock(Location place, std::vector<StatementId> children);
@@ -96,6 +99,7 @@ class Parser {
   ExpressionId call(const Token& name);
   ExpressionId member(ExpressionId operand);
   ExpressionId element(ExpressionId operand);
+  bool isUniform(ExpressionId operand) const;
   std::vector<ExpressionId> arguments();
   ExpressionId callFunction(const Token& name, std::vector<ExpressionId> operands,
                             const std::vector<Type>& types);
@@ -113,6 +117,8 @@ class Parser {
   int depth_ = 0, loops_ = 0, switches_ = 0;
   // Numbers of all variables, and of those from outside.
   int held_ = 0, heldOutside_ = 0;
+  // Of the loops around this place, as GLSL ES 1.00 counts.
+  std::vector<VariableId> counters_;
   // The function that is being read, and who calls whom.
   FunctionId current_ = nothing;
   struct Call {

@@ -66,13 +66,14 @@ class Preprocessor {
   void directive(Line line) {
     if (line.size() == 1) return;
     const Token& word = line[1];
+    const bool isFirst = &line[0] == &tokens_[0];
     const Line rest = line.subspan(2);
     if (word.is("if") || word.is("ifdef") || word.is("ifndef")) return open(word, rest);
     if (word.is("elif") || word.is("else") || word.is("endif")) return resume(word, rest);
     if (!isLive()) return;
     if (word.is("define")) return macros_.define(word, rest);
     if (word.is("undef")) return macros_.undefine(word, rest);
-    if (word.is("version")) return version(word, rest);
+    if (word.is("version")) return version(word, rest, isFirst);
     if (word.is("line")) return renumber(word, rest);
     if (word.is("error")) {
       std::string text;
@@ -116,12 +117,12 @@ class Preprocessor {
     return evaluateCondition(word, rest, macros_, problems_);
   }
 
-  void version(const Token& word, Line rest) {
-    if (!result_.tokens.empty())
-      return problems_.add(word.place, "#version must come before everything else");
+  void version(const Token& word, Line rest, bool isFirst) {
+    if (!isFirst) return problems_.add(word.place, "#version must come before everything else");
     const bool isNumber = !rest.empty() && rest[0].kind == Kind::Int;
     const std::uint32_t number = isNumber ? intValue(rest[0], problems_) : 0;
-    if (number != 100 && number != 300)
+    const bool isWhole = number == 300 ? rest.size() == 2 && rest[1].is("es") : rest.size() == 1;
+    if ((number != 100 && number != 300) || !isWhole)
       return problems_.add(word.place, "the version must be 100 or 300 es, the languages of WebGL");
     result_.version = static_cast<int>(number);
     macros_.define("__VERSION__", result_.version);

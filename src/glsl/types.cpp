@@ -85,4 +85,12 @@ bool Types::hasSampler(Type type) const {
   return false;
 }
 
+bool Types::hasArray(Type type) const {
+  if (type.isArray()) return true;
+  if (type.base != Struct) return false;
+  for (const Field& field : structures_[type.structure].fields)
+    if (hasArray(field.type)) return true;
+  return false;
+}
+
 }  // namespace warpjet::glsl

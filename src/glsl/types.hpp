@@ -91,6 +91,7 @@ class Types {
   std::string name(Type type) const;
   std::string withArticle(Type type) const;
   bool hasSampler(Type type) const;
+  bool hasArray(Type type) const;
 
  private:
   std::vector<Structure> structures_;

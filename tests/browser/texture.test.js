@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { compile } from '../../dist/warpjet.js'
-import '../../dist/glsl.js'
+import { differentiate } from '../../dist/glsl.js'
 import { filters, randomImage, sample, wraps } from '../operations/textures.js'
 import { randomOf } from '../random/generate.js'
 import { openPipelines, targetsInThisRun as targets } from './support/pipelines.js'
@@ -123,6 +123,51 @@ for (const target of targets)
         assertClose(nearest, wanted, 1e-6, `nearest at ${inside[i]}`)
         assertClose(fetched, wanted, 1e-6, `fetched at ${inside[i]}`)
         assertClose(slope, [0, 0], 0, 'slope')
+      })
+    })
+
+    test('shader text by texture, and by an image that a function is given: value, gradient, second derivatives', async () => {
+      const text = `#version 300 es
+        uniform sampler2D heights;
+        float heightOf(sampler2D image, vec2 at) { return texture(image, at).r; }
+        vec4 read(vec2 uv) { return vec4(heightOf(heights, uv), textureLod(heights, uv, 0.0).gba); }`
+      const results = await run(
+        target,
+        { color: 4, gradient: 2, hessian: 'mat2' },
+        (glsl, uv) => {
+          const color = glsl.source(text)(uv)
+          const gradient = glsl.gradient(color.r(), uv)
+          return { color, gradient, hessian: glsl.jacobian(gradient, uv) }
+        },
+        points,
+      )
+      results.forEach(({ color, gradient, hessian }, i) => {
+        assertClose(color, sample(image, ...points[i]), 1e-5, `value at ${points[i]}`)
+        const wanted = derivatives(points[i], {})
+        assertClose(gradient, wanted.gradient, 2e-4, `gradient at ${points[i]}`)
+        assertClose(hessian, wanted.hessian, 5e-3, `second derivatives at ${points[i]}`)
+      })
+    })
+
+    test('a text of GLSL 1.00 by texture2D, differentiated to a text of its own', async () => {
+      const text = `#version 100
+        uniform sampler2D heights;
+        float height(vec2 uv) { return texture2D(heights, uv).r; }`
+      const declarations = differentiate(text, { by: 'uv', target })
+      const results = await pipelines.run(
+        target,
+        {
+          code: `${target === 'wgsl' ? 'let' : 'vec3'} both = heightGradient(uv);`,
+          declarations,
+          inputs,
+          outputs: [{ name: 'both', shape: 3 }],
+          images: { heights: image },
+        },
+        points,
+      )
+      results.forEach(([height, ...gradient], i) => {
+        assertClose([height], sample(image, ...points[i]).slice(0, 1), 1e-5, `at ${points[i]}`)
+        assertClose(gradient, derivatives(points[i], {}).gradient, 2e-4, `gradient at ${points[i]}`)
       })
     })
 

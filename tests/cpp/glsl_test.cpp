@@ -50,6 +50,39 @@ TEST(GlslTokens, NumbersNamesAndSymbols) {
   EXPECT_EQ(tokens[4].place.column, 8u);
 }
 
+// A sentence without its line, column and caret.
+std::string problemOf(const std::string& text) {
+  const std::string problem = Source(text).problem();
+  const auto start = problem.find(": ");
+  return problem.empty() ? "" : problem.substr(start + 2, problem.find('\n') - start - 2);
+}
+
+TEST(GlslVersions, RefuseWhatTheOtherOneHas) {
+  const std::string bits = "int f(int n) { return n & 3; }";
+  EXPECT_EQ(problemOf(bits), "");
+  EXPECT_EQ(problemOf("#version 300 es\n" + bits), "");
+  EXPECT_EQ(problemOf("#version 100\n" + bits),
+            "\"&\" is not in GLSL ES 1.00, the language of #version 100; count in floats, or begin "
+            "the text with #version 300 es.");
+  EXPECT_EQ(problemOf("#version 300 es\nvarying vec2 v;"),
+            "\"varying\" is not in GLSL ES 3.00, the language of #version 300 es; write out.");
+}
+
+TEST(GlslVersions, LoopsOf100CountFromAConstantToAConstant) {
+  const auto loop = [](const std::string& head, const std::string& body = "") {
+    return problemOf("#version 100\nfloat f(int n) { const int most = 4; float s = 0.0; for (" +
+                     head + ") { s += 1.0; " + body + " } return s; }");
+  };
+  for (const char* head : {"int i = 0; i < most; i++", "int i = 8; i >= 2 * most; i -= 2",
+                           "float t = 0.0; t < 1.0; t += 0.25"})
+    EXPECT_EQ(loop(head), "") << head;
+  for (const char* head :
+       {"int i = 0; i < n; i++", "int i = n; i < 4; i++", "int i = 1; i < 9; i *= 2",
+        "int i = 0; i < 4;", "; n < 4; n++", "int i = 0; 4 > i; i++"})
+    EXPECT_NE(loop(head), "") << head;
+  EXPECT_NE(loop("int i = 0; i < 4; i++", "i += 1;"), "");
+}
+
 TEST(GlslPreprocessor, ExpandsMacrosOnceEach) {
   EXPECT_EQ(preprocessed("#define A B\n#define B A\nA B"), "A B");
   EXPECT_EQ(preprocessed("#define F(x, y) x - y\nF(F(1, 2), (3, 4))"), "1 - 2 - ( 3 , 4 )");

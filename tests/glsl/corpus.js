@@ -1,12 +1,14 @@
 // Functions of shader text: of packages that their licences let us run, read where npm has put them, and our own.
 import { readFileSync, readdirSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
-import { join } from 'node:path'
+import { dirname, join } from 'node:path'
+import { ownBuiltIns } from './own-built-ins.js'
 import { own } from './own.js'
 
 const modules = fileURLToPath(new URL('../../node_modules', import.meta.url))
 
-const packages = {
+/** By name, the folders of each that have functions. */
+export const packages = {
   'glsl-noise': ['classic', 'periodic', 'simplex'],
   'glsl-easings': [''],
   'glsl-sdf-primitives': [''],
@@ -20,14 +22,21 @@ const packages = {
   'glsl-luma': [''],
 }
 
-const size = (type) => (type === 'float' ? 1 : Number(/^vec([234])$/.exec(type)?.[1] ?? 0))
+const isKnown = ({ type }) => /^(?:float|bool|vec[234])$/.test(type)
 
-/** { name, text, head, type, parameters } of the function that a file exports; nothing where it needs another file. */
+/** The text of a file, with those of its package that it requires in their places, as glslify puts them there. */
+const textOf = (file) =>
+  readFileSync(join(modules, file), 'utf8').replace(
+    /^#pragma glslify: \w+ = require\((\.[^)]+)\)/gm,
+    (_, name) => textOf(join(dirname(file), `${name}.glsl`)).replace(/^#pragma glslify.*/gm, ''),
+  )
+
+/** { name, text, head, type, parameters } of the function that a file exports; nothing where it needs another package. */
 function read(name, text) {
   if (/require\(/.test(text)) return undefined
   const exported = /#pragma glslify:\s*export\((\w+)\)/.exec(text)?.[1]
   const plain = text.replace(/\/\/.*|\/\*[^]*?\*\//g, '')
-  const heads = [...plain.matchAll(/^\s*(float|vec[234])\s+(\w+)\s*\(([^)]*)\)\s*\{/gm)]
+  const heads = [...plain.matchAll(/^\s*(float|vec[234]|mat[234])\s+(\w+)\s*\(([^)]*)\)\s*\{/gm)]
   const found = heads.filter(([, , head]) => !exported || head === exported)
   const [, type, head, list] = found.at(-1) ?? []
   const parameters = list?.split(',').map((each) => {
@@ -37,7 +46,7 @@ function read(name, text) {
       .split(/\s+/)
     return { type, name }
   })
-  if (!head || !parameters.every((each) => size(each.type))) return undefined
+  if (!head || !parameters.every(isKnown)) return undefined
   return { name, text, head, type, parameters }
 }
 
@@ -60,6 +69,7 @@ const argument = ({ type, name }, i) =>
   name === 'rep'
     ? `${type}(3.0)`
     : {
+        bool: 'false',
         float: `(${['p.x', 'p.y', 'p.z'][i % 3]} * 0.49 + 0.5 + ${Math.floor(i / 3)}.0)`,
         vec2: `(${['p.xy', 'p.yz', 'p.zx'][i % 3]} + ${Math.floor(i / 3)}.0)`,
         vec3: `(${['p', 'p.yzx', 'p.zxy'][i % 3]} * ${(4 + i) / 4}${i % 4 ? '' : '.0'} + ${Math.floor(i / 3)}.0)`,
@@ -72,12 +82,15 @@ const toVec3 = (type, call) =>
     vec2: `vec3(${call}, 0.0)`,
     vec3: call,
     vec4: `(${call}).xyz + (${call}).w`,
+    mat2: `vec3(${call}[0], ${call}[1].x)`,
+    mat3: `${call} * vec3(0.5, 1.0, 2.0)`,
+    mat4: `(${call} * vec4(0.5, 1.0, 2.0, 4.0)).xyz`,
   })[type]
 
 /** Each with a function `vec3 corpus(vec3 p)` at the end of its text. */
 export const corpus = [
-  ...[...files()].map((file) => read(file, readFileSync(join(modules, file), 'utf8'))),
-  ...Object.entries(own).map(([name, text]) => read(name, text)),
+  ...[...files()].map((file) => read(file, textOf(file))),
+  ...Object.entries({ ...own, ...ownBuiltIns }).map(([name, text]) => read(name, text)),
 ]
   .filter(Boolean)
   .map(({ name, text, head, type, parameters }) => ({

@@ -18,6 +18,7 @@ import { after, describe, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import validator from 'gltf-validator'
 import { compileWarp, targets, version } from 'warpjet'
+import { differentiate } from 'warpjet/glsl'
 import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
 import { readGlb, writeGlb } from './support/glb.js'
 import { sphere } from './support/meshes.js'
@@ -436,6 +437,32 @@ vec3 up(vec3 p) { return p + vec3(0.0, 1.0, 0.0); }
 float map(vec3 p) { return dot(p, p); }
 `,
   )
+  write(
+    'uniforms.glsl',
+    `#version 300 es
+struct Wave { float length; };
+uniform float height, heights[2];
+uniform vec3 way;
+uniform int many;
+uniform uint bits;
+uniform bool isOn;
+uniform mat2 turn;
+uniform Wave waves[1];
+vec3 offset(vec3 position, float millis) {
+  vec3 p = vec3(height * sin(position.x * waves[0].length), heights[1] * position.y, float(bits & 4u));
+  return p + way + vec3(turn * position.xy, 0.0) + vec3(0, many / 2, isOn ? millis / 1000.0 : 0.0) + vec3(0, 0, 10);
+}
+`,
+  )
+  write(
+    'spiral.glsl',
+    `vec2 spiral(vec2 p, float t, int n, bool isOn) {
+  vec2 q = p;
+  for (int i = 0; i < n; i++) q += sin(q.yx * t);
+  return isOn ? q : p * t;
+}
+`,
+  )
   write('bad.frag', 'vec3 offset(vec3 p) {\n  return q;\n}\n')
 
   test('emit takes it in the place of a warp.js', async () => {
@@ -467,10 +494,85 @@ float map(vec3 p) { return dot(p, p); }
     assert.match(missing.stderr, /reads height; add --set height=/)
   })
 
+  test('bake moves positions by the uniforms that --set gives, of every type', async () => {
+    const settings = ['height=0.25', 'way=1,2,3', 'many=-3', 'bits=5', 'isOn=1', 'turn=0,1,-1,0']
+    const others = ['heights[1]=0.5', 'waves[0].length=2', 'millis=2000']
+    const all = [...settings, ...others]
+    const setting = (list) => list.flatMap((each) => ['--set', each])
+    const set = setting(all)
+    const result = await works('bake', 'model.glb', 'uniforms.glsl', ...set, '-o', 'set.glb')
+    assert.equal(result.code, 0, result.stderr)
+    const [before, after] = await Promise.all(
+      ['model.glb', 'set.glb'].map((file) => loadMesh(join(folder, file))),
+    )
+    for (let i = 0; i < before.positions.length; i += 3) {
+      const [x, y, z] = before.positions.subarray(i, i + 3)
+      // By a quarter turn, (x, y) becomes (-y, x).
+      const expected = [
+        x + 0.25 * Math.sin(x * 2) + 1 - y,
+        y + 0.5 * y + 2 + x - 1,
+        z + 3 + (5 & 4) + 2 + 10,
+      ]
+      expected.forEach((number, k) =>
+        assert.ok(Math.abs(after.positions[i + k] - number) < 1e-5, `${number} at ${i}`),
+      )
+    }
+    const missing = await warpjet('bake', 'model.glb', 'uniforms.glsl', '-o', 'set.glb')
+    assert.match(missing.stderr, /uniforms\.glsl reads \w+; add --set \w+=<number>/)
+    const rest = setting(all.filter((each) => !each.startsWith('many')))
+    const whole = await warpjet('bake', 'model.glb', 'uniforms.glsl', ...rest, '-o', 'set.glb')
+    assert.match(whole.stderr, /uniforms\.glsl reads many; add --set many=/)
+    const wrong = await warpjet(
+      'bake',
+      'model.glb',
+      'uniforms.glsl',
+      ...set,
+      '--set',
+      'way=1',
+      '-o',
+      'set.glb',
+    )
+    assert.match(
+      wrong.stderr,
+      /the uniform way is a vec3 in the text, but a single number was given/,
+    )
+  })
+
   test('derive prints a function with its gradient', async () => {
     const { code, stdout } = await warpjet('derive', 'waves.glsl', '--function', 'map', '--by', 'p')
     assert.equal(code, 0)
     assert.match(stdout, /^vec4 mapGradient\(vec3 p\) \{/)
+  })
+
+  test('derive prints what differentiate gives, with each of its options, or writes it', async () => {
+    const source = readFileSync(join(folder, 'spiral.glsl'), 'utf8')
+    const expected = differentiate(source, {
+      function: 'spiral',
+      by: 't',
+      target: 'wgsl',
+      name: 'along',
+      maxIterations: 5,
+    })
+    const args = ['--function', 'spiral', '--by', 't', '--target', 'wgsl', '--name', 'along']
+    const { stdout } = await works('derive', 'spiral.glsl', ...args, '--max-iterations', '5')
+    assert.equal(stdout, expected)
+    assert.match(stdout, /^fn along\(p: vec2f, t: f32, n: i32, isOn: bool\) -> vec2f \{/)
+    const written = await works(
+      'derive',
+      'spiral.glsl',
+      '--max-iterations',
+      '5',
+      '-o',
+      'jacobian.glsl',
+    )
+    assert.equal(written.stdout, '')
+    assert.equal(
+      readFileSync(join(folder, 'jacobian.glsl'), 'utf8'),
+      differentiate(source, { maxIterations: 5 }),
+    )
+    const wrong = await warpjet('derive', 'spiral.glsl', '--by', 'q')
+    assert.equal(wrong.code, 1)
+    assert.match(wrong.stderr, /--by must be a parameter of spiral, one of p, t, n, isOn/)
   })
 
   test('what is wrong in it is told with its line', async () => {

@@ -11,7 +11,13 @@ import { derivative } from '../random/differences.js'
 const points = pointsOfCube(12)
 
 /** Stairs finer than any difference: what is made of whole numbers has derivative zero. */
-const isStairs = new Set(['a hash of bits', 'halves', 'halves of a uint'])
+const isStairs = new Set([
+  'a hash of bits',
+  'bits of floats',
+  'halves',
+  'halves go to the even',
+  'halves of a uint',
+])
 
 /** How sure differences must be of themselves to be asked; at a kink or a jump they are not. */
 const sure = 1e-4

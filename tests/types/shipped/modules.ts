@@ -2,6 +2,7 @@
 import { type OffsetFunction, type Vec3, WarpError, compile, compileWarp, version } from 'warpjet'
 import { type Op, gen } from 'warpjet/autodiff'
 import { type TwistOptions, chain, twist } from 'warpjet/deformers'
+import { type GlslOffset, differentiate, glslOffset } from 'warpjet/glsl'
 import { type Mesh, bakeWarp, loadMesh, subdivide } from 'warpjet/mesh'
 import { compileWarp as compileText } from 'warpjet/text'
 import warpjet, { type Loading, type WarpModel, createWarp } from 'warpjet/p5'
@@ -27,6 +28,13 @@ export async function baked(): Promise<Mesh> {
   const mesh = await loadMesh(new Uint8Array(8))
   return bakeWarp(subdivide(mesh, { warp, tolerance: 0.1 }), warp, { uniforms: { millis: 3 } })
 }
+
+const waves: GlslOffset = glslOffset('vec3 offset(vec3 p) { return p; }', { maxIterations: 9 })
+compileWarp(chain(waves, twist()))
+compileText(waves, { target: 'glsl100' })
+export const gradient: string = differentiate('float map(vec3 p) { return p.x; }', { by: 'p' })
+// @ts-expect-error no such language
+differentiate('', { target: 'hlsl' })
 
 // One class and one kind of vector, whichever entry they come from.
 export const isOurs = (error: unknown): error is WarpError => error instanceof WarpError

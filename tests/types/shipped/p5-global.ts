@@ -25,6 +25,10 @@ function draw() {
   if (airplane.texture) texture(airplane.texture)
   model(airplane)
   const text: string = AutoDiff.gen((ad) => ad.param('x').output('y')) + warpjet.version
+  shader(exactNormals(baseMaterialShader()))
+  createWarp(warpjet.glslOffset('vec3 offset(vec3 p) { return p; }', { returns: 'position' }))
+  // @ts-expect-error a shader is needed
+  exactNormals()
   // @ts-expect-error no such deformer
   warpjet.twirl()
   void text

@@ -1,0 +1,135 @@
+#include "glsl/versions.hpp"
+
+#include "glsl/source.hpp"
+
+namespace warpjet::glsl {
+
+namespace {
+
+struct Row {
+  // A way of writing has spaces in its name, which stands in the sentence as it is.
+  std::string_view what;
+  int version;
+  std::string_view advice{};
+};
+
+constexpr std::string_view ints = "take int", floats = "count in floats",
+                           square = "take mat2, mat3 or mat4",
+                           elements = "write its elements one by one",
+                           counting = "count up to a constant, as in for (int i = 0; i < 8; i++)",
+                           byHand = "write a function that computes it";
+
+constexpr Row rows[]{
+    // declarations
+    {"attribute", 100, "write in"},
+    {"varying", 100, "write out"},
+    {"in before a global variable", 300, "write attribute"},
+    {"out before a global variable", 300, "write varying"},
+    {"layout", 300, "leave it out"},
+    {"flat", 300, "leave it out"},
+    {"smooth", 300, "leave it out"},
+    {"centroid", 300, "leave it out"},
+
+    // types
+    {"uint", 300, ints},
+    {"uvec2", 300, "take ivec2"},
+    {"uvec3", 300, "take ivec3"},
+    {"uvec4", 300, "take ivec4"},
+    {"mat2x2", 300, "write mat2"},
+    {"mat2x3", 300, square},
+    {"mat2x4", 300, square},
+    {"mat3x2", 300, square},
+    {"mat3x3", 300, "write mat3"},
+    {"mat3x4", 300, square},
+    {"mat4x2", 300, square},
+    {"mat4x3", 300, square},
+    {"mat4x4", 300, "write mat4"},
+
+    // values
+    {"a whole number with a u", 300, ints},
+    {"a number with an f", 300, "leave the f out"},
+    {"an array made in one expression", 300, elements},
+    {"an array without a length", 300, "write its length after its name"},
+    {"the length of an array before its name", 300, "write it after the name"},
+    {"a length that is asked for", 300, "write the number"},
+    {"an assignment of arrays", 300, elements},
+    {"a comparison of arrays", 300, "compare their elements"},
+    {"an array that a function gives", 300, "give it by an out parameter"},
+    {"an index that only the shader knows", 300, "take a constant, or the counter of a loop"},
+
+    // operators
+    {"%", 300, "take mod(x, y) of floats"},
+    {"<<", 300, "multiply"},
+    {">>", 300, "divide"},
+    {"&", 300, floats},
+    {"|", 300, floats},
+    {"^", 300, floats},
+    {"~", 300, floats},
+
+    // statements
+    {"switch", 300, "write if and else"},
+    {"while", 300, counting},
+    {"do", 300, counting},
+    {"a for that does not count by a constant, from one and to one", 300, counting},
+    {"a change of a loop's counter in its body", 300, "change another variable"},
+
+    // built-in functions
+    {"sinh", 300, byHand},
+    {"cosh", 300, byHand},
+    {"tanh", 300, byHand},
+    {"asinh", 300, byHand},
+    {"acosh", 300, byHand},
+    {"atanh", 300, byHand},
+    {"trunc", 300, "write sign(x) * floor(abs(x))"},
+    {"round", 300, "write floor(x + 0.5)"},
+    {"roundEven", 300, "write floor(x + 0.5)"},
+    {"modf", 300, "take floor and fract"},
+    {"isnan", 300, "write x != x"},
+    {"isinf", 300, "write abs(x) > 3.4e38"},
+    {"floatBitsToInt", 300, byHand},
+    {"floatBitsToUint", 300, byHand},
+    {"intBitsToFloat", 300, byHand},
+    {"uintBitsToFloat", 300, byHand},
+    {"packSnorm2x16", 300, byHand},
+    {"unpackSnorm2x16", 300, byHand},
+    {"packUnorm2x16", 300, byHand},
+    {"unpackUnorm2x16", 300, byHand},
+    {"packHalf2x16", 300, byHand},
+    {"unpackHalf2x16", 300, byHand},
+    {"outerProduct", 300, byHand},
+    {"transpose", 300, byHand},
+    {"determinant", 300, byHand},
+    {"inverse", 300, byHand},
+    {"abs, sign, min, max or clamp of whole numbers", 300, floats},
+    {"mix by a bvec", 300, "mix by a vector of 0.0 and 1.0"},
+    {"texture", 300, "write texture2D"},
+    {"textureLod", 300, "write texture2DLod"},
+    {"textureSize", 300, "give the size by a uniform"},
+    {"texelFetch", 300, "write texture2D"},
+    {"texture2D", 100, "write texture"},
+    {"texture2DLod", 100, "write textureLod"},
+    {"a function with the name of a built-in one", 100, "give it another name"},
+
+    // variables of the language
+    {"gl_VertexID", 300, "give each vertex an attribute"},
+    {"gl_InstanceID", 300, "give each instance an attribute"},
+    {"gl_FragColor", 100, "declare an out vec4"},
+};
+
+}  // namespace
+
+std::string versionProblem(int version, std::string_view what) {
+  if (version == 0) return {};
+  for (const Row& row : rows) {
+    if (row.what != what || row.version == version) continue;
+    const bool isWord = what.find(' ') == what.npos;
+    const std::string subject = isWord ? quoted(what) : std::string(what);
+    return version == 100 ? subject + " is not in GLSL ES 1.00, the language of #version 100; " +
+                                std::string(row.advice) + ", or begin the text with #version 300 es"
+                          : subject + " is not in GLSL ES 3.00, the language of #version 300 es; " +
+                                std::string(row.advice);
+  }
+  return {};
+}
+
+}  // namespace warpjet::glsl

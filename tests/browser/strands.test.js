@@ -1,0 +1,193 @@
+// exactNormals on p5.strands in all its ways of writing, each beside the same warp by createWarp.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { launchBrowser } from './support/browser.js'
+import { differingPixels, litPixels } from './support/pixels.js'
+import { servePages } from './support/server.js'
+import { drawScenes, p5Versions } from './support/sketch.js'
+
+const scripts = [p5Versions['2.x'], '/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js']
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+const scene = (shading, shape = 'sphere(60, 48, 32)') =>
+  `noStroke(); ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1); ${shading}; fill('coral'); rotateX(0.4); ${shape}`
+
+/** Each as a strands sketch, in p5's own words, and as a warp. */
+const sketches = {
+  'begin and end, in world space, by the clock, as the reference has it': {
+    strands: `buildMaterialShader(() => {
+      const t = millis()
+      worldInputs.begin()
+      worldInputs.position.y += 20 * sin(t * 0.001 + worldInputs.position.x * 0.05)
+      worldInputs.end()
+    })`,
+    byHand: `createWarp(({ glsl, position, millis }) =>
+      glsl.vec3(0, millis.mult(0.001).add(position.x.mult(0.05)).sin().mult(20), 0), { space: 'world' })`,
+  },
+  'begin and end, in object space, with declarations, an if, an else and a for': {
+    strands: `baseMaterialShader().modify(() => {
+      objectInputs.begin()
+      let lift = 0
+      const y = objectInputs.position.y
+      if (y > 0) {
+        lift = y * y * 0.5
+      } else if (y > -0.5) {
+        lift = y * 0.25
+      } else {
+        lift = -0.125
+      }
+      for (let i = 1; i < 4; i++) {
+        lift += sin(objectInputs.position.z * 4 * i) * 0.0625 / i
+      }
+      let moved = objectInputs.position + [lift, 0, 0]
+      objectInputs.position = moved
+      objectInputs.end()
+    })`,
+    byHand: `createWarp(({ glsl, position: { y, z } }) => {
+      let lift = y.gt(0).ifElse(y.mult(y).mult(0.5), y.gt(-0.5).ifElse(y.mult(0.25), -0.125))
+      for (let i = 1; i < 4; i++) lift = lift.add(z.mult(4 * i).sin().mult(0.0625 / i))
+      return glsl.vec3(lift, 0, 0)
+    })`,
+  },
+  'begin and end, in camera space, with mix, smoothstep and a swizzle': {
+    strands: `baseMaterialShader().modify(() => {
+      cameraInputs.begin()
+      const far = length(cameraInputs.position.xy)
+      const near = smoothstep(10, 60, far)
+      cameraInputs.position.z = mix(cameraInputs.position.z, cameraInputs.position.z + 25 * cos(far * 0.0625), near)
+      cameraInputs.end()
+    })`,
+    byHand: `createWarp(({ glsl, position }) => {
+      const far = position.xy.length()
+      const near = glsl.smoothstep(10, 60, far)
+      return glsl.vec3(0, 0, near.mult(far.mult(0.0625).cos().mult(25)))
+    }, { space: 'camera' })`,
+  },
+  'a ternary, min, max, abs, pow, mod and clamp': {
+    strands: `baseMaterialShader().modify(() => {
+      getObjectInputs((inputs) => {
+        const p = inputs.position
+        const a = p.x > 0 ? pow(abs(p.x) + 0.25, 2) : 0.0625
+        const b = max(min(p.y, 0.5), -0.25) * 0.5 + clamp(p.z, -0.5, 0.75) * 0.25
+        inputs.position += [a * 0.5, 0, b + mod(p.y * 4 + 8, 16) * 0.0625]
+        return inputs
+      })
+    })`,
+    byHand: `createWarp(({ glsl, position: { x, y, z } }) => {
+      const a = x.gt(0).ifElse(x.abs().add(0.25).pow(2), 0.0625)
+      const b = y.min(0.5).max(-0.25).mult(0.5).add(z.clamp(-0.5, 0.75).mult(0.25))
+      return glsl.vec3(a.mult(0.5), 0, b.add(y.mult(4).add(8).mod(16).mult(0.0625)))
+    })`,
+  },
+  'a uniform by its name and one that a function of the sketch reads': {
+    strands: `baseMaterialShader().modify(() => {
+      const amount = uniformFloat('amount', 0.25)
+      const way = uniformVector3(() => [0, 1, 0.5])
+      const wave = (a) => sin(a * 4) * amount
+      objectInputs.begin()
+      objectInputs.position += way * wave(objectInputs.position.x)
+      objectInputs.end()
+    })`,
+    byHand: `createWarp(({ glsl, position }) =>
+      glsl.vec3(0, 1, 0.5).mult(position.x.mult(4).sin().mult(0.25)))`,
+  },
+  'hooks in GLSL, with uniforms that are called as inputs of a warp are': {
+    strands: `baseMaterialShader().modify({
+      uniforms: { 'float millis': () => 0.25, 'vec2 size': () => [4, 0.5], 'float instance': () => 0.125 },
+      'Vertex getObjectInputs': \`(Vertex inputs) {
+        inputs.position.x += sin(inputs.position.y * size.x) * millis + instance * inputs.position.z * inputs.position.z;
+        return inputs;
+      }\`,
+    })`,
+    byHand: `createWarp(({ glsl, position: { y, z } }) =>
+      glsl.vec3(y.mult(4).sin().mult(0.25).add(z.mult(z).mult(0.125)), 0, 0))`,
+  },
+  'instances, each moved and waved by its number': {
+    strands: `buildMaterialShader(() => {
+      worldInputs.begin()
+      worldInputs.position.x += (instanceID() - 1) * 60
+      worldInputs.position.y += 8 * sin(worldInputs.position.x * 0.125 + instanceID())
+      worldInputs.end()
+    })`,
+    byHand: `createWarp(({ glsl, position, instance }) => {
+      const x = instance.sub(1).mult(60)
+      return glsl.vec3(x, position.x.add(x).mult(0.125).add(instance).sin().mult(8), 0)
+    }, { space: 'world' })`,
+    shape: 'model(ball, 3)',
+  },
+}
+
+test('each way of writing p5.strands: the picture of the same warp by createWarp, and not that of the sketch alone', async () => {
+  const entries = Object.entries(sketches)
+  const images = await drawScenes(browser, server, scripts, {
+    setup: `p5.prototype.millis = () => 1700
+      window.ball = buildGeometry(() => sphere(28, 24, 16))
+      ${entries
+        .map(
+          ([, { strands, byHand }], i) =>
+            `warps.plain${i} = ${strands}\nwarps.own${i} = exactNormals(warps.plain${i})\nwarps.byHand${i} = ${byHand}`,
+        )
+        .join('\n')}`,
+    scenes: Object.fromEntries(
+      entries.flatMap(([name, { shape }], i) => [
+        [name, scene(`shader(warps.own${i})`, shape)],
+        [`${name}, plain`, scene(`shader(warps.plain${i})`, shape)],
+        [`${name}, by hand`, scene(`warps.byHand${i}()`, shape)],
+      ]),
+    ),
+  })
+  const problems = entries.flatMap(([name]) => {
+    const byHand = images[`${name}, by hand`]
+    const differing = differingPixels(images[name], byHand, 2)
+    const plain = differingPixels(images[`${name}, plain`], byHand, 8)
+    const lit = litPixels(images[name]).length
+    return differing < 20 && plain > 500 && lit > 3000
+      ? []
+      : [`${name}: ${differing} pixels differ, ${plain} of the plain ones, ${lit} are lit`]
+  })
+  assert.deepEqual(problems, [])
+})
+
+test('noise() of p5.strands: the picture of the same sketch with its normals by differences', async () => {
+  // Of p + e f(p) with the gradient g of f, normals turn by (1 + g·e) n - g (e·n).
+  const sketch = (normal) => `baseMaterialShader().modify(() => {
+    getObjectInputs((inputs) => {
+      const lift = (x, y, z) => noise(x * 1.5 + 8, y * 1.5 + 8, z * 1.5 + 8) * 0.5
+      const p = inputs.position
+      ${normal}
+      inputs.position += [0, lift(p.x, p.y, p.z), 0]
+      return inputs
+    })
+  })`
+  const byDifferences = `
+    const h = 0.001
+    const gx = (lift(p.x + h, p.y, p.z) - lift(p.x - h, p.y, p.z)) / (2 * h)
+    const gy = (lift(p.x, p.y + h, p.z) - lift(p.x, p.y - h, p.z)) / (2 * h)
+    const gz = (lift(p.x, p.y, p.z + h) - lift(p.x, p.y, p.z - h)) / (2 * h)
+    const n = inputs.normal
+    inputs.normal = normalize([(1 + gy) * n.x - gx * n.y, n.y, (1 + gy) * n.z - gz * n.y])`
+  const images = await drawScenes(browser, server, scripts, {
+    setup: `
+      warps.plain = ${sketch('')}
+      warps.own = exactNormals(warps.plain)
+      warps.byDifferences = ${sketch(byDifferences)}`,
+    scenes: Object.fromEntries(
+      ['plain', 'own', 'byDifferences'].map((name) => [name, scene(`shader(warps.${name})`)]),
+    ),
+  })
+  assert.ok(litPixels(images.own).length > 4000)
+  const plain = differingPixels(images.plain, images.byDifferences, 8)
+  assert.ok(plain > 5000, `${plain} pixels of the plain ones differ`)
+  // Differences of four octaves are a little wrong where these bend most.
+  const differing = differingPixels(images.own, images.byDifferences, 8)
+  assert.ok(differing < plain / 100, `${differing} pixels differ, ${plain} of the plain ones`)
+})

@@ -1,0 +1,154 @@
+// Expressions of the walk: operators, and parts of values.
+import { ofKind } from '../built-ins.js'
+import { Names } from './names.js'
+import {
+  comparisons,
+  fail,
+  fresh,
+  layoutOf,
+  multiplied,
+  numbersOf,
+  operations,
+  part,
+  vary,
+  wrap,
+  write,
+} from './values.js'
+
+export class Expressions extends Names {
+  copy(value) {
+    return fresh(value.type, numbersOf(value), vary(value))
+  }
+  test(node) {
+    return numbersOf(this.value(node))[0]
+  }
+  value(node) {
+    return (this[`value_${node.type}`] ?? fail(`no ${node.type} is known`)).call(this, node)
+  }
+  value_group({ expression }) {
+    return this.value(expression)
+  }
+  value_identifier({ identifier }) {
+    return this.find(identifier)
+  }
+  value_float_constant({ token }) {
+    return fresh('float', [parseFloat(token)])
+  }
+  value_int_constant({ token }) {
+    const isUnsigned = /u$/i.test(token)
+    const digits = token.replace(/u$/i, '')
+    const number = Number(/^0\d/.test(digits) ? `0o${digits}` : digits)
+    return isUnsigned ? fresh('uint', [number]) : fresh('int', [number | 0])
+  }
+  value_uint_constant(node) {
+    return this.value_int_constant(node)
+  }
+  value_bool_constant({ token }) {
+    return fresh('bool', [token === 'true'])
+  }
+  value_ternary({ expression, left, right }) {
+    return this.copy(this.value(this.test(expression) ? left : right))
+  }
+  value_unary({ operator, expression }) {
+    const op = operator.literal
+    if (op === '++' || op === '--') return this.step(this.value(expression), op)
+    const of = this.value(expression)
+    const { kind } = layoutOf(of.type)
+    const f = {
+      '-': (x) => wrap[kind](-x),
+      '+': (x) => x,
+      '!': (x) => !x,
+      '~': (x) => wrap[kind](~x),
+    }
+    return fresh(of.type, numbersOf(of).map(f[op]), vary(of))
+  }
+  step(place, op) {
+    const { kind } = layoutOf(place.type)
+    const by = op === '++' ? 1 : -1
+    write(
+      place,
+      numbersOf(place).map((x) => wrap[kind](x + by)),
+      vary(place),
+    )
+    return place
+  }
+  value_postfix({ expression, postfix }) {
+    let value = this.value(expression)
+    for (let next = postfix; next; next = next.type === 'postfix' ? next.postfix : undefined) {
+      const one = next.type === 'postfix' ? next.expression : next
+      if (one.type === 'field_selection') value = this.select(value, one.selection.identifier)
+      else if (one.type === 'quantifier') value = this.element(value, this.value(one.expression))
+      else {
+        const before = this.copy(value)
+        this.step(value, one.literal)
+        return before
+      }
+    }
+    return value
+  }
+  select({ type, of, at }, name) {
+    const fields = this.structures[type]
+    if (!fields) {
+      const places = [...name].map((letter) =>
+        Math.max(...['xyzw', 'rgba', 'stpq'].map((letters) => letters.indexOf(letter))),
+      )
+      const { kind } = layoutOf(type)
+      const chosen = places.length === 1 ? kind : ofKind(kind, `vec${places.length}`)
+      return part(
+        chosen,
+        of,
+        places.map((place) => at[place]),
+      )
+    }
+    let offset = 0
+    for (const field of fields) {
+      const size = this.sizeOf(field.type)
+      if (field.name === name) return part(field.type, of, at.slice(offset, offset + size))
+      offset += size
+    }
+    return fail(`${type} has no ${name}`)
+  }
+  element({ type, of, at }, index) {
+    const [, inner] = /^(.*)\[\d+\]$/.exec(type) ?? []
+    const layout = layoutOf(type)
+    const element = inner ?? (layout.columns > 1 ? `vec${layout.rows}` : layout.kind)
+    const size = this.sizeOf(element)
+    const [i] = numbersOf(index)
+    return part(element, of, at.slice(i * size, (i + 1) * size))
+  }
+  value_assignment({ left, operator, right }) {
+    const place = this.value(left)
+    const op = operator.literal.slice(0, -1)
+    const given = this.value(right)
+    const value = op ? this.operate(op, place, given) : given
+    write(place, numbersOf(value), vary(value))
+    return place
+  }
+  value_binary({ operator, left, right }) {
+    const op = operator.literal
+    if (op === ',') return (this.value(left), this.value(right))
+    if (op === '&&') return fresh('bool', [this.test(left) && this.test(right)])
+    if (op === '||') return fresh('bool', [this.test(left) || this.test(right)])
+    const first = this.copy(this.value(left))
+    return this.operate(op, first, this.value(right))
+  }
+  operate(op, left, right) {
+    const [x, y] = [numbersOf(left), numbersOf(right)]
+    if (op === '^^') return fresh('bool', [x[0] !== y[0]])
+    if (op === '==' || op === '!=')
+      return fresh('bool', [x.every((number, i) => number === y[i]) === (op === '==')])
+    if (comparisons[op]) return fresh('bool', [comparisons[op](x[0], y[0])])
+    const [a, b] = [layoutOf(left.type), layoutOf(right.type)]
+    if (op === '*' && Math.max(a.columns, b.columns) > 1 && x.length > 1 && y.length > 1)
+      return multiplied(a, x, b, y, vary(left, right))
+    const f = operations[op]
+    const type = x.length >= y.length ? left.type : right.type
+    const at = (list, i) => list[list.length === 1 ? 0 : i]
+    const size = Math.max(x.length, y.length)
+    return fresh(
+      type,
+      Array.from({ length: size }, (_, i) => wrap[a.kind](f(at(x, i), at(y, i), a.kind))),
+      vary(left, right),
+    )
+  }
+}

@@ -1,0 +1,65 @@
+// Types and names of the walk: how many numbers a type has, and which of them a name stands for.
+import { fail, fresh, layoutOf, numbersOf } from './values.js'
+
+export class Names {
+  constructor(program) {
+    this.program = program
+    this.functions = []
+    this.structures = {}
+  }
+
+  // types
+
+  sizeOf(type) {
+    const [, element, count] = /^(.*)\[(\d+)\]$/.exec(type) ?? []
+    if (element) return this.sizeOf(element) * Number(count)
+    const layout = layoutOf(type)
+    if (layout) return layout.columns * layout.rows
+    return this.structures[type].reduce((sum, field) => sum + this.sizeOf(field.type), 0)
+  }
+
+  /** Of what has a specifier, and perhaps a length after its name. */
+  typeOf({ specifier, quantifier }) {
+    const word = specifier.specifier ?? specifier
+    const named = word.type === 'struct' ? this.structure(word) : (word.token ?? word.identifier)
+    return [specifier.quantifier, quantifier].reduce(
+      (type, lengths) => this.lengthened(type, lengths),
+      named,
+    )
+  }
+  lengthened(type, lengths) {
+    const text = ({ expression }) => (expression ? numbersOf(this.value(expression))[0] : '')
+    return (lengths ?? []).reduce((name, each) => `${name}[${text(each)}]`, type)
+  }
+
+  structure({ typeName, declarations }) {
+    const fields = declarations.flatMap(({ declaration }) =>
+      declaration.declarations.map(({ identifier, quantifier }) => ({
+        name: identifier.identifier,
+        type: this.lengthened(this.typeOf(declaration.specified_type), quantifier),
+      })),
+    )
+    this.structures[typeName.identifier] = fields
+    return typeName.identifier
+  }
+
+  // names
+
+  declare(name, type, numbers, isVarying = false) {
+    const start = numbers ?? Array(this.sizeOf(type)).fill(0)
+    this.scopes.at(-1).set(name, fresh(type, [...start], isVarying))
+  }
+
+  find(name) {
+    for (let i = this.scopes.length - 1; i >= 0; i--)
+      if (this.scopes[i].has(name)) return this.scopes[i].get(name)
+    return fail(`${name} is not declared`)
+  }
+
+  within(work) {
+    this.scopes.push(new Map())
+    const result = work()
+    this.scopes.pop()
+    return result
+  }
+}

@@ -1,0 +1,82 @@
+// Values of the walk: numbers with their types, and what operators make of them.
+
+export const fail = (sentence) => {
+  throw new SyntaxError(`the walk: ${sentence}`)
+}
+
+/** What numbers a type has: { kind, columns, rows }, or nothing of structures and arrays. */
+export function layoutOf(type) {
+  const [, letter, size] = /^([iub]?)vec(\d)$/.exec(type) ?? []
+  if (size) {
+    const kind = { '': 'float', i: 'int', u: 'uint', b: 'bool' }[letter]
+    return { kind, columns: 1, rows: Number(size) }
+  }
+  const [, columns, rows = columns] = /^mat(\d)(?:x(\d))?$/.exec(type) ?? []
+  if (columns) return { kind: 'float', columns: Number(columns), rows: Number(rows) }
+  return /^(?:float|u?int|bool)$/.test(type) ? { kind: type, columns: 1, rows: 1 } : undefined
+}
+export const matrixType = (columns, rows) =>
+  columns === rows ? `mat${rows}` : `mat${columns}x${rows}`
+
+export const wrap = { int: (x) => x | 0, uint: (x) => x >>> 0, float: (x) => x }
+export const convert = {
+  float: Number,
+  int: (x) => Math.trunc(Number(x)) | 0,
+  uint: (x) => Math.trunc(Number(x)) >>> 0,
+  bool: Boolean,
+}
+export const operations = {
+  '+': (x, y) => x + y,
+  '-': (x, y) => x - y,
+  '*': (x, y, kind) => (kind === 'float' ? x * y : Math.imul(x, y)),
+  '/': (x, y, kind) => (kind === 'float' ? x / y : Math.trunc(x / y)),
+  '%': (x, y) => x % y,
+  '&': (x, y) => x & y,
+  '|': (x, y) => x | y,
+  '^': (x, y) => x ^ y,
+  '<<': (x, y) => x << y,
+  '>>': (x, y, kind) => (kind === 'uint' ? x >>> y : x >> y),
+}
+export const comparisons = {
+  '<': (x, y) => x < y,
+  '>': (x, y) => x > y,
+  '<=': (x, y) => x <= y,
+  '>=': (x, y) => x >= y,
+}
+
+/** Numbers of a variable or of their own: those of `of` at the places `at`. */
+export const part = (type, of, at) => ({ type, of, at })
+export const numbersOf = ({ of, at }) => at.map((place) => of[place])
+
+/** Those that read the arguments vary; all others are known to a shader's compiler, and count in float32. */
+export const varying = new WeakSet()
+export const vary = (...values) => values.some(({ of }) => varying.has(of))
+export function fresh(type, numbers, isVarying) {
+  const of = isVarying || layoutOf(type)?.kind !== 'float' ? numbers : numbers.map(Math.fround)
+  if (isVarying) varying.add(of)
+  return part(type, of, [...of.keys()])
+}
+export function write({ of, at }, numbers, isVarying) {
+  at.forEach((place, i) => (of[place] = numbers[i]))
+  if (isVarying) varying.add(of)
+  else if (at.length === of.length) varying.delete(of)
+}
+
+/** A vector before a matrix is a row, one after it a column. */
+export function multiplied(a, x, b, y, isVarying) {
+  const [rows, inner] = a.columns > 1 ? [a.rows, a.columns] : [1, a.rows]
+  const columns = b.columns > 1 ? b.columns : 1
+  const at = (row, k) => (a.columns > 1 ? x[k * rows + row] : x[k])
+  const numbers = Array.from({ length: columns * rows }, (_, i) => {
+    const [column, row] = [Math.floor(i / rows), i % rows]
+    let sum = 0
+    for (let k = 0; k < inner; k++) sum += at(row, k) * y[column * inner + k]
+    return sum
+  })
+  const size = Math.max(columns, rows)
+  return fresh(
+    columns > 1 && rows > 1 ? matrixType(columns, rows) : `vec${size}`,
+    numbers,
+    isVarying,
+  )
+}

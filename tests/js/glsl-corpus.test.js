@@ -1,0 +1,35 @@
+// Where the functions of the corpus come from: packages whose licence lets us run them, each used, none of them shipped.
+import assert from 'node:assert/strict'
+import { readFileSync, readdirSync } from 'node:fs'
+import { test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { corpus, packages } from '../glsl/corpus.js'
+
+const root = fileURLToPath(new URL('../../', import.meta.url))
+const { dependencies = {}, devDependencies } = JSON.parse(
+  readFileSync(`${root}package.json`, 'utf8'),
+)
+
+for (const name of Object.keys(packages))
+  test(`${name} is under the MIT licence, and says so in full`, () => {
+    const folder = `${root}node_modules/${name}`
+    const { license, version } = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'))
+    assert.equal(license, 'MIT')
+    const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each))
+    assert.match(
+      readFileSync(`${folder}/${file}`, 'utf8').replace(/\s+/g, ' '),
+      /Permission is hereby granted, free of charge, to any person obtaining a copy/,
+    )
+    assert.equal(devDependencies[name], version)
+    assert.ok(!(name in dependencies))
+    assert.ok(
+      corpus.some((each) => each.name.startsWith(`${name}/`)),
+      'the corpus has none of it',
+    )
+  })
+
+test('every package of shader text that there is for development is in the corpus', () => {
+  // Of @shaderfrog comes the independent parser.
+  const all = Object.keys(devDependencies).filter((name) => /^glsl-/.test(name))
+  assert.deepEqual(all.sort(), Object.keys(packages).sort())
+})

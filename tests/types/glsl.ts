@@ -1,0 +1,104 @@
+// What the types of 'warpjet/glsl' must allow and refuse; only checked, never run.
+import {
+  type DifferentiateOptions,
+  type GlslOffset,
+  type GlslOffsetOptions,
+  type GlslOptions,
+  WarpError,
+  differentiate,
+  exactNormals,
+  glslOffset,
+} from '../../js-bindings/glsl.js'
+import { chain, twist } from '../../js-bindings/deformers.js'
+import {
+  type Mat3,
+  type OffsetFunction,
+  type Scalar,
+  type Target,
+  type Vec3,
+  compileWarp,
+} from '../../js-bindings/index.js'
+import { warp as warpThree } from '../../js-bindings/three.js'
+import { Mesh } from 'three'
+
+// An offset is one wherever offsets go.
+const offsetOptions: GlslOffsetOptions = {
+  function: 'moved',
+  maxIterations: 64,
+  returns: 'position',
+}
+const waves: GlslOffset = glslOffset('vec3 offset(vec3 p) { return p; }')
+export const sameWaves: OffsetFunction = waves
+const moved = glslOffset('vec3 moved(vec3 p) { return p; }', offsetOptions)
+compileWarp(waves, { target: 'wgsl', uniforms: { amount: 0.5, many: 3, isOn: true } })
+compileWarp(chain(moved, twist()))
+warpThree(new Mesh(), waves, { uniforms: { amount: 0.5 } })
+export const read: string[] = compileWarp(waves).uniforms.map(({ name, type }) => `${type} ${name}`)
+// With the uniforms that it needs.
+const needing: OffsetFunction<{ amount: number }> = glslOffset<{ amount: number }>('…')
+compileWarp(needing, { uniforms: { amount: 1 } })
+
+// @ts-expect-error a text is needed
+glslOffset()
+// @ts-expect-error no text
+glslOffset(5)
+// @ts-expect-error no such result
+glslOffset('', { returns: 'normal' })
+// @ts-expect-error no such option
+glslOffset('', { name: 'offset' })
+// @ts-expect-error a number of times
+glslOffset('', { maxIterations: '8' })
+
+// A text that comes back.
+const derivativeOptions: DifferentiateOptions = {
+  function: 'map',
+  by: 'p',
+  target: 'glsl100',
+  name: 'mapSlope',
+  maxIterations: 8,
+}
+const target: Target = 'wgsl'
+export const texts: string[] = [
+  differentiate('float map(vec3 p) { return p.x; }'),
+  differentiate('…', derivativeOptions),
+  differentiate('…', { target }),
+]
+// @ts-expect-error no such language
+differentiate('', { target: 'hlsl' })
+// @ts-expect-error by its name
+differentiate('', { by: 0 })
+// @ts-expect-error an offset alone may give a position
+differentiate('', { returns: 'position' })
+export const shared: GlslOptions = { function: 'map', maxIterations: 3 }
+
+// A shader stays what it is.
+const shader = { setUniform: (name: string, value: number) => [name, value] }
+exactNormals(shader).setUniform('amount', 1)
+// @ts-expect-error no shader
+exactNormals('shader')
+// @ts-expect-error a shader is needed
+exactNormals()
+
+// Functions of a text among expressions: of numbers, vectors and matrices.
+compileWarp(({ glsl, position, millis, uniforms }) => {
+  const ripple = glsl.source('float ripple(vec2 p, float t) { return p.x * t; }', { uniforms })
+  const height: Scalar = ripple(position.xy(), millis).mult(2)
+  const noise = glsl.source<Vec3>('vec3 noise(vec3 p) { return p; }', {
+    function: 'noise',
+    maxIterations: 5,
+  })
+  const flow: Vec3 = noise(position.mult(3))
+  const turn = glsl.source<Mat3>('mat3 turn(mat3 m, float a, int n, bool b) { return m; }')
+  const matrix: Mat3 = turn(glsl.rotateX(1), 0.5, 3, millis.gt(2))
+  // @ts-expect-error a single number has no components
+  ripple(1, 2).yz()
+  // @ts-expect-error no such option
+  glsl.source('', { target: 'wgsl' })
+  // @ts-expect-error a text is needed
+  glsl.source()
+  // @ts-expect-error a name is none of the operands
+  noise('position')
+  return matrix.mult(flow.mult(height))
+})
+
+export const isWrong = (error: unknown): error is WarpError => error instanceof WarpError
