@@ -43,13 +43,12 @@ const prepared = new WeakSet<Renderer>()
 const keeping: WeakRef<Renderer>[] = []
 
 /** p5's name of a shape: 1.11 keeps shapes under their names, and these do not know them. */
-function nameOf(shape: Drawn): string {
-  if (shape.gid) return shape.gid
-  for (const reference of keeping)
-    for (const [name, { model }] of Object.entries(reference.deref()?.retainedMode?.geometry ?? {}))
-      if (model === shape) return name
-  return ''
-}
+const nameOf = (shape: Drawn): string =>
+  shape.gid ||
+  (keeping
+    .flatMap((reference) => Object.entries(reference.deref()?.retainedMode?.geometry ?? {}))
+    .find(([, { model }]) => model === shape)?.[0] ??
+    '')
 
 /** For a renderer that is to draw with a warp that reads them. */
 export function prepareBuffers(renderer: Renderer) {

@@ -28,8 +28,7 @@ export function turnedVariation(matrix: string): string {
   const attributes = variationNames.map(variationAttribute)
   const turned = (attribute: string, i: number) => {
     if (!matrix) return attribute
-    const axis = ['1, 0, 0', '0, 1, 0', '0, 0, 1'][i]
-    return `warpjetN * ${axis ? `(mat3(${attributes.slice(0, 3)}) * (vec3(${axis}) * warpjetN))` : attribute}`
+    return `warpjetN * ${i < 3 ? `(mat3(${attributes.slice(0, 3)}) * (mat3(1.0)[${i}] * warpjetN))` : attribute}`
   }
   return (
     (matrix && `  mat3 warpjetN = ${matrix};\n`) +
