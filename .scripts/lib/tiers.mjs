@@ -24,6 +24,8 @@ export const leftOut = {
       'each block starts a p5 of its own, which takes minutes in all; what they call has its tests every day',
     'tests/browser/playground.test.js':
       'each of its sketches starts a p5 of its own, which takes minutes in all; the page ships to nobody',
+    'tests/browser/playground-examples.test.js':
+      'likewise; gallery.test.js draws every example every day',
     'tests/browser/script.test.js':
       'the loader of the script changes seldom; p5.test.js and all like it load it every day',
     'tests/browser/bundler.test.js': 'likewise what a bundler makes of the modules',

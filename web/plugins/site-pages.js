@@ -10,6 +10,7 @@ const root = new URL('../../', import.meta.url)
 const read = (path) => readFile(new URL(path, root))
 
 const plainFiles = {
+  'site/palette.css': 'web/site/palette.css',
   'site/site.css': 'web/site/site.css',
   'site/hero.webp': 'web/site/hero.webp',
   'site/fredoka.woff2': 'node_modules/@fontsource/fredoka/files/fredoka-latin-600-normal.woff2',
@@ -74,7 +75,7 @@ export function sitePagesPlugin() {
         try {
           let content
           if (
-            /^(?:index\.html|docs\/[\w-]+\.html|gallery\/[\w-]+\/index\.html|site\/search\.json)$/.test(
+            /^(?:index\.html|docs\/[\w-]+\.html|gallery\/[\w-]+\/(?:index|full)\.html|site\/search\.json)$/.test(
               path,
             )
           )
@@ -103,7 +104,7 @@ export function sitePagesPlugin() {
 }
 
 export const siteScripts = Object.fromEntries(
-  ['site', 'home', 'example'].map((name) => [
+  ['site', 'home', 'example', 'full'].map((name) => [
     `site/${name}`,
     fileURLToPath(new URL(`../site/${name}.js`, import.meta.url)),
   ]),
