@@ -10,7 +10,6 @@ const root = new URL('../../', import.meta.url)
 const read = (path) => readFile(new URL(path, root))
 
 const plainFiles = {
-  'site/palette.css': 'web/site/palette.css',
   'site/site.css': 'web/site/site.css',
   'site/hero.webp': 'web/site/hero.webp',
   'site/fredoka.woff2': 'node_modules/@fontsource/fredoka/files/fredoka-latin-600-normal.woff2',
@@ -37,6 +36,12 @@ function sourceOf(path) {
   if (path in plainFiles) return plainFiles[path]
   const folder = Object.keys(folders).find((name) => path.startsWith(name))
   return folder && folders[folder].test(path) && !path.includes('..') ? `web/${path}` : undefined
+}
+
+/** The site's sheet has its colours in it, so that they are no request of their own. */
+async function contentOf(path) {
+  const own = await read(sourceOf(path))
+  return path === 'site/site.css' ? Buffer.concat([await read('web/site/palette.css'), own]) : own
 }
 
 async function handedOn() {
@@ -80,7 +85,7 @@ export function sitePagesPlugin() {
             )
           )
             content = (await (pages ??= sitePages())).get(path)
-          else if (sourceOf(path)) content = await read(sourceOf(path)).catch(() => undefined)
+          else if (sourceOf(path)) content = await contentOf(path).catch(() => undefined)
           if (content === undefined) return next()
           response.setHeader('Content-Type', types[extname(path)])
           response.setHeader('Cache-Control', 'no-cache')
@@ -98,7 +103,7 @@ export function sitePagesPlugin() {
       for (const [fileName, source] of await sitePages())
         this.emitFile({ type: 'asset', fileName, source })
       for (const fileName of await handedOn())
-        this.emitFile({ type: 'asset', fileName, source: await read(sourceOf(fileName)) })
+        this.emitFile({ type: 'asset', fileName, source: await contentOf(fileName) })
     },
   }
 }

@@ -26,7 +26,6 @@ export function frame({ url, title, description, kind, here, script, preload }, 
     <meta name="description" content="${escaped(description)}" />
     <title>${escaped(title)}</title>
     <link rel="icon" href="data:," />
-    <link rel="stylesheet" href="${root}site/palette.css" />
     <link rel="stylesheet" href="${root}site/site.css" />
     ${preload ? `<link rel="preload" as="image" href="${root}${preload}" fetchpriority="high" />` : ''}
     <script>
