@@ -131,7 +131,7 @@ describe('the gallery of npm start', () => {
   })
 
   if (isRun('the gallery built, and on a phone'))
-    test('fits a phone', async () => {
+    test('fits a phone, each example as it plays', async () => {
       const context = await browser.newContext(phone)
       await lower(context)
       const { page, messages } = await openPage(context, url)
@@ -139,10 +139,17 @@ describe('the gallery of npm start', () => {
       assert.equal(width, phone.viewport.width)
       await page.screenshot({ path: `${screenshots}/phone-top.png` })
 
-      const frame = await playing(page, url, names[0])
-      assertPicture(await statistics(frame))
-      assert.equal(await frame.evaluate('innerWidth >= document.documentElement.scrollWidth'), true)
-      await page.screenshot({ path: `${screenshots}/phone-${names[0]}.png` })
+      for (const name of names) {
+        const frame = await playing(page, url, name)
+        if (name === names[0]) assertPicture(await statistics(frame))
+        for (const place of [page, frame])
+          assert.equal(
+            await place.evaluate('innerWidth >= document.documentElement.scrollWidth'),
+            true,
+            `${name}, ${place === page ? 'its page' : 'the sketch'}`,
+          )
+        await page.screenshot({ path: `${screenshots}/phone-${name}.png` })
+      }
       await context.close()
       assert.deepEqual(messages, [])
     })
