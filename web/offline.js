@@ -11,13 +11,7 @@ async function keep(root) {
   if (document.readyState !== 'complete')
     await new Promise((resolve) => addEventListener('load', resolve, { once: true }))
   await idle()
-  const { serviceWorker } = navigator
-  await serviceWorker.register(new URL('sw.js', root))
-  const { active } = await serviceWorker.ready
-  // Models are large: whoever saves data has them kept once a sketch has asked for them.
-  if (navigator.connection?.saveData) return
-  await idle()
-  active.postMessage('keep models')
+  await navigator.serviceWorker.register(new URL('sw.js', root))
 }
 
 export function keepForOffline(root) {

@@ -1,6 +1,7 @@
 // Runs in an example's page before its sketch, in the gallery only. Keeps the shader text of each warp for the page
 // around it; the callback is compiled a second time for that, with plain input names, which read better than p5's.
-// And it leaves the mouse wheel and vertical swipes to that page, so that nobody gets stuck in a sketch.
+// And it leaves the mouse wheel and vertical swipes to that page, so that nobody gets stuck in a sketch, unless the sketch
+// has the page for itself.
 {
   const recorded = (window.recordedCode = [])
   const { compile, compileWarp, gen } = warpjet
@@ -56,16 +57,18 @@
       return turned
     }
 
-  const { orbitControl } = p5.prototype
-  p5.prototype.orbitControl = function () {
-    // p5's own mark that it has taken the wheel.
-    this.wheelDefaultDisabled = true
-    return orbitControl.call(this, 1, 1, 0)
+  if (!frameElement?.ownerDocument.body.matches('.full')) {
+    const { orbitControl } = p5.prototype
+    p5.prototype.orbitControl = function () {
+      // p5's own mark that it has taken the wheel.
+      this.wheelDefaultDisabled = true
+      return orbitControl.call(this, 1, 1, 0)
+    }
+    document.head.append(
+      Object.assign(document.createElement('style'), {
+        // Half a pixel too much would make the frame scroll, in place of the page.
+        textContent: 'canvas { touch-action: pan-y !important } html { overflow: hidden }',
+      }),
+    )
   }
-  document.head.append(
-    Object.assign(document.createElement('style'), {
-      // Half a pixel too much would make the frame scroll, in place of the page.
-      textContent: 'canvas { touch-action: pan-y !important } html { overflow: hidden }',
-    }),
-  )
 }

@@ -50,11 +50,29 @@ const ranges = {
   'deformer-noise': { Amount: ['amount: #', 0, 120], Scale: ['scale: #', 30, 200] },
   composition: { Twist: ['swing(#)', 0, 5] },
   'along-the-normal': { Waves: ['x.mult(#)', 0, 0.2], Height: ['wave(z)).mult(#)', 0, 10] },
+  'glsl-terrain': { Height: ['0.0, # * h', 0.01, 0.25], Roughness: ['size *= #', 0.2, 0.6] },
   'glsl-noise': { Height: ['(# * snoise(p)', 0.05, 0.35] },
   'glsl-waves': { Choppiness: ['choppiness: #', 0, 1] },
+  'strands-exact-normals': { Bend: ['+ time) * #', 0.05, 0.45], Ripples: ['(# / i)', 0.01, 0.2] },
+  'ray-marched-field': {
+    Blend: ['- 0.22, #)', 0.05, 0.5],
+    Distance: ['vec3 c = #', 0.3, 0.95],
+    Bumps: ['d + #', 0.005, 0.05],
+  },
   'shadow-map': { Sway: ['.mult(#)\n  }', 0, 0.8] },
   'raked-sand': { Depth: ['height.mult(#)', 0, 30] },
   'marbled-paper': { Stirred: ['r.mult(#)', 0, 1] },
+  // These have a panel of their own; here is what that leaves out.
+  'three-sea': {
+    'Longest wave': ['length: #', 2, 8],
+    Steepness: ['steepness: #', 0, 0.8],
+    Haze: ['14, #)', 18, 60],
+  },
+  'three-grass': { Flutter: ['.mult(#)\n    const bend', 0, 0.2], Stiffness: ['.pow(#)', 1.2, 4] },
+  'three-terrain': { Plain: ['.add(#)\n  const ridges', 0, 0.6] },
+  'three-corridor': { Hills: ['position.z().mult(#).sin()', 0.1, 1] },
+  'three-glass': { Flutes: ['height.mult(#).min', 0.1, 1.5] },
+  'three-lanterns': { Rings: ['far.mult(#)', 0.2, 2] },
 }
 
 const number = String.raw`(-?\d+(?:\.\d+)?)`

@@ -1,5 +1,5 @@
 // Runs in the page of an example with three.js before its sketch, in the gallery only: counts frames, keeps the shader text of
-// each warp for the page around it, and leaves the wheel to that page.
+// each warp for the page around it, and leaves the wheel to that page, unless the sketch has the page for itself.
 {
   window.frameCount = 0
   const recorded = (window.recordedCode = [])
@@ -21,10 +21,13 @@
     return shaderSource.call(this, shader, text)
   }
 
-  addEventListener('wheel', (event) => event.stopImmediatePropagation(), { capture: true })
+  const isAlone = frameElement?.ownerDocument.body.matches('.full')
+  const swipes = isAlone ? '' : 'canvas { touch-action: pan-y !important }'
+  if (!isAlone)
+    addEventListener('wheel', (event) => event.stopImmediatePropagation(), { capture: true })
   document.head.append(
     Object.assign(document.createElement('style'), {
-      textContent: 'canvas { touch-action: pan-y !important } .lil-gui { --width: 180px }',
+      textContent: `${swipes} .lil-gui { --width: 180px }`,
     }),
   )
 }

@@ -20,10 +20,17 @@ export const leftOut = {
       'the page for one’s own model changes seldom; what it calls has its tests every day',
     'tests/browser/site.test.js':
       'it opens every page twice, which takes minutes; site.test.js of tests/js holds their links, and gallery.test.js opens some',
+    'tests/browser/site-motion.test.js':
+      'likewise; gallery.test.js sees every day that the first page draws',
     'tests/browser/docs.test.js':
       'each block starts a p5 of its own, which takes minutes in all; what they call has its tests every day',
     'tests/browser/playground.test.js':
       'each of its sketches starts a p5 of its own, which takes minutes in all; the page ships to nobody',
+    'tests/browser/playground-costs.test.js': 'likewise',
+    'tests/browser/playground-help.test.js': 'likewise',
+    'tests/browser/playground-hosts.test.js': 'likewise',
+    'tests/browser/playground-examples.test.js':
+      'likewise; gallery.test.js draws every example every day',
     'tests/browser/script.test.js':
       'the loader of the script changes seldom; p5.test.js and all like it load it every day',
     'tests/browser/bundler.test.js': 'likewise what a bundler makes of the modules',

@@ -7,6 +7,7 @@ import { blocksOf } from '../../web/site/markdown.js'
 import { linkTo } from '../../web/site/runnable.js'
 import { desktop, path } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
+import { keepFrames } from './support/examples.js'
 import { settled, shown, text } from './support/playground.js'
 import { serveSite } from './support/site.js'
 
@@ -31,14 +32,6 @@ const stopped = `
   window.draw = () => (frameCount > 2 ? noLoop() : draw())
 }
 `
-
-/** A canvas is empty once its frame is shown; so it stays until somebody has looked. */
-function keepFrames() {
-  const { getContext } = HTMLCanvasElement.prototype
-  HTMLCanvasElement.prototype.getContext = function (kind, options) {
-    return getContext.call(this, kind, { ...options, preserveDrawingBuffer: true })
-  }
-}
 
 let browser, server, url, page, messages
 before(async () => {

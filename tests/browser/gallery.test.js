@@ -8,6 +8,7 @@ import { createServer } from 'vite'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { sections } from '../../web/catalogue.js'
 import { launchBrowser, openPage } from './support/browser.js'
+import { assertPicture, keepFrames, lower, plain, statistics, still } from './support/examples.js'
 import { serveSite } from './support/site.js'
 
 const path = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url))
@@ -38,58 +39,6 @@ test('the gallery shows every folder of examples', () => {
   assert.deepEqual([...names].sort(), readdirSync(path('examples')).sort())
 })
 
-/** Sketches other than `exceptions` are drawn with a sixteenth of their pixels; without a GPU pixels are what takes long. */
-const lower = (context, { exceptions = [], before = '' } = {}) =>
-  context.route('**/examples/*/sketch.js', async (route) => {
-    const [, name] = /([\w-]+)\/sketch\.js/.exec(route.request().url())
-    const response = await route.fetch()
-    if (exceptions.includes(name)) return route.fulfill({ response })
-    if (name.startsWith('three-'))
-      return route.fulfill({
-        response,
-        body: (before === still ? twoFrames : '') + (await smaller(response)),
-      })
-    const body = `${await response.text()}
-{
-  const { createCanvas, pixelDensity } = p5.prototype
-  p5.prototype.createCanvas = function (...size) {
-    const canvas = createCanvas.apply(this, size)
-    // A canvas comes with the density of the screen, whatever was asked for before.
-    this.pixelDensity(1)
-    ${before}
-    return canvas
-  }
-  p5.prototype.pixelDensity = function (density) {
-    return pixelDensity.call(this, density && density / 4)
-  }
-}`
-    await route.fulfill({ response, body })
-  })
-
-/** A sketch of three.js likewise; without a GPU its thousands of instances are what takes longest. */
-const smaller = async (response) =>
-  (await response.text())
-    .replaceAll(/setPixelRatio\(.*\)/g, 'setPixelRatio(0.25)')
-    .replaceAll(/mapSize\.set\(.*\)/g, 'mapSize.set(256, 256)')
-    .replaceAll('10_000', '800')
-
-/** The first shows what the second has to draw: then no more, which the next example would wait for. */
-const twoFrames = `
-{
-  const { requestAnimationFrame } = window
-  let frames = 0
-  window.requestAnimationFrame = (draw) => frames++ < 2 && requestAnimationFrame(draw)
-}
-`
-
-/** Without the edges of shapes: the warp draws none, and p5 takes seconds to work out those of a model. */
-const plain = `
-    p5.Geometry.prototype._edgesToVertices = function () { return this }`
-
-/** One frame of that. */
-const still = `
-    this.noLoop()${plain}`
-
 /** A sketch stops when its page says how fast it is. */
 function stopWhenTimed() {
   const rate = () => frameElement?.closest('main').querySelector('.rate').textContent
@@ -99,14 +48,6 @@ function stopWhenTimed() {
     if (window.noLoop) noLoop()
     else window.requestAnimationFrame = () => 0
   }, 100)
-}
-
-/** Three.js leaves its canvas empty once a frame is shown; so it stays until somebody has looked. */
-function keepFrames() {
-  const { getContext } = HTMLCanvasElement.prototype
-  HTMLCanvasElement.prototype.getContext = function (kind, options) {
-    return getContext.call(this, kind, { ...options, preserveDrawingBuffer: true })
-  }
 }
 
 describe('the gallery of npm start', () => {
@@ -190,7 +131,7 @@ describe('the gallery of npm start', () => {
   })
 
   if (isRun('the gallery built, and on a phone'))
-    test('fits a phone', async () => {
+    test('fits a phone, each example as it plays', async () => {
       const context = await browser.newContext(phone)
       await lower(context)
       const { page, messages } = await openPage(context, url)
@@ -198,10 +139,17 @@ describe('the gallery of npm start', () => {
       assert.equal(width, phone.viewport.width)
       await page.screenshot({ path: `${screenshots}/phone-top.png` })
 
-      const frame = await playing(page, url, names[0])
-      assertPicture(await statistics(frame))
-      assert.equal(await frame.evaluate('innerWidth >= document.documentElement.scrollWidth'), true)
-      await page.screenshot({ path: `${screenshots}/phone-${names[0]}.png` })
+      for (const name of names) {
+        const frame = await playing(page, url, name)
+        if (name === names[0]) assertPicture(await statistics(frame))
+        for (const place of [page, frame])
+          assert.equal(
+            await place.evaluate('innerWidth >= document.documentElement.scrollWidth'),
+            true,
+            `${name}, ${place === page ? 'its page' : 'the sketch'}`,
+          )
+        await page.screenshot({ path: `${screenshots}/phone-${name}.png` })
+      }
       await context.close()
       assert.deepEqual(messages, [])
     })
@@ -230,28 +178,4 @@ async function playing(page, url, name) {
   const frame = await element.contentFrame()
   await frame.waitForFunction(() => window.frameCount >= 3, null, patience)
   return frame
-}
-
-/** How many colours the canvas has, in steps of 8, and which share of it is not background. */
-const statistics = (frame) =>
-  frame.evaluate(() => {
-    const source = document.querySelector('.p5Canvas, canvas[data-engine]')
-    const copy = new OffscreenCanvas(source.width, source.height).getContext('2d')
-    copy.drawImage(source, 0, 0)
-    const { data } = copy.getImageData(0, 0, source.width, source.height)
-    const counts = new Map()
-    for (let i = 0; i < data.length; i += 4) {
-      const color = data
-        .subarray(i, i + 3)
-        .map((value) => value >> 3)
-        .join()
-      counts.set(color, (counts.get(color) ?? 0) + 1)
-    }
-    const background = Math.max(...counts.values())
-    return { colors: counts.size, covered: 1 - (4 * background) / data.length }
-  })
-
-function assertPicture({ colors, covered }) {
-  assert.ok(colors >= 30, `only ${colors} colours`)
-  assert.ok(covered >= 0.03 && covered <= 0.9, `${(100 * covered).toFixed()}% are not background`)
 }

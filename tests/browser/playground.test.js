@@ -11,8 +11,10 @@ import {
   canvasPixels,
   dragNumber,
   line,
+  saved,
   settled,
   shown,
+  still,
   text,
   write,
 } from './support/playground.js'
@@ -43,21 +45,6 @@ function namesInZip(bytes) {
   }
   return names
 }
-
-/** A still picture of one color, which `line` of the sketch moves. */
-const still = (color, offset = 'glsl.vec3(0, 0, 0)', more = '') => `let warp
-function setup() {
-  createCanvas(120, 90, WEBGL)
-  noStroke()
-  warp = createWarp(({ glsl, position, uniforms }) => ${offset}${more})
-}
-function draw() {
-  background('#151823')
-  fill('${color}')
-  warp()
-  sphere(30, 24, 16)
-}
-`
 
 describe('the playground', () => {
   let page, messages, context
@@ -255,18 +242,8 @@ describe('the playground', () => {
     assert.equal(difference(before, await canvasPixels(page)), 0)
   })
 
-  /** What the menu downloads → Playwright's download. */
-  const saved = async (title) => {
-    await page.getByText('Save', { exact: true }).click()
-    const [download] = await Promise.all([
-      page.waitForEvent('download'),
-      page.getByRole('button', { name: title }).click(),
-    ])
-    return download
-  }
-
   test('saves the picture', async () => {
-    const bytes = await bytesOf(await saved('Picture (PNG)'))
+    const bytes = await bytesOf(await saved(page, 'Picture (PNG)'))
     assert.equal(bytes.subarray(1, 4).toString(), 'PNG')
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [120, 90])
   })
@@ -281,7 +258,7 @@ ${still('#40ff40')
     assert.equal(await page.locator('.mistake').textContent(), '')
     assert.equal(await (await shown(page)).evaluate('typeof bunny'), 'object')
     const before = await canvasPixels(page)
-    const download = await saved('Page that opens anywhere')
+    const download = await saved(page, 'Page that opens anywhere')
     const file = `${screenshots}/warp.html`
     await download.saveAs(file)
     const other = await openPage(context, pathToFileURL(file).href)
@@ -292,7 +269,7 @@ ${still('#40ff40')
   })
 
   test('packs a project of npm, with its model', async () => {
-    const bytes = await bytesOf(await saved('npm project'))
+    const bytes = await bytesOf(await saved(page, 'npm project'))
     const names = ['package.json', 'index.html', 'sketch.js', 'bunny.obj']
     assert.deepEqual(namesInZip(bytes), names)
     assert.ok(bytes.includes('"start": "vite"'))
@@ -319,14 +296,14 @@ ${still('#40ff40')
   })
 
   test('films four seconds', async () => {
-    const bytes = await bytesOf(await saved('Film of four'))
+    const bytes = await bytesOf(await saved(page, 'Film of four'))
     assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3)
     assert.ok(bytes.includes('webm') && bytes.length > 500)
   })
 
   test('saves the warped shape, upright, where it stands', async () => {
     await write(page, still('#40ff40', 'glsl.vec3(position.y(), 0, 0)'))
-    const mesh = await loadMesh(await bytesOf(await saved('Warped shape')))
+    const mesh = await loadMesh(await bytesOf(await saved(page, 'Warped shape')))
     const { positions, normals } = mesh
     const most = [0, 0, 0]
     for (let i = 0; i < positions.length; i += 3) {

@@ -62,7 +62,9 @@ export async function startFirefox(program = 'firefox') {
   const profile = mkdtempSync(join(tmpdir(), 'warpjet-firefox-'))
   // Without a GPU it draws WebGL only where it is told to.
   writeFileSync(join(profile, 'user.js'), 'user_pref("webgl.force-enabled", true);\n')
-  const flags = ['--headless', '--no-remote', '--profile', profile, '--remote-debugging-port', '0']
+  // Some without a GPU draw WebGL on a display alone, be it one of Xvfb.
+  const headless = process.env.DISPLAY ? [] : ['--headless']
+  const flags = [...headless, '--no-remote', '--profile', profile, '--remote-debugging-port', '0']
   const firefox = spawn(program, flags, { env: { ...process.env, HOME: profile } })
   const address = await new Promise((resolve, reject) => {
     let said = ''

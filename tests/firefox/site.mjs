@@ -25,6 +25,12 @@ async function look() {
   if (find('.playground') && !(await wait(() => find('main').ariaBusy === 'false')))
     wrong.push('The playground is busy')
   if (find('.playground .mistake')?.textContent) wrong.push(find('.mistake').textContent)
+  // What a page was loading when it is left, Firefox calls an error.
+  const loaded = () => performance.getEntriesByType('resource').length
+  for (let before = -1; before !== loaded();) {
+    before = loaded()
+    await new Promise((go) => setTimeout(go, 400))
+  }
   const { scrollWidth } = document.documentElement
   if (scrollWidth > innerWidth) wrong.push(`It is ${scrollWidth} wide`)
   return JSON.stringify(wrong)

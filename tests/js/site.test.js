@@ -97,10 +97,12 @@ test('what is copied from an example has the script tags that the sketch needs',
   assert.ok(copied.includes(read('examples/deformer-twist/sketch.js').trimEnd()))
 })
 
-test('each slider is of a number that stands in its sketch once, and begins within its range', () => {
+test('each example has a slider, of a number of its sketch, that begins within its range', () => {
   for (const name of names) {
     const sketch = read(`examples/${name}/sketch.js`)
-    for (const { label, value, from, to, at, length } of sliders(name, sketch)) {
+    const found = sliders(name, sketch)
+    assert.ok(found.length, `${name} has none`)
+    for (const { label, value, from, to, at, length } of found) {
       assert.equal(Number(sketch.slice(at, at + length)), value, `${name}: ${label}`)
       assert.ok(from <= value && value <= to, `${name}: ${label} is ${value}`)
     }

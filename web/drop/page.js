@@ -312,7 +312,8 @@ try {
   )
   run()
 } catch (error) {
-  find('.hand').remove()
+  const still = { src: '../posters/bunny.webp', alt: 'A bunny at rest, twisted and flattened' }
+  find('.hand').replaceWith(make('img', still))
   complain(error)
 }
 

@@ -17,6 +17,7 @@ import { isModelFile, whole } from './offset.js'
 import { download, pageAlone, pageWithTags, project } from './save.js'
 import { makeSliders } from './sliders.js'
 import { makeStage } from './stage.js'
+import { hasWebGL, showStill } from './still.js'
 import { makeTime } from './time.js'
 
 /** Milliseconds without a key, after which the sketch is built again. */
@@ -68,6 +69,11 @@ function changed() {
 function run() {
   isPending = false
   const sketch = editor.sketch()
+  if (!hasWebGL && sketch.host !== 'p5-webgpu') {
+    showStill(find('.stage'), find('#example').value)
+    find('main').ariaBusy = 'false'
+    return keepInAddress(sketch)
+  }
   state.textContent = 'Building…'
   output.print()
   stage.run(whole(sketch), {

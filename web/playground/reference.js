@@ -2,6 +2,7 @@
 import deformersPage from '../docs/deformers.md?raw'
 import noisePage from '../docs/noise.md?raw'
 import operationsPage from '../docs/operations.md?raw'
+import plotsPage from '../docs/plots.md?raw'
 
 /** A cell of a table of Markdown as plain text. */
 const plain = (cell) => cell.replaceAll(/[`_]|\\(?=\|)/g, '').trim()
@@ -44,6 +45,14 @@ for (const row of rowsOf(noisePage)) {
   const forms = [`glsl.${name}(p, ${options})`, `p.${name}(${options})`]
   add(name, forms, `Noise of ${of}: ${range}. Without jumps: ${smooth}.`)
 }
+
+/* What each computes. */
+for (const row of rowsOf(noisePage)) {
+  const [name, formula] = cellsOf(row)
+  if (formula.startsWith('Σ')) add(name, [], `Value: ${formula}.`)
+}
+for (const [, name, formula] of plotsPage.matchAll(/^### (\w+)(?:(?!^###)[^])*?^(Value: .*)$/gm))
+  add(name, [], plain(formula))
 
 /** The first sentence under each heading. */
 const deformers = new Map(

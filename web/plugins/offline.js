@@ -4,7 +4,10 @@
  */
 import { createHash } from 'node:crypto'
 
-/** Written into sw.js. `files` are kept at once, `models` later; `same` has the file that holds what one says, too. */
+/**
+ * Written into sw.js. It takes over once it has kept `files` and, unless one saves data, `models`, which are large; `same` has the
+ * file that holds what one says, too.
+ */
 function worker({ name, files, models, same }) {
   const scope = self.registration.scope
 
@@ -35,9 +38,8 @@ function worker({ name, files, models, same }) {
 
   self.addEventListener('install', (event) => {
     self.skipWaiting()
-    event.waitUntil(keep(files))
+    event.waitUntil(keep(navigator.connection?.saveData ? files : [...files, ...models]))
   })
-  self.addEventListener('message', (event) => event.waitUntil(keep(models)))
   self.addEventListener('activate', (event) => {
     const others = async () =>
       (await caches.keys()).filter((key) => key.startsWith('warpjet-') && key !== name)

@@ -38,6 +38,12 @@ function sourceOf(path) {
   return folder && folders[folder].test(path) && !path.includes('..') ? `web/${path}` : undefined
 }
 
+/** The site's sheet has its colours in it, so that they are no request of their own. */
+async function contentOf(path) {
+  const own = await read(sourceOf(path))
+  return path === 'site/site.css' ? Buffer.concat([await read('web/site/palette.css'), own]) : own
+}
+
 async function handedOn() {
   const found = Object.keys(plainFiles)
   for (const [folder, matches] of Object.entries(folders))
@@ -74,12 +80,12 @@ export function sitePagesPlugin() {
         try {
           let content
           if (
-            /^(?:index\.html|docs\/[\w-]+\.html|gallery\/[\w-]+\/index\.html|site\/search\.json)$/.test(
+            /^(?:index\.html|docs\/[\w-]+\.html|gallery\/[\w-]+\/(?:index|full)\.html|site\/search\.json)$/.test(
               path,
             )
           )
             content = (await (pages ??= sitePages())).get(path)
-          else if (sourceOf(path)) content = await read(sourceOf(path)).catch(() => undefined)
+          else if (sourceOf(path)) content = await contentOf(path).catch(() => undefined)
           if (content === undefined) return next()
           response.setHeader('Content-Type', types[extname(path)])
           response.setHeader('Cache-Control', 'no-cache')
@@ -97,13 +103,13 @@ export function sitePagesPlugin() {
       for (const [fileName, source] of await sitePages())
         this.emitFile({ type: 'asset', fileName, source })
       for (const fileName of await handedOn())
-        this.emitFile({ type: 'asset', fileName, source: await read(sourceOf(fileName)) })
+        this.emitFile({ type: 'asset', fileName, source: await contentOf(fileName) })
     },
   }
 }
 
 export const siteScripts = Object.fromEntries(
-  ['site', 'home', 'example'].map((name) => [
+  ['site', 'home', 'example', 'full'].map((name) => [
     `site/${name}`,
     fileURLToPath(new URL(`../site/${name}.js`, import.meta.url)),
   ]),

@@ -73,7 +73,7 @@ export function examplePage({ name, url, figure, title, text, section, source })
           <div class="sliders">${sliders(name, sketch).map(control).join('\n')}</div>
           <p class="ways">
             <a class="button" href="../../playground/index.html#example=${name}">Open in the playground</a>
-            <a class="button quiet" href="../../examples/${name}/index.html">Full page</a>
+            <a class="button quiet" href="full.html">Full page</a>
             ${filesOf(sketch)
               .map(
                 (file) =>

@@ -2,6 +2,7 @@
 import { highlight } from '../highlighting.js'
 import { makeStage } from '../stage.js'
 import { copyButton } from './copy.js'
+import { pauseButton } from './pause.js'
 
 const find = (selector) => document.querySelector(selector)
 const main = find('main')
@@ -68,7 +69,6 @@ for (const input of inputs)
 /* The picture. */
 
 const rate = find('.rate')
-const pause = find('.pause')
 const { name, title } = main.dataset
 const stage = makeStage(
   find('.stage'),
@@ -81,16 +81,4 @@ const stage = makeStage(
   },
 )
 
-function setPaused(isPaused) {
-  pause.ariaPressed = String(isPaused)
-  pause.textContent = isPaused ? 'Play' : 'Pause'
-  stage.setPaused(isPaused)
-}
-pause.addEventListener('click', () => setPaused(pause.ariaPressed !== 'true'))
-// Whoever wants less motion says when it begins.
-const wantsLess = matchMedia('(prefers-reduced-motion: reduce)').matches
-const canDraw = Boolean(document.createElement('canvas').getContext('webgl2'))
-if (!canDraw) {
-  pause.hidden = true
-  rate.textContent = 'This browser has no WebGL: here is a picture of it.'
-} else setPaused(wantsLess)
+pauseButton(find('.pause'), rate, stage)

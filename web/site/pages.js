@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url'
 import Eleventy from '@11ty/eleventy'
 import { docsPage, overview } from './docs-page.js'
 import { examplePage, examples } from './example-page.js'
+import { fullPage } from './full-page.js'
 import { homePage } from './home-page.js'
 import { makeMarkdown } from './markdown.js'
 import { searchIndex } from './search-index.js'
@@ -46,8 +47,12 @@ export async function sitePages() {
     files.set(url, docsPage({ file, url, html }))
   }
   for (const example of examples) {
-    const url = `gallery/${example.name}/index.html`
-    files.set(url, examplePage({ ...example, url }))
+    const folder = `gallery/${example.name}`
+    for (const [url, page] of [
+      [`${folder}/index.html`, examplePage],
+      [`${folder}/full.html`, fullPage],
+    ])
+      files.set(url, page({ ...example, url }))
   }
   files.set('site/search.json', JSON.stringify(searchIndex(texts)))
   return files

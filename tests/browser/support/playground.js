@@ -1,5 +1,7 @@
 // What the tests of the playground do with it.
-import { pixels } from './bench.js'
+import { createServer } from 'vite'
+import { config, desktop, pixels } from './bench.js'
+import { openPage } from './browser.js'
 
 const patience = { timeout: 120_000 }
 
@@ -52,3 +54,44 @@ const isPlayground = (page) => page.locator('.playground').count()
 /** Of the canvas that is shown → RGBA. */
 export const canvasPixels = async (page) =>
   pixels((await isPlayground(page)) ? await shown(page) : page)
+
+/** A still picture of one color, which the offset function moves. */
+export const still = (color, offset = 'glsl.vec3(0, 0, 0)', more = '') => `let warp
+function setup() {
+  createCanvas(120, 90, WEBGL)
+  noStroke()
+  warp = createWarp(({ glsl, position, uniforms }) => ${offset}${more})
+}
+function draw() {
+  background('#151823')
+  fill('${color}')
+  warp()
+  sphere(30, 24, 16)
+}
+`
+
+/** What the menu downloads → Playwright's download. */
+export async function saved(page, title) {
+  await page.getByText('Save', { exact: true }).click()
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: title }).click(),
+  ])
+  return download
+}
+
+/** A playground of its own server, open and at rest → { page, messages, context, close }. */
+export async function openPlayground(port, browser) {
+  const server = await createServer({ ...config, server: { port, watch: null } })
+  await server.listen()
+  const context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })
+  const [url] = server.resolvedUrls.local
+  const { page, messages } = await openPage(context, `${url}playground/index.html`)
+  await settled(page)
+  const close = async () => {
+    await context.close()
+    await browser.close()
+    await server.close()
+  }
+  return { page, messages, context, close }
+}

@@ -8,3 +8,9 @@ export async function serveSite(port, base = './') {
   await buildSite()
   return preview({ ...config, base, preview: { port }, build: { outDir: path(folder) } })
 }
+
+/** So that what is looked at is what the server gives: for `addInitScript`. */
+export const withoutWorker = () => delete Navigator.prototype.serviceWorker
+
+/** Less motion: the examples' sketches wait to be started. */
+export const calm = (size) => ({ ...size, reducedMotion: 'reduce' })

@@ -1,0 +1,48 @@
+// Every example of the gallery, opened in the playground by its link: it draws what it draws in the gallery, and nothing goes wrong.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { createServer } from 'vite'
+import { sections } from '../../web/catalogue.js'
+import { config, desktop } from './support/bench.js'
+import { launchBrowser, openPage } from './support/browser.js'
+import { assertPicture, keepFrames, lower, statistics, still } from './support/examples.js'
+import { settled, shown } from './support/playground.js'
+
+let browser, server, page, messages
+before(async () => {
+  browser = await launchBrowser()
+  server = await createServer({ ...config, server: { port: 5250, watch: null } })
+  await server.listen()
+  const context = await browser.newContext(desktop)
+  await lower(context, { before: still })
+  await context.addInitScript(keepFrames)
+  const [url] = server.resolvedUrls.local
+  ;({ page, messages } = await openPage(context, `${url}playground/index.html`))
+  await settled(page)
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** What a link to the playground does where that is open already. */
+async function open(name) {
+  await page.evaluate((name) => {
+    document.querySelector('main').ariaBusy = 'true'
+    location.hash = `example=${name}`
+  }, name)
+  await page.waitForFunction((name) => document.querySelector('#example').value === name, name, {
+    timeout: 60_000,
+  })
+  await settled(page)
+}
+
+for (const { name, title } of sections.flatMap(({ examples }) => examples))
+  test(`${name}: ${title}`, async () => {
+    await open(name)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assertPicture(await statistics(await shown(page)))
+    await page.getByRole('tab', { name: 'Console' }).click()
+    assert.deepEqual(await page.locator('.printed li').allTextContents(), [])
+    assert.deepEqual(messages.splice(0), [])
+  })

@@ -1,0 +1,82 @@
+// What the playground's editor knows: it completes names of the inputs, the operations and the deformers, and says what each means.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { launchBrowser } from './support/browser.js'
+import { openPlayground, settled, still, text, write } from './support/playground.js'
+
+let page, messages, close
+before(async () => ({ page, messages, close } = await openPlayground(5251, await launchBrowser())))
+after(() => close())
+
+const list = () => page.locator('.cm-tooltip-autocomplete')
+const options = () => list().locator('.cm-completionLabel').allTextContents()
+
+/** Types behind the first `given` of the sketch. */
+async function typeBehind(given, typed) {
+  await write(page, still('#ff0000', `glsl.vec3(${given}, 0, 0)`))
+  const place = await page.evaluate((given) => {
+    const { view } = document.querySelector('.cm-content').cmTile
+    const anchor = view.state.doc.toString().indexOf(`(${given}, `) + 1 + given.length
+    view.dispatch({ selection: { anchor } })
+    return anchor
+  }, given)
+  assert.ok(place > given.length)
+  await page.keyboard.type(typed)
+  await list().waitFor()
+}
+
+/** What is shown for a word of the sketch, once the pointer rests on it. */
+async function meaningOf(word) {
+  await page.mouse.move(0, 0)
+  const box = await page.evaluate((word) => {
+    const { view } = document.querySelector('.cm-content').cmTile
+    const at = view.state.doc.toString().indexOf(word)
+    const { left, top, bottom } = view.coordsAtPos(at + 1)
+    return { x: left, y: (top + bottom) / 2 }
+  }, word)
+  await page.mouse.move(box.x + 3, box.y)
+  await page.mouse.move(box.x + 4, box.y)
+  const tip = page.locator('.cm-tooltip-hover .about')
+  await tip.waitFor()
+  const said = await tip.evaluate((tip) => [...tip.children].map((each) => each.textContent))
+  await page.mouse.move(0, 0)
+  await tip.waitFor({ state: 'detached' })
+  return said
+}
+
+test('offers the operations behind a point, with how they are called and what they mean', async () => {
+  await typeBehind('position', '.fb')
+  assert.equal((await options())[0], 'fbm')
+  await page.locator('.cm-completionInfo').waitFor()
+  assert.match(await page.locator('.cm-completionInfo').textContent(), /p\.fbm\(.*Noise of/)
+  // What is chosen at once may not be taken yet.
+  await page.waitForTimeout(150)
+  await page.keyboard.press('Enter')
+  assert.match(await text(page), /\(position\.fbm, 0, 0\)/)
+  await typeBehind('position', '.')
+  const all = await options()
+  for (const name of ['sin', 'mult', 'length', 'rotate', 'mix'])
+    assert.ok(all.includes(name), `${name} of ${all.length}`)
+})
+
+test('offers the inputs and the deformers', async () => {
+  await typeBehind('0', ' + mil')
+  assert.deepEqual((await options()).slice(0, 1), ['millis'])
+  await typeBehind('warpjet', '.tw')
+  assert.equal((await options())[0], 'twist')
+})
+
+test('says of what the pointer rests on what it computes and its derivative', async () => {
+  await page.keyboard.press('Escape')
+  await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
+  const [fbm, ...more] = await meaningOf('fbm')
+  assert.match(fbm, /glsl\.fbm\(p, /)
+  assert.ok(more.includes('Value: Σ gain^i * n(p * lacunarity^i) / Σ gain^i.'), more.join('\n'))
+  assert.ok((await meaningOf('sin()')).includes('Value: sin(x). Derivative: cos(x).'))
+  assert.match((await meaningOf('position')).join(' '), /from -1 to 1/)
+  assert.match((await meaningOf('createWarp')).join(' '), /how far each vertex moves/)
+  await write(page, still('#ff0000'))
+  await settled(page)
+})
+
+test('has printed nothing', () => assert.deepEqual(messages, []))

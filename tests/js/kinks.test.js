@@ -1,0 +1,27 @@
+// Where the plots of the docs say that a value or a derivative jumps: places known by hand.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { plotOf } from '../../web/site/plot.js'
+
+/** The places that a plot marks. */
+const marked = (call, from = -3, to = 3) =>
+  [...plotOf(call, from, to).matchAll(/data-kink="([^"]+)"/g)].map(([, x]) => Number(x))
+
+for (const [call, expected, ...range] of [
+  ['x.abs()', [0]],
+  ['x.sign()', [0]],
+  ['x.min(1)', [1]],
+  ['x.clamp(-1, 1)', [-1, 1]],
+  ['glsl.step(0.5, x)', [0.5]],
+  ['x.round()', [-2.5, -1.5, -0.5, 0.5, 1.5, 2.5]],
+  ['x.tan()', [-Math.PI / 2, Math.PI / 2], -4, 4],
+  ['glsl.div(1, x)', [0]],
+])
+  test(`${call} has ${expected.length === 1 ? 'a kink' : 'kinks'} at ${expected.map((x) => Number(x.toFixed(3))).join(', ')}`, () => {
+    const found = marked(call, ...range)
+    assert.equal(found.length, expected.length, `${found}`)
+    for (const [i, x] of expected.entries()) assert.ok(Math.abs(found[i] - x) < 1e-5, `${found}`)
+  })
+
+for (const call of ['x.sin()', 'x.exp()', 'x.pow(3)', 'glsl.smoothstep(-1, 1, x)', 'x.tanh()'])
+  test(`${call} has none`, () => assert.deepEqual(marked(call), []))

@@ -1,0 +1,12 @@
+/** The full page of an example: it runs as large as it can be. */
+import { makeStage } from '../stage.js'
+import { pauseButton } from './pause.js'
+
+const find = (selector) => document.querySelector(selector)
+const { name, title } = find('main').dataset
+const page = `../../examples/${name}/gallery.html`
+pauseButton(
+  find('.pause'),
+  find('.rate'),
+  makeStage(find('.stage'), { page, title }, () => {}),
+)
