@@ -6,7 +6,7 @@ import type { Expression } from '../expression/expression.js'
 import type { Session } from '../expression/session.js'
 import { drawInputs, inputSizes, markWhole, variationInputs } from '../inputs/inputs.js'
 import type { Vec4, WarpInputs } from '../types/types.js'
-import { imageSizeText } from './function-text.js'
+import { imageSizeText, instanceNumber } from './function-text.js'
 import { type Given as Value, Halves, halvesOf } from './halves.js'
 import type { Named, External } from './listing.js'
 import { article } from './options.js'
@@ -49,7 +49,7 @@ export function bindExternals(
       if (isWhole(type)) (declared as Marking)[markWhole]?.(name)
       return checked(method, glsl, external, declared[name])
     }
-    if (isAttribute && name === 'gl_InstanceID')
+    if (isAttribute && name === instanceNumber)
       return inputNamed(inputs, 'instance') ?? parameterOf(method, glsl, external)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.

@@ -1,6 +1,8 @@
 // Tokens, types, and what stands above functions.
 #include "glsl/parser.hpp"
 
+#include <algorithm>
+
 #include "glsl/builtins.hpp"
 #include "glsl/constants.hpp"
 #include "glsl/keywords.hpp"
@@ -79,12 +81,12 @@ Tree Parser::parse() {
         {"gl_InstanceID", intType, Attribute},
         {"gl_FragColor", vectorType(Base::Float, 4), Global},
         {"gl_FragCoord", vectorType(Base::Float, 4), Global}}) {
+    const auto isMeant = [&name = name](const Token& token) { return token.text == name; };
+    if (std::none_of(text_.tokens.begin(), text_.tokens.end(), isMeant)) continue;
     Token token = end_;
     token.text = name;
     addVariable(token, type, kind);
   }
-  // Those of the text alone count.
-  heldOutside_ = 0;
   while (peek().kind != Kind::End) global();
   if (!problems_.any()) refuseRecursion();
   return std::move(tree_);

@@ -100,7 +100,7 @@ const wrong = [
   ['struct A { float a[4096]; };\nA[17] f() { }', 2, 'is too large'],
   [
     'struct A { float a[4096]; };\n' + Array.from({ length: 300 }, (_, i) => `A a${i};`).join('\n'),
-    257,
+    258,
     'too large together',
   ],
   [
