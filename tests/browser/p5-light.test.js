@@ -5,7 +5,7 @@ import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
 import { leavePage } from './support/browser.js'
 import * as m from './support/matrix.js'
-import { colorAt } from './support/pixels.js'
+import { colorAt, differingPixels, litPixels } from './support/pixels.js'
 import { R, surfaces } from './support/p5-surfaces.js'
 import { servePages } from './support/server.js'
 import {
@@ -390,3 +390,36 @@ for (const [version, p5] of p5InThisRun)
     await leavePage(page)
     assert.deepEqual(messages, [])
   })
+
+test(
+  'p5 1.11 lights them in each space as 2.x does, in WebGL 1 too',
+  { skip: p5InThisRun.length < 2 },
+  async () => {
+    const spaces = { local: 0.1, world: 6, camera: 6 }
+    const draw = (version, attributes = '') =>
+      drawScenes(browsers.WEBGL, server, [p5Versions[version], addon], {
+        setup: `${attributes}
+          ${Object.entries(spaces)
+            .map(
+              ([space, height]) => `warps.${space} = createWarp(({ glsl, normal, uv, position }) =>
+              normal.mult(position.x().div(${height}).sin().mult(${height}))
+                .add(glsl.vec3(0, 0, uv.x().mult(12).sin().mult(${height}))),
+              { type: 'normal', space: '${space}' })`,
+            )
+            .join('\n')}`,
+        scenes: Object.fromEntries(
+          Object.keys(spaces).map((space) => [
+            space,
+            `camera(60, -90, 300, 10, 5, 0, 0, 1, 0); noStroke(); rotateX(0.5); rotateY(0.4); scale(1, 1.3, 0.8)
+            warps.${space}(); sphere(60, 40, 40)`,
+          ]),
+        ),
+      })
+    const images = await draw('2.x')
+    for (const older of [await draw('1.11'), await draw('1.11', 'setAttributes({ version: 1 })')])
+      for (const space in spaces) {
+        assert.ok(litPixels(images[space]).length > 5000, space)
+        assert.equal(differingPixels(images[space], older[space], 8), 0, space)
+      }
+  },
+)
