@@ -140,6 +140,39 @@ std::optional<Packs::Factors> Packs::crossedBy(const Lanes& lanes) const {
   return factors;
 }
 
+std::optional<Packs::Turn> Packs::turnOf(const Lanes& lanes) const {
+  if (lanes.count != 2) return std::nullopt;
+  Turn turn{{}, noNode, noNode, {}};
+  std::array<NodeId, 4> factors{noNode, noNode, noNode, noNode};
+  for (int k = 0; k < 4; ++k) {
+    const NodeId lane = lanes[k / 2];
+    if (!graph_.is(lane, ops::find("add")) && !graph_.is(lane, ops::find("sub"))) return {};
+    const NodeId product = graph_.operand(lane, k % 2);
+    if (isStatement(product) || !graph_.is(product, ops::find("mult"))) return {};
+    NodeId wave = graph_.operand(product, 0), factor = graph_.operand(product, 1);
+    if (!isWave(wave)) std::swap(wave, factor);
+    const bool isSine = graph_.is(wave, ops::find("sin"));
+    NodeId& known = isSine ? turn.sine : turn.cosine;
+    if (!isWave(wave) || (known != noNode && known != wave)) return {};
+    known = wave;
+    // The cosine stands in the column of its row, the sine in the other one.
+    const int place = (k / 2 == isSine ? 0 : 2) + k / 2;
+    if (factors[place] != noNode) return {};
+    factors[place] = factor;
+    turn.isNegative[place] = k % 2 == 1 && graph_.is(lane, ops::find("sub"));
+  }
+  if (factors[0] != factors[1] || factors[2] != factors[3]) return {};
+  if (graph_.operand(turn.cosine, 0) != graph_.operand(turn.sine, 0)) return {};
+  turn.point.add(factors[0]);
+  turn.point.add(factors[2]);
+  return turn;
+}
+
+// A sine or cosine that has a name.
+bool Packs::isWave(NodeId id) const {
+  return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
+}
+
 int Packs::length(NodeId id, int levels) const {
   if (isStatement(id)) return packOf(id) == none ? name : name + member;
   if (graph_.isInput(id)) {
@@ -172,6 +205,12 @@ Packs::Written Packs::written(const Lanes& lanes, As as, int levels) const {
   int row = rowStart + (lanes.count - 1) * separator;
   for (const NodeId id : lanes)
     row += as == As::Operand ? length(id, levels) : operationLength(Lanes({&id, 1}), levels);
+  if (levels > 0 && isInPlace) {
+    if (const auto turn = turnOf(lanes)) {
+      const int together = turnStart + written(turn->point, As::Operand, levels - 1).length;
+      if (together <= row) return {Form::Operation, together};
+    }
+  }
   if (levels > 0 && isInPlace && isOperation(lanes)) {
     const int together = operationLength(lanes, levels);
     if (together + margin <= row) return {Form::Operation, together};

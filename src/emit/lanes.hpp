@@ -50,6 +50,9 @@ class Packs {
   void addStatement(NodeId id, std::uint32_t number) { numbers_[index(id)] = number; }
   static constexpr std::uint32_t never = none - 1;
   std::uint32_t numberOf(NodeId id) const { return numbers_[index(id)]; }
+  bool isStatement(NodeId id) const { return numberOf(id) != none; }
+  // The node is written where it is read instead.
+  void removeStatement(NodeId id) { numbers_[index(id)] = none; }
 
   void add(const Lanes& lanes);
   void dissolve(std::uint32_t pack);
@@ -87,6 +90,14 @@ class Packs {
   std::optional<Factors> factorsOf(NodeId sum) const;
   // The vectors whose cross product three lanes are.
   std::optional<Factors> crossedBy(const Lanes& lanes) const;
+  // The point (a, b) whose turn by an angle two lanes are: ±a cos u ± b sin u, ±a sin u ± b cos u.
+  struct Turn {
+    Lanes point;
+    NodeId cosine, sine;
+    // Of the matrix, by columns, which are minus them.
+    std::array<bool, 4> isNegative;
+  };
+  std::optional<Turn> turnOf(const Lanes& lanes) const;
   // Whether all could share a statement that none of them shares.
   bool isHope(const Lanes& lanes) const;
 
@@ -94,13 +105,15 @@ class Packs {
   // Texts have less levels, unless somebody wants them deeper.
   static constexpr int deepest = 16;
   static constexpr int name = 3, member = 2, rowStart = 6, separator = 2, usualNumber = 5;
+  // Of `mat2(t1, t2, -t2, t1) * `.
+  static constexpr int turnStart = 28;
   // An operation that is hardly shorter than a row is read less well.
   static constexpr int margin = 4;
 
-  bool isStatement(NodeId id) const { return numberOf(id) != none; }
   int length(NodeId id, int levels) const;
   int operationLength(const Lanes& lanes, int levels) const;
   bool isOperation(const Lanes& lanes) const;
+  bool isWave(NodeId id) const;
   const ops::Spelling& spellingOf(const Lanes& lanes) const {
     return ops::info(graph_.node(lanes[0]).op).spellings.in(language_);
   }

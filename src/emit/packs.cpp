@@ -12,8 +12,10 @@ using Form = Packs::Form;
 // Packs the statements of one body, which have numbers from `first` on.
 class Packer {
  public:
-  Packer(const Graph& graph, Packs& packs, Statements& body, std::uint32_t first)
-      : graph_(graph),
+  Packer(const Graph& graph, Packs& packs, Statements& body, std::uint32_t first,
+         const EmitOptions& options)
+      : mostBeside_(std::min(options.maxDepth - 1, 3)),
+        graph_(graph),
         packs_(packs),
         body_(body),
         first_(first),
@@ -33,13 +35,14 @@ class Packer {
       if (statement.node == noNode && statement.output->shape.isVector())
         packParts(Lanes(statement.output->components), As::Operand);
     }
+    for (std::uint32_t i = 0; i < count_; ++i) packTurnsBy(i);
     for (std::uint32_t i = first; i < packs_.size(); ++i) {
       const Lanes lanes = packs_[i];
       packParts(lanes, As::Statement);
       packReaders(lanes);
     }
     packs_.setHopes(false);
-    if (packs_.size() > first) merge();
+    merge(packs_.size() > first);
   }
 
  private:
@@ -76,10 +79,25 @@ class Packer {
                        [&](std::uint32_t reader) { return levels_[reader] > level; });
   }
 
+  // Pairs that are turned by the angle whose cosine this is.
+  void packTurnsBy(std::uint32_t cosine) {
+    const NodeId id = body_.all[cosine].node;
+    if (id == noNode || !graph_.is(id, ops::find("cos"))) return;
+    const auto readers = someReadersOf(cosine);
+    for (const std::uint32_t x : readers) {
+      for (const std::uint32_t y : readers) {
+        const std::array lanes{body_.all[x].node, body_.all[y].node};
+        if (x != y && lanes[0] != noNode && lanes[1] != noNode && packs_.turnOf(Lanes(lanes)))
+          pack(Lanes(lanes));
+      }
+    }
+  }
+
   // What an operation on vectors reads that could be a vector.
   void packParts(const Lanes& lanes, As as) {
     if (lanes.count < 2 || (as == As::Operand && pack(lanes))) return;
     if (packs_.written(lanes, as).form != Form::Operation) return;
+    if (const auto turn = packs_.turnOf(lanes)) return packParts(turn->point, As::Operand);
     for (int i = 0; i < graph_.arity(lanes[0]); ++i)
       packParts(packs_.operandsOf(lanes, i), As::Operand);
   }
@@ -112,8 +130,9 @@ class Packer {
   }
 
   // Some of them, if they are many.
-  std::span<const std::uint32_t> readersOf(NodeId id) const {
-    const auto all = readers_.of(numberOf(id));
+  std::span<const std::uint32_t> readersOf(NodeId id) const { return someReadersOf(numberOf(id)); }
+  std::span<const std::uint32_t> someReadersOf(std::uint32_t i) const {
+    const auto all = readers_.of(i);
     return all.first(std::min(all.size(), mostReaders));
   }
 
@@ -125,36 +144,59 @@ class Packer {
 
   // Statements of one pack, and a result that is just that, become one. Those of lower levels come
   // first, so that each reads only earlier ones.
-  void merge() {
-    std::vector<std::uint32_t> firstOf(count_ + 1, none), nextOf(count_);
+  void merge(bool hasPacks) {
+    std::vector<std::uint32_t> firstOf(count_ + 1, none), nextOf(count_), order;
     for (std::uint32_t i = count_; i-- > 0;) {
       nextOf[i] = firstOf[levels_[i]];
       firstOf[levels_[i]] = i;
     }
+    for (std::uint32_t level = 0; firstOf[level] != none; ++level) {
+      for (std::uint32_t i = firstOf[level]; i != none; i = nextOf[i]) order.push_back(i);
+    }
+    for (const std::uint32_t i : order) {
+      const std::uint32_t found = packOf(body_.all[i]);
+      if (found != none && isLoss(packs_[found])) packs_.dissolve(found);
+    }
+    bool isShorter = hasPacks;
+    // What the end of a loop's step reads has no reader here.
+    for (std::uint32_t i = 0; i < count_ && first_ == 0; ++i) {
+      if (!standsBeside(body_.all[i], readers_.of(i))) continue;
+      packs_.removeStatement(body_.all[i].node);
+      isShorter = true;
+    }
+    if (!isShorter) return;
     std::vector<std::uint32_t> unitOf(count_, none);
     Statements merged;
-    for (std::uint32_t level = 0; firstOf[level] != none; ++level) {
-      for (std::uint32_t i = firstOf[level]; i != none; i = nextOf[i]) {
-        if (unitOf[i] == none) mergeOne(merged, unitOf, i);
-      }
+    for (const std::uint32_t i : order) {
+      if (unitOf[i] == none && !isRemoved(i)) mergeOne(merged, unitOf, i);
     }
     body_ = std::move(merged);
+  }
+
+  std::uint32_t packOf(const Statement& statement) const {
+    return statement.node == noNode ? none : packs_.packOf(statement.node);
+  }
+  bool isRemoved(std::uint32_t i) const {
+    return body_.all[i].node != noNode && !packs_.isStatement(body_.all[i].node);
   }
 
   void mergeOne(Statements& merged, std::vector<std::uint32_t>& unitOf, std::uint32_t i) {
     const auto unit = static_cast<std::uint32_t>(merged.all.size());
     Statements::Set reads = merged.noReads();
+    const auto read = [&](std::uint32_t other) {
+      for (const std::uint32_t each : body_.work.readsOf(other)) {
+        if (!isRemoved(each)) merged.include(reads, unitOf[each]);
+      }
+    };
     const auto join = [&](std::uint32_t other) {
       unitOf[other] = unit;
-      for (const std::uint32_t read : body_.work.readsOf(other))
-        merged.include(reads, unitOf[read]);
+      read(other);
+      for (const std::uint32_t each : body_.work.readsOf(other)) {
+        if (isRemoved(each)) read(each);
+      }
     };
     Statement statement = body_.all[i];
-    if (statement.node != noNode) statement.pack = packs_.packOf(statement.node);
-    if (statement.pack != none && isLoss(packs_[statement.pack])) {
-      packs_.dissolve(statement.pack);
-      statement.pack = none;
-    }
+    statement.pack = packOf(statement);
     if (statement.pack == none) {
       join(i);
     } else {
@@ -167,6 +209,50 @@ class Packer {
       }
     }
     merged.add(statement, reads);
+  }
+
+  // Whether a number is read as that beside a vector, by one statement and once, as in `v * t1`:
+  // then it is written there.
+  bool standsBeside(const Statement& statement, std::span<const std::uint32_t> readers) const {
+    const NodeId id = statement.node;
+    if (id == noNode || statement.output || packs_.packOf(id) != none || readers.empty())
+      return false;
+    const Statement& reader = body_.all[readers[0]];
+    const bool isResult = reader.node == noNode;
+    const std::uint32_t pack = packOf(reader);
+    if (isResult ? !reader.output->shape.isVector() : pack == none) return false;
+    const Lanes lanes = isResult ? Lanes(reader.output->components) : packs_[pack];
+    const std::size_t statements = isResult ? 1 : static_cast<std::size_t>(lanes.count);
+    const bool isOne = std::all_of(readers.begin(), readers.end(), [&](std::uint32_t other) {
+      return packOf(body_.all[other]) == pack;
+    });
+    if (!isOne || readers.size() != statements || packs_.turnOf(lanes)) return false;
+    if (packs_.written(lanes, isResult ? As::Operand : As::Statement).form != Form::Operation)
+      return false;
+    int times = 0;
+    for (int i = 0; i < graph_.arity(lanes[0]); ++i) {
+      const Lanes operands = packs_.operandsOf(lanes, i);
+      const auto isIt = [&](NodeId operand) { return operand == id; };
+      if (std::all_of(operands.begin(), operands.end(), isIt))
+        ++times;
+      else if (!std::all_of(operands.begin(), operands.end(),
+                            [&](NodeId operand) { return operand != id && isNamed(operand); }))
+        return false;
+    }
+    return times == 1 && graph_.isOperation(id) && areShallow(id, mostBeside_);
+  }
+
+  bool isNamed(NodeId id) const { return graph_.isLeaf(id) || packs_.isStatement(id); }
+
+  // Whether an operation's operands nest less than so many operations.
+  bool areShallow(NodeId id, int levels) const {
+    if (levels == 0) return false;
+    for (int i = 0; i < graph_.arity(id); ++i) {
+      const NodeId operand = graph_.operand(id, i);
+      if (!isNamed(operand) && !(graph_.isOperation(operand) && areShallow(operand, levels - 1)))
+        return false;
+    }
+    return true;
   }
 
   // Whether a statement assigns these lanes to a result.
@@ -191,6 +277,7 @@ class Packer {
     return gain <= 0;
   }
 
+  int mostBeside_;  // operations, one within another
   const Graph& graph_;
   Packs& packs_;
   Statements& body_;
@@ -216,7 +303,7 @@ void packStatements(const Graph& graph, Packs& packs, std::vector<Statements>& b
   number = 0;
   for (Statements& body : bodies) {
     const auto count = static_cast<std::uint32_t>(body.all.size());
-    Packer(graph, packs, body, number).run();
+    Packer(graph, packs, body, number, options).run();
     number += count;
   }
 }

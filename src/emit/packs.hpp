@@ -15,8 +15,11 @@
 //   float t2 = sin(p.z * a);
 //   y = vec3(t0 * t0, …);
 //
-// Every component keeps the bits of its own scalar text, but for dot products, which a language may
-// add up in any order.
+// A pair that is turned by an angle is a matrix times a vector, and a number that only one vector
+// reads stands beside it without a name.
+//
+// Every component keeps the bits of its own scalar text, but for dot products and those matrices,
+// which a language may add up in any order.
 #pragma once
 
 #include <vector>

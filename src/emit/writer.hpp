@@ -63,6 +63,7 @@ class Writer {
   void writeRow(std::string& text, Shape shape, std::span<const NodeId> all, Packs::As as);
   void writeOperation(std::string& text, const Lanes& lanes, ops::Precedence loosest);
   void writePart(std::string& text, const Lanes& lanes);
+  void writeTurn(std::string& text, const Packs::Turn& turn, ops::Precedence loosest);
   void writeProduct(std::string& text, std::string_view name, const Packs::Factors& factors);
 
   const Graph& graph_;

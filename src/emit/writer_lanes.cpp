@@ -33,6 +33,7 @@ void Writer::writeRow(std::string& text, Shape shape, std::span<const NodeId> al
 
 void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Precedence loosest) {
   if (const auto factors = packs_.crossedBy(lanes)) return writeProduct(text, "cross(", *factors);
+  if (const auto turn = packs_.turnOf(lanes)) return writeTurn(text, *turn, loosest);
   const ops::Spelling& spelling = spellingOf(lanes[0]);
   const bool parenthesized = spelling.result < loosest;
   if (parenthesized) text += '(';
@@ -64,6 +65,21 @@ void Writer::writePart(std::string& text, const Lanes& lanes) {
     isWhole &= component == i;
   }
   if (isWhole) text.resize(text.size() - lanes.count - 1);
+}
+
+void Writer::writeTurn(std::string& text, const Packs::Turn& turn, ops::Precedence loosest) {
+  const bool parenthesized = ops::Precedence::Multiplicative < loosest;
+  if (parenthesized) text += '(';
+  std::string entries;
+  for (int i = 0; i < 4; ++i) {
+    if (i > 0) entries += ", ";
+    if (turn.isNegative[i]) entries += '-';
+    write(entries, i % 3 == 0 ? turn.cosine : turn.sine);
+  }
+  fill(text, dialect_.construction, {dialect_.typeName(ops::Type::Float, matrixOf(2, 2)), entries});
+  text += " * ";
+  writeLanes(text, turn.point, Packs::As::Operand, ops::Precedence::Unary);
+  if (parenthesized) text += ')';
 }
 
 // The names are the same in all languages; see names.cpp.

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "graph/turns.hpp"
+
 namespace warpjet {
 
 namespace {
@@ -13,8 +15,8 @@ using Simplified = std::optional<NodeId>;
 constexpr Op Neg = ops::find("neg"), Add = ops::find("add"), Sub = ops::find("sub"),
              Mult = ops::find("mult"), Div = ops::find("div"), Pow = ops::find("pow"),
              Min = ops::find("min"), Max = ops::find("max"), Not = ops::find("not"),
-             Sin = ops::find("sin"), Cos = ops::find("cos"), Sqrt = ops::find("sqrt"),
-             IfElse = ops::find("ifElse"), IntIfElse = ops::find("intIfElse");
+             Sqrt = ops::find("sqrt"), IfElse = ops::find("ifElse"),
+             IntIfElse = ops::find("intIfElse");
 
 // The largest exponent whose power is written as products (exact for a negative base).
 constexpr double maxProductExponent = 16;
@@ -53,22 +55,6 @@ Simplified mergeConstantTerms(Graph& graph, NodeId sum, double b) {
   return graph.apply(Add, {graph.operand(sum, 0), graph.constant(total)});
 }
 
-// Of f(u) * f(u), that f(u).
-Simplified rootOf(const Graph& graph, NodeId square) {
-  const bool isSquare =
-      graph.is(square, Mult) && graph.operand(square, 0) == graph.operand(square, 1);
-  return isSquare ? Simplified(graph.operand(square, 0)) : std::nullopt;
-}
-
-// sin² u + cos² u is 1, which no float is nearer to: the derivatives of every rotation have it.
-bool isOne(const Graph& graph, NodeId x, NodeId y) {
-  const auto a = rootOf(graph, x), b = rootOf(graph, y);
-  if (!a || !b) return false;
-  const bool areParts =
-      (graph.is(*a, Sin) && graph.is(*b, Cos)) || (graph.is(*a, Cos) && graph.is(*b, Sin));
-  return areParts && graph.operand(*a, 0) == graph.operand(*b, 0);
-}
-
 Simplified simplifyAdd(Graph& graph, Operands<NodeId>& operands) {
   putConstantLast(graph, operands);
   const auto [x, y, unused] = operands;
@@ -80,7 +66,7 @@ Simplified simplifyAdd(Graph& graph, Operands<NodeId>& operands) {
     if (graph.value(y) < 0) return graph.apply(Sub, {x, graph.constant(-graph.value(y))});
   }
   if (x == y) return graph.apply(Mult, {x, graph.constant(2)});
-  if (isOne(graph, x, y)) return graph.constant(1);
+  if (const auto back = turnedBack(graph, x, y, false)) return back;
   return mergeChoices(graph, x, y);
 }
 
@@ -94,7 +80,9 @@ Simplified simplifySub(Graph& graph, const Operands<NodeId>& operands) {
     if (const auto merged = mergeConstantTerms(graph, x, -graph.value(y))) return merged;
     if (graph.value(y) < 0) return graph.apply(Add, {x, graph.constant(-graph.value(y))});
   }
-  return {};
+  if (!graph.is(x, Neg)) return turnedBack(graph, x, y, true);
+  const auto back = turnedBack(graph, graph.operand(x, 0), y, false);
+  return back ? Simplified(graph.apply(Neg, {*back})) : std::nullopt;
 }
 
 // x * (c ? 1 : 0) is c ? x : 0, which also keeps an infinite x out of the other branch.
@@ -210,9 +198,7 @@ Simplified simplify(Graph& graph, Op op, Operands<NodeId>& operands) {
     case ops::find("mix"):
       return simplifyMix(graph, operands);
     case Neg:
-      if (graph.is(x, Neg)) return graph.operand(x, 0);
-      if (graph.is(x, Sub)) return graph.apply(Sub, {graph.operand(x, 1), graph.operand(x, 0)});
-      return {};
+      return graph.is(x, Neg) ? Simplified(graph.operand(x, 0)) : std::nullopt;
     case Not:
       return graph.is(x, Not) ? Simplified(graph.operand(x, 0)) : std::nullopt;
     default:

@@ -20,6 +20,11 @@ namespace {
 std::optional<Expression> cancelMinusOne(Expression x, int levels = 4) {
   Graph& graph = *x.graph;
   if (graph.isConstant(x.id, -1)) return Expression{&graph, graph.constant(0)};
+  if (graph.is(x.id, ops::find("neg")) && graph.is(graph.operand(x.id, 0), ops::find("sub"))) {
+    const NodeId difference = graph.operand(x.id, 0);
+    x.id =
+        graph.apply(ops::find("sub"), {graph.operand(difference, 1), graph.operand(difference, 0)});
+  }
   const bool isSum = graph.is(x.id, ops::find("add")),
              isDifference = graph.is(x.id, ops::find("sub"));
   if (levels == 0 || !(isSum || isDifference)) return {};

@@ -111,7 +111,7 @@ TEST_F(BuilderTest, AskingTwiceForAnInputGivesTheSame) {
 
 TEST_F(BuilderTest, ConditionsAndNumbersConvert) {
   const int less = call("lt", {x, number(1)});
-  EXPECT_EQ(text(call("ifElse", {less, v2, number(0)})), "t0 ? v2 : vec2(0.0)");
+  EXPECT_EQ(text(call("ifElse", {less, v2, number(0)})), "x < 1.0 ? v2 : vec2(0.0)");
 }
 
 TEST_F(BuilderTest, ResultsOfAllShapes) {

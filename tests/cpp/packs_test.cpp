@@ -97,13 +97,43 @@ TEST_F(PacksTest, ANumberStandsBesideVectorsWhereTheLanguageHasThat) {
 
 TEST_F(PacksTest, OneConditionChoosesVectors) {
   const Value chosen = each([&](int i) { return ifElse(lt(x, 1.0), p[i], 0.0); });
-  EXPECT_EQ(text(chosen), "  bool t0 = x < 1.0;\n  y = t0 ? p : vec3(0.0);\n");
-  EXPECT_EQ(text(chosen, wgsl), "  let t0 = x < 1.0f;\n  y = select(vec3f(0.0f), p, t0);\n");
+  EXPECT_EQ(text(chosen), "  y = x < 1.0 ? p : vec3(0.0);\n");
+  EXPECT_EQ(text(chosen, wgsl), "  y = select(vec3f(0.0f), p, x < 1.0f);\n");
 }
 
 TEST_F(PacksTest, AConditionOfEachComponentChoosesNumbers) {
   const std::string all = text(each([&](int i) { return ifElse(lt(p[i], 1.0), p[i], x); }));
   EXPECT_EQ(all, "  y = vec3(p.x < 1.0 ? p.x : x, p.y < 1.0 ? p.y : x, p.z < 1.0 ? p.z : x);\n");
+}
+
+// A number that one statement reads once stands in it; one that is read elsewhere too has a name.
+TEST_F(PacksTest, ANumberOfOneVectorIsWrittenBesideIt) {
+  const Expression scale = ifElse(gt(x, 0.0), inversesqrt(x), 0.0);
+  EXPECT_EQ(text(p * scale), "  y = p * (x > 0.0 ? inversesqrt(x) : 0.0);\n");
+  EXPECT_EQ(text(vec3(p[0] * scale, p[1] * scale, scale)),
+            "  float t0 = x > 0.0 ? inversesqrt(x) : 0.0;\n"
+            "  y = vec3(p.x * t0, p.y * t0, t0);\n");
+  EXPECT_EQ(text(each([&](int i) { return sin(p[i] * scale) * scale; })),
+            "  float t0 = x > 0.0 ? inversesqrt(x) : 0.0;\n"
+            "  y = sin(p * t0) * t0;\n");
+}
+
+// As a person writes a turn; the columns of the matrix come first.
+TEST_F(PacksTest, APointThatIsTurnedIsMultipliedByAMatrix) {
+  const Expression u = x * 2.0, s = sin(u), c = cos(u);
+  const auto turn = [&](Expression a, Expression b) {
+    return std::array{a * c - b * s, a * s + c * b};
+  };
+  const auto once = turn(p[0], p[1]), twice = turn(once[0], once[1]);
+  const Value y = vec3(twice[0] * twice[0], twice[1] * twice[1], number(1));
+  EXPECT_EQ(text(y),
+            "  float t0 = x * 2.0;\n"
+            "  float t1 = sin(t0);\n"
+            "  float t2 = cos(t0);\n"
+            "  vec2 t3 = mat2(t2, t1, -t1, t2) * p.xy;\n"
+            "  vec2 t4 = mat2(t2, t1, -t1, t2) * t3;\n"
+            "  y = vec3(t4.x * t4.x, t4.y * t4.y, 1.0);\n");
+  EXPECT_NE(text(y, wgsl).find("  let t4 = mat2x2f(t2, t1, -t1, t2) * t3;\n"), std::string::npos);
 }
 
 TEST_F(PacksTest, ADotProductIsWrittenAsThat) {

@@ -13,7 +13,6 @@ vec3 offset, warpedPosition, warpedNormal;
   float t10 = t2 - 1.0;
   offset = vec3(t4 * t10 + position.z * t3, 0.0, position.z * t10 - t4 * t3);
   float t11 = dot(t9, t9);
-  float t12 = t11 > 0.0 ? inversesqrt(t11) : 0.0;
-  warpedNormal = t9 * t12;
+  warpedNormal = t9 * (t11 > 0.0 ? inversesqrt(t11) : 0.0);
   warpedPosition = position + offset;
 }

@@ -1,7 +1,7 @@
 vec3 offset, warpedPosition, warpedNormal;
 {
   float t0 = abs(fract(millis / 5000.0) - 0.5) * -1.2;
-  float t1 = 215.0 - position.y;
+  float t1 = -(position.y - 215.0);
   float t2 = clamp((t0 + 0.3) / 0.7, 0.0, 1.0);
   float t3 = t2 * t2 * (t2 * -2.0 + 3.0) * 400.0;
   float t4 = clamp((t0 + 0.6) / 0.6, 0.0, 1.0);
@@ -22,7 +22,6 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t19 = vec3(t17 * normal.x, t16 * t16 * normal.y - t18 * t15 * t16 * normal.x - t16 * (position.z * t15) * normal.z, t17 * normal.z);
   offset = vec3(t18 * t14, t7, position.z * t14);
   float t20 = dot(t19, t19);
-  float t21 = t20 > 0.0 ? inversesqrt(t20) : 0.0;
-  warpedNormal = t19 * t21;
+  warpedNormal = t19 * (t20 > 0.0 ? inversesqrt(t20) : 0.0);
   warpedPosition = position + offset;
 }

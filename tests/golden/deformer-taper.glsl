@@ -8,7 +8,6 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t5 = vec3(t4 * normal.x, t4 * t4 * normal.y - position.x * t2 * t4 * normal.x - t4 * (position.z * t2) * normal.z, t4 * normal.z);
   offset = vec3(position.x * t3, 0.0, position.z * t3);
   float t6 = dot(t5, t5);
-  float t7 = t6 > 0.0 ? inversesqrt(t6) : 0.0;
-  warpedNormal = t5 * t7;
+  warpedNormal = t5 * (t6 > 0.0 ? inversesqrt(t6) : 0.0);
   warpedPosition = position + offset;
 }

@@ -6,7 +6,6 @@ vec3 offset, warpedPosition, warpedNormal;
   float t2 = normal.x - t1 * 0.680609 * normal.y;
   float t3 = normal.z - t1 * 0.2722436 * normal.y;
   float t4 = t2 * t2 + normal.y * normal.y + t3 * t3;
-  float t5 = t4 > 0.0 ? inversesqrt(t4) : 0.0;
-  warpedNormal = vec3(t2, normal.y, t3) * t5;
+  warpedNormal = vec3(t2, normal.y, t3) * (t4 > 0.0 ? inversesqrt(t4) : 0.0);
   warpedPosition = position + offset;
 }

@@ -15,7 +15,6 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t11 = (t4.zxy * t7.yzx - t4 * t7) * normal.z;
   vec3 t12 = t9 + t10 + t11;
   float t13 = dot(t12, t12);
-  float t14 = t13 > 0.0 ? inversesqrt(t13) : 0.0;
-  warpedNormal = t12 * t14;
+  warpedNormal = t12 * (t13 > 0.0 ? inversesqrt(t13) : 0.0);
   warpedPosition = position + offset;
 }

@@ -63,7 +63,6 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t50 = vec3(t49 * normal.x - t44 * normal.y + (t44 * t47 - t45 * t49) * normal.z, t48 * normal.y - t46 * normal.x + (t45 * t46 - t48 * t47) * normal.z, (t48 * t49 - t44 * t46) * normal.z);
   offset = vec3(t3, t4, t5) / 10.0;
   float t51 = dot(t50, t50);
-  float t52 = t51 > 0.0 ? inversesqrt(t51) : 0.0;
-  warpedNormal = t50 * t52;
+  warpedNormal = t50 * (t51 > 0.0 ? inversesqrt(t51) : 0.0);
   warpedPosition = position + offset;
 }

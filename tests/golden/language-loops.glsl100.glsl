@@ -12,8 +12,7 @@ vec2 result;
   float t0 = fract(seed * 0.00024414063) * 2.0 - 1.0;
   float t1 = 0.5 - abs(t0);
   float t2 = t1 < 0.0 ? t0 - sign(t0) : t0;
-  float t3 = inversesqrt(t2 * t2 + t1 * t1);
-  result = vec2(t2, t1) * t3;
+  result = vec2(t2, t1) * inversesqrt(t2 * t2 + t1 * t1);
 }
 return result;
 }

@@ -8,8 +8,7 @@ var result: vec2f;
   let t0 = fract(seed * 0.00024414063f) * 2.0f - 1.0f;
   let t1 = 0.5f - abs(t0);
   let t2 = select(t0, t0 - sign(t0), t1 < 0.0f);
-  let t3 = inverseSqrt(t2 * t2 + t1 * t1);
-  result = vec2f(t2, t1) * t3;
+  result = vec2f(t2, t1) * inverseSqrt(t2 * t2 + t1 * t1);
 }
 return result;
 }

@@ -26,7 +26,6 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t22 = (t19 * t18 - t19.yzx * t18.zxy) * normal.z;
   vec3 t23 = t20 + t21 + t22;
   float t24 = dot(t23, t23);
-  float t25 = t24 > 0.0 ? inversesqrt(t24) : 0.0;
-  warpedNormal = t23 * t25;
+  warpedNormal = t23 * (t24 > 0.0 ? inversesqrt(t24) : 0.0);
   warpedPosition = position + offset;
 }

@@ -28,7 +28,6 @@ var warpedNormal: vec3f;
   let t22 = (t19 * t18 - t19.yzx * t18.zxy) * normal.z;
   let t23 = t20 + t21 + t22;
   let t24 = dot(t23, t23);
-  let t25 = select(0.0f, inverseSqrt(t24), t24 > 0.0f);
-  warpedNormal = t23 * t25;
+  warpedNormal = t23 * select(0.0f, inverseSqrt(t24), t24 > 0.0f);
   warpedPosition = position + offset;
 }

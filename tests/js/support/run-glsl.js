@@ -1,6 +1,6 @@
 // Runs GLSL statements as this compiler writes them, in double precision and without the compiler, so that their results
 // can be compared with plain JavaScript. Of GLSL it knows only what those texts need: declarations and assignments of
-// float, bool and vec2 to vec4; operators, constructors, swizzles, and the functions below. What GLSL would refuse, it
+// float, bool and vec2 to vec4, and a mat2 that a vec2 is multiplied by; operators, constructors, swizzles, and the functions below. What GLSL would refuse, it
 // refuses too: names not declared or not set, types that do not fit, a whole number without a point. It computes both
 // branches of ?: and both sides of && and ||, for nothing here has effects.
 
@@ -41,10 +41,11 @@ const operators = {
   '>=': onlyOf('float', (a, b) => a >= b),
   '+': byComponent((a, b) => a + b),
   '-': byComponent((a, b) => a - b),
-  '*': byComponent((a, b) => a * b),
+  '*': (a, b) => (a.columns ? turned(a, b) : product(a, b)),
   '/': byComponent((a, b) => a / b),
 }
 
+const product = byComponent((a, b) => a * b)
 const negative = byComponent((a) => -a)
 const not = onlyOf('bool', (a) => !a)
 
@@ -167,10 +168,16 @@ function call(name, operands) {
   if (name === 'bool' && parts.length === 1) return Boolean(parts[0])
   if (name === 'dot') return dot(...operands)
   if (name === 'cross') return cross(...operands)
+  if (name === 'mat2' && parts.length === 4) return { columns: [parts.slice(0, 2), parts.slice(2)] }
   if (functions[name]) return byComponent(functions[name])(...operands)
   const size = Number(/^vec([234])$/.exec(name)?.[1] ?? fail(`${name} is no function`))
   if (parts.length === 1) return new Array(size).fill(Number(parts[0]))
   return parts.length === size ? parts.map(Number) : fail(`${name} of ${parts.length} components`)
+}
+
+function turned({ columns: [first, second] }, [x, y, ...others]) {
+  if (y === undefined || others.length) fail('a mat2 times what is no vec2')
+  return [0, 1].map((row) => first[row] * x + second[row] * y)
 }
 
 function dot(a, b) {
