@@ -131,16 +131,16 @@ describe('the gallery of npm start', () => {
   })
 
   if (isRun('the gallery built, and on a phone'))
-    test('fits a phone, each example as it plays', async () => {
+    test('fits a phone, and so does each example', async () => {
       const context = await browser.newContext(phone)
-      await lower(context)
+      await lower(context, { before: still })
       const { page, messages } = await openPage(context, url)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)
       assert.equal(width, phone.viewport.width)
       await page.screenshot({ path: `${screenshots}/phone-top.png` })
 
       for (const name of names) {
-        const frame = await playing(page, url, name)
+        const frame = await playing(page, url, name, 1)
         if (name === names[0]) assertPicture(await statistics(frame))
         for (const place of [page, frame])
           assert.equal(
@@ -172,10 +172,10 @@ if (isRun('the gallery built, and on a phone'))
   })
 
 /** Opens the example's page and waits until it has drawn some frames → the Playwright frame of its sketch. */
-async function playing(page, url, name) {
+async function playing(page, url, name, frames = 3) {
   await page.goto(`${url}gallery/${name}/index.html`, patience)
   const element = await page.waitForSelector('iframe.shown', patience)
   const frame = await element.contentFrame()
-  await frame.waitForFunction(() => window.frameCount >= 3, null, patience)
+  await frame.waitForFunction((frames) => window.frameCount >= frames, frames, patience)
   return frame
 }
