@@ -5,9 +5,9 @@ import { readFileSync } from 'node:fs'
 import { performance } from 'node:perf_hooks'
 import { build } from './build.mjs'
 import { path } from './lib/files.mjs'
+import { median } from './lib/median.mjs'
 import { main } from './lib/terminal.mjs'
 
-const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1]
 const times = (count, work) =>
   Array.from({ length: count }, () => {
     const start = performance.now()

@@ -3,8 +3,7 @@
 import { performance } from 'node:perf_hooks'
 import { build } from './build.mjs'
 import { main } from './lib/terminal.mjs'
-
-const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
+import { median } from './lib/median.mjs'
 
 await main(async () => {
   if (!process.argv.includes('--no-build')) await build()

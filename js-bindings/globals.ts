@@ -54,7 +54,7 @@ declare global {
 
   /**
    * A shader of `modify()` or `buildMaterialShader()` with normals that are turned as its hooks move positions. Needs
-   * warpjet.glsl.min.js. What cannot be is told on the console, and the shader comes back as it was.
+   * warpjet.glsl.min.js. Where that cannot be done, the console says why, and the shader comes back as it was.
    */
   function exactNormals<Shader extends object>(shader: Shader): Shader
 }

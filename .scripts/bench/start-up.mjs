@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs'
 import { findBrowser } from '../lib/browser.mjs'
 import { path } from '../lib/files.mjs'
 import { softwareFlags } from '../lib/flags.mjs'
+import { median } from '../lib/median.mjs'
 
 const RUNS = 15
 
@@ -93,8 +94,6 @@ function inNode() {
     })
   return Array.from({ length: RUNS }, () => JSON.parse(run()))
 }
-
-const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1]
 
 /** The median milliseconds of each stage, [{ where, stages }]. */
 export async function measureStartUp() {

@@ -49,22 +49,22 @@ const { PI, hypot, max } = Math
 const least = 3e-5
 
 /**
- * On a surface of revolution: unit directions around and along it, and what normal and v turn and rise by on the
- * way.
+ * The gradients on a surface of revolution, by its unit directions around and along, its principal curvatures, and
+ * how fast v grows along it.
  */
 const revolved = (
   around: Triple,
   along: Triple,
   radius: number,
-  turnAround: number,
-  turnAlong: number,
-  rise: number,
+  curvatureAround: number,
+  curvatureAlong: number,
+  slopeOfV: number,
 ): readonly Triple[] => [
   ...[0, 1, 2].map((i) =>
-    add(times(around, turnAround * around[i]!), times(along, turnAlong * along[i]!)),
+    add(times(around, curvatureAround * around[i]!), times(along, curvatureAlong * along[i]!)),
   ),
   times(around, 1 / (2 * PI * radius)),
-  times(along, rise),
+  times(along, slopeOfV),
 ]
 
 /**
@@ -113,7 +113,7 @@ export function variationOf(shape: Shape, name: string): Variation {
 }
 
 /**
- * Means of the triangles around each vertex, in the plane that its normal stands on, with the weights that make the
+ * Means of the triangles around each vertex, in the tangent plane, with the weights that make the
  * normals of a sphere exact (Max, "Weights for Computing Vertex Normals from Facet Normals", 1999). Vertices of one
  * place and normal share what the normal does, and what the uvs do where these only begin anew, so that such a seam
  * is none of the light.

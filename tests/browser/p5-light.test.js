@@ -6,7 +6,7 @@ import { after, before, describe, test } from 'node:test'
 import { leavePage } from './support/browser.js'
 import * as m from './support/matrix.js'
 import { colorAt, differingPixels, litPixels } from './support/pixels.js'
-import { R, surfaces } from './support/p5-surfaces.js'
+import { radius, surfaces } from './support/p5-surfaces.js'
 import { servePages } from './support/server.js'
 import {
   drawScenes,
@@ -60,7 +60,7 @@ const word = {
     // p5 has a canvas for text, too, and the pictures are of the first.
     document.body.prepend(document.querySelector('#defaultCanvas0'))`,
   code: 'model(warps.word)',
-  grain: { height: R, length: R, normals: 1 },
+  grain: { height: radius, length: radius, normals: 1 },
 }
 
 /** p5 1.11 has no models of text, and on WebGPU p5 2.3.4 itself fails to draw them: "flat is not a function". */
@@ -93,7 +93,7 @@ async function geometriesOf(p5, shapes) {
       const distort = createWarp(({ normal, uv }) => normal.mult(uv.x().add(uv.y())))
       noLoop()
       noStroke()
-      ${shapes.map(([, { setup, needs }]) => `${needs ?? ''}\n${setup ?? ''}`).join('\n')}
+      ${shapes.map(([, { setup }]) => setup ?? '').join('\n')}
       // Where the shaders ask for it.
       const { prototype } = p5.Geometry
       const { get } = Object.getOwnPropertyDescriptor(prototype, 'warpjet_uGradient')
@@ -163,10 +163,10 @@ function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
 function trueNormal({ side, where: [u, v], n }, moved, turn) {
   const near = side.edges ? 1e-6 : 0
   v = Math.min(1 - near, Math.max(near, v))
-  const [h, k] = [1e-7, 1e-7]
+  const step = 1e-7
   const slopes = (place) => [
-    m.subtract(place(u + h, v), place(u - h, v)),
-    m.subtract(place(u, v + k), place(u, v - k)),
+    m.subtract(place(u + step, v), place(u - step, v)),
+    m.subtract(place(u, v + step), place(u, v - step)),
   ]
   const across = m.cross(...slopes((s, t) => side.at(s, t).p))
   const turned = m.cross(...slopes((s, t) => moved(side.at(s, t))))

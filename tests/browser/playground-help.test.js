@@ -71,7 +71,10 @@ test('says of what the pointer rests on what it computes and its derivative', as
   await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
   const [fbm, ...more] = await meaningOf('fbm')
   assert.match(fbm, /glsl\.fbm\(p, /)
-  assert.ok(more.includes('Value: Σ gain^i * n(p * lacunarity^i) / Σ gain^i.'), more.join('\n'))
+  assert.ok(
+    more.includes('Value: Σ gain^i * n(p * lacunarity^i + i * shift) / Σ gain^i.'),
+    more.join('\n'),
+  )
   assert.ok((await meaningOf('sin()')).includes('Value: sin(x). Derivative: cos(x).'))
   assert.match((await meaningOf('position')).join(' '), /from -1 to 1/)
   assert.match((await meaningOf('createWarp')).join(' '), /how far each vertex moves/)

@@ -1,5 +1,7 @@
 /** The button that stops a sketch and starts it. Whoever wants less motion says when it begins. */
 
+import { hasWebGL } from './webgl.js'
+
 /** `stage` as of makeStage; `place` gets a sentence where nothing can be drawn. */
 export function pauseButton(button, place, stage) {
   function setPaused(isPaused) {
@@ -8,8 +10,7 @@ export function pauseButton(button, place, stage) {
     stage.setPaused(isPaused)
   }
   button.addEventListener('click', () => setPaused(button.ariaPressed !== 'true'))
-  if (document.createElement('canvas').getContext('webgl2'))
-    return setPaused(matchMedia('(prefers-reduced-motion: reduce)').matches)
+  if (hasWebGL) return setPaused(matchMedia('(prefers-reduced-motion: reduce)').matches)
   button.hidden = true
   place.textContent = 'This browser has no WebGL: here is a picture of it.'
 }

@@ -1,13 +1,13 @@
-// What p5 documents its shapes to be, as smooth surfaces in double, each beside the code that draws it and, for what
-// is built, that which is to be run before, and keeps it in `warps`. `sides` gives places, normals and uvs by two
-// parameters, and which side a vertex is on, and where; `edges` are where the second leaves the first without a
-// slope. `grain` says how a warp's offset is sized for the shape.
+// The shapes of p5 as its documentation describes them: smooth parametric surfaces in double. `code` draws one; `setup`,
+// for shapes of buildGeometry, runs before and keeps the shape in `warps`. `sides` are its smooth parts: `at(s, t)`
+// gives place, normal and uv, `of(p, n, uv)` the parameters of a vertex, or false if it lies on another part. `edges`
+// are values of t where u has no slope. `grain` says how a warp's offset is sized for the shape.
 import * as m from './matrix.js'
 
 const { PI, sin, cos, hypot } = Math
 
 /** The size that shapes are drawn at, in pixels. */
-export const R = 150
+export const radius = 150
 
 /** One side, whose parameters are u and v themselves. */
 const byUv = (at, edges = []) => [
@@ -70,7 +70,7 @@ const built = (name, code, sides) => ({
   setup: `warps.${name} = buildGeometry(() => { ${code} })`,
   code: `model(warps.${name})`,
   sides,
-  grain: { height: R, length: R, normals: R },
+  grain: { height: radius, length: radius, normals: radius },
 })
 
 /**
@@ -79,28 +79,40 @@ const built = (name, code, sides) => ({
  * Shapes without `sides` are flat.
  */
 export const surfaces = {
-  sphere: { code: `sphere(${R})`, sides: ball([1, 1, 1]), scale: [R, R, R] },
+  sphere: { code: `sphere(${radius})`, sides: ball([1, 1, 1]), scale: [radius, radius, radius] },
   ellipsoid: {
-    code: `ellipsoid(${R}, ${0.8 * R}, ${0.6 * R})`,
+    code: `ellipsoid(${radius}, ${0.8 * radius}, ${0.6 * radius})`,
     sides: ball([1, 1, 1]),
-    scale: [R, 0.8 * R, 0.6 * R],
+    scale: [radius, 0.8 * radius, 0.6 * radius],
   },
-  torus: { code: `torus(${R}, ${0.3 * R})`, sides: ring(1), scale: [R, R, R] },
-  cylinder: { code: `cylinder(${R}, ${R})`, sides: pillar(1, 0), scale: [R, R, R] },
-  cone: { code: `cone(${R}, ${R})`, sides: pillar(1, 1), scale: [R, R, R] },
-  box: { code: `box(${R})`, scale: [R, R, R] },
+  torus: {
+    code: `torus(${radius}, ${0.3 * radius})`,
+    sides: ring(1),
+    scale: [radius, radius, radius],
+  },
+  cylinder: {
+    code: `cylinder(${radius}, ${radius})`,
+    sides: pillar(1, 0),
+    scale: [radius, radius, radius],
+  },
+  cone: {
+    code: `cone(${radius}, ${radius})`,
+    sides: pillar(1, 1),
+    scale: [radius, radius, radius],
+  },
+  box: { code: `box(${radius})`, scale: [radius, radius, radius] },
   plane: {
     code: 'plane(400, 260, 50, 50)',
     scale: [400, 260, 1],
-    grain: { height: R, length: 1, normals: 1 },
+    grain: { height: radius, length: 1, normals: 1 },
   },
-  'a built sphere': built('ball', `sphere(${R})`, ball([R, R, R])),
+  'a built sphere': built('ball', `sphere(${radius})`, ball([radius, radius, radius])),
   'a built ellipsoid': built(
     'egg',
-    `ellipsoid(${R}, ${0.8 * R}, ${0.6 * R})`,
-    ball([R, 0.8 * R, 0.6 * R]),
+    `ellipsoid(${radius}, ${0.8 * radius}, ${0.6 * radius})`,
+    ball([radius, 0.8 * radius, 0.6 * radius]),
   ),
-  'a built torus': built('ring', `torus(${R}, ${0.3 * R})`, ring(R)),
-  'a built cylinder': built('pillar', `cylinder(${R}, ${R})`, pillar(R, 0)),
-  'a built box': built('crate', `box(${R})`),
+  'a built torus': built('ring', `torus(${radius}, ${0.3 * radius})`, ring(radius)),
+  'a built cylinder': built('pillar', `cylinder(${radius}, ${radius})`, pillar(radius, 0)),
+  'a built box': built('crate', `box(${radius})`),
 }
