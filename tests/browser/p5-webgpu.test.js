@@ -164,18 +164,18 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
         const aside = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 25, 10, 0, 1]
         const turn = twist({ length: 150, angle: 1.4 })
         const swing = bend({ from: -60, to: 60, angle: 1 })
-        const own = ({ glsl, position }) => glsl.vec3(0, 0, position.x.mult(0.05).sin().mult(20))
+        const own = ({ glsl, position }) => glsl.vec3(0, 0, position.x.mult(0.05).sin().mult(12))
         const above = ({ glsl, position }) => glsl.smoothstep(25, -25, position.y)
         ${Object.entries(made)
           .map(
             ([name, code]) =>
-              `warps['${name}'] = createWarp(${code}, { space: 'world', uniforms: { aside } })`,
+              `warps['${name}'] = createWarp(${code}, { space: 'world', type: 'normal', uniforms: { aside } })`,
           )
           .join('\n')}`,
       scenes: Object.fromEntries(
         Object.keys(made).map((name) => [
           name,
-          `lights(); warps['${name}'](); fill('coral'); sphere(50, 60, 40)`,
+          `rotateY(0.5); warps['${name}'](); ellipsoid(40, 60, 28, 60, 40)`,
         ]),
       ),
       tolerance: 10,
