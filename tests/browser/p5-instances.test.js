@@ -1,7 +1,7 @@
-// model(shape, count): each instance has a warp of its own. Judged by where the picture is.
+// model(shape, count): each instance has a warp of its own. Judged by where the picture is, and by how p5 lights what it shears itself.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { colorAt, litPixels } from './support/pixels.js'
+import { beyondEdges, colorAt, differingPixels, litPixels } from './support/pixels.js'
 import { servePages } from './support/server.js'
 import { drawScenes, launchFor, p5HostsInThisRun } from './support/sketch.js'
 
@@ -41,4 +41,37 @@ for (const [, renderer, scripts] of hosts)
     assert.ok(at(0) > 200, `${at(0)} pixels of a frame`)
     for (const x of [-50, 50])
       assert.ok(Math.abs(at(x) - at(0)) <= 4, `${at(x)} at ${x}, ${at(0)} in the middle`)
+  })
+
+for (const [, renderer, scripts] of hosts)
+  test(`instances by ${renderer}: each has normals of its own, as p5 turns them`, async () => {
+    const light = `noStroke(); directionalLight(255, 255, 255, 0.6, 0.3, -1); fill('red')`
+    const { warped, byP5, flat } = await drawScenes(
+      browsers[renderer],
+      server,
+      [...scripts, '/dist/p5.warpjet.min.js'],
+      {
+        renderer,
+        setup: `
+          shape = buildGeometry(() => sphere(22))
+          warps.sheared = createWarp(({ glsl, instance, position }) => {
+            const which = instance.sub(1)
+            return glsl.vec3(which.mult(50), 0, position.x.mult(which))
+          }, { space: 'world' })`,
+        scenes: {
+          warped: `${light}; warps.sheared(); model(shape, 3)`,
+          byP5: `${light}; for (const which of [-1, 0, 1]) {
+            push()
+            translate(50 * which, 0, 0)
+            applyMatrix(1, 0, which, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1)
+            model(shape)
+            pop()
+          }`,
+          flat: `${light}; for (const which of [-1, 0, 1]) { push(); translate(50 * which, 0, 0); model(shape); pop() }`,
+        },
+      },
+    )
+    assert.ok(differingPixels(flat, byP5, 6) > 1000, 'shearing changes the light')
+    assert.equal(beyondEdges(warped, byP5, 6) + beyondEdges(byP5, warped, 6), 0)
+    assert.ok(differingPixels(warped, byP5, 6) < 0.004 * litPixels(byP5).length)
   })

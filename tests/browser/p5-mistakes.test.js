@@ -112,6 +112,10 @@ const offsets = {
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a vector of numbers.',
   '`${position.x}`':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the text "an expression of warpjet".',
+  '`${position.x()}`':
+    'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the text "an expression of warpjet".',
+  'glsl.vec3(`${position.x()}`, 0, 0)':
+    'vec3: argument 1 must be a number or an expression, but is the text "an expression of warpjet".',
   '(async () => position)()':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a promise (leave its "async" out).',
   null: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned null.',
@@ -281,6 +285,28 @@ function setup() {
     ])
       assert.ok(sentences.includes(sentence), `${sentence}\n${sentences.join('\n')}`)
   })
+
+test('an expression that is printed says what it is', async () => {
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5InThisRun[0][1], '/dist/p5.warpjet.min.js'],
+    `function setup() {
+  createCanvas(20, 20, WEBGL)
+  noLoop()
+  createWarp(({ position }) => {
+    console.log(position.mult(2))
+    console.log(\`x is \${position.x()}\`)
+    console.log(String(position.x), [position.x()].join())
+    return position
+  })
+  done = true
+}`,
+  )
+  await leavePage(page)
+  const said = 'an expression of warpjet'
+  assert.deepEqual(messages, ['Expression', `x is ${said}`, `${said} ${said}`])
+})
 
 test('what JavaScript takes without a word is noted, with the line', async () => {
   const scripts = [p5InThisRun[0][1], '/dist/p5.warpjet.min.js', '/dist/warpjet.operators.min.js']

@@ -166,13 +166,14 @@ if (isRun('rare pages of p5'))
       // A program is freed in a task of its own after what held it.
       for (let i = 0; i < count; i += 10) await page.evaluate('live(10)')
       await devtools.send('HeapProfiler.collectGarbage')
-      return (await page.evaluate('performance.memory.usedJSHeapSize')) / 1e6
+      // To the byte, unlike performance.memory, which may stand still for minutes.
+      return (await devtools.send('Runtime.getHeapUsage')).usedSize / 1e6
     }
-    await heap(10)
-    const before = await heap(10)
+    const before = await heap(60)
     const later = await heap(40)
     await leavePage(page)
-    assert.ok(later - before < 0.4, `${(later - before).toFixed(2)} MB for 40 warps`)
+    // A warp that is kept has 14 KB. What grows is the engine's: 1.2 KB for each of the next 100 warps, 0.8 of the 300 after.
+    assert.ok(later - before < 0.15, `${(later - before).toFixed(2)} MB for 40 warps`)
   })
 
 test('a tab that slept for an hour wakes to the picture of its hour, and to nothing more', async () => {

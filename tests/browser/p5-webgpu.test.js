@@ -144,6 +144,46 @@ describe('createWarp on WEBGPU draws as in WEBGL', () => {
     })
   })
 
+  test('what composes warps of each kind, within one another too', async () => {
+    const made = {
+      'add of a deformer and a sketch’s own': 'add(turn, own)',
+      'blend by a number': 'blend(turn, own, 0.4)',
+      'blend by the place': 'blend(turn, own, above)',
+      'mask by the place': 'mask(turn, above)',
+      'inSpace beside': 'inSpace(aside, turn)',
+      'inSpace of a uniform': 'inSpace(({ uniforms }) => uniforms.aside, turn)',
+      'inSpace turned': 'inSpace(({ glsl }) => glsl.rotateZ(0.5), swing)',
+      'add of a mask and a space': 'add(mask(turn, above), inSpace(aside, swing))',
+      'blend of chains': 'blend(chain(turn, swing), chain(swing, turn), above)',
+      'mask in a chain': 'chain(mask(turn, above), inSpace(aside, swing), own)',
+      'inSpace of a blend': 'inSpace(aside, blend(turn, swing, 0.5))',
+    }
+    const images = await compare({
+      setup: `
+        const { add, bend, blend, chain, inSpace, mask, twist } = warpjet
+        const aside = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 25, 10, 0, 1]
+        const turn = twist({ length: 150, angle: 1.4 })
+        const swing = bend({ from: -60, to: 60, angle: 1 })
+        const own = ({ glsl, position }) => glsl.vec3(0, 0, position.x.mult(0.05).sin().mult(12))
+        const above = ({ glsl, position }) => glsl.smoothstep(25, -25, position.y)
+        ${Object.entries(made)
+          .map(
+            ([name, code]) =>
+              `warps['${name}'] = createWarp(${code}, { space: 'world', type: 'normal', uniforms: { aside } })`,
+          )
+          .join('\n')}`,
+      scenes: Object.fromEntries(
+        Object.keys(made).map((name) => [
+          name,
+          `rotateY(0.5); warps['${name}'](); ellipsoid(40, 60, 28, 60, 40)`,
+        ]),
+      ),
+      tolerance: 10,
+    })
+    const different = new Set(Object.values(images).map(({ data }) => data.toString('base64')))
+    assert.equal(different.size, Object.keys(made).length)
+  })
+
   test('what the documentation of p5.warp shows', async () => {
     const shown = Object.keys(listings).filter((name) => /of p5\.warp/.test(name))
     assert.equal(shown.length, 3)
@@ -244,6 +284,44 @@ test('on WEBGPU a WarpError says what is wrong', async () => {
   }
   await leavePage(page)
   assert.deepEqual(messages, [])
+})
+
+test('a mistake in the WGSL of defs is told with its line, that of defs and that of the sketch', async () => {
+  const { page } = await runSketch(
+    browser,
+    server,
+    [p5, p5WebGPU, ...scripts],
+    `p5.disableFriendlyErrors = true
+    const said = []
+    addEventListener('unhandledrejection', (event) => {
+      said.push([event.reason.name, event.reason.message])
+      window.done = true
+    })
+    const moved = ({ glsl }) => glsl.vec3(glsl.param('twice(1.0)'), 0, 0)
+    async function setup() {
+      await createCanvas(100, 100, WEBGPU)
+      noLoop()
+      createWarp(moved, { defs: 'uniform float a;\\nfn twice(x: f32) -> f32 {\\n  return 2.0 * x; }' })
+      createWarp(moved, { defs: 'uniform float a;\\nfn twice(x: f32) -> f32 {\\n  return 2.0 * y; }' })
+      createWarp(moved, { defs: 'fn twice(x: f32) -> f32 { return 2.0 * x' })
+    }`,
+  )
+  await page.waitForFunction('said.length >= 2')
+  const said = await page.evaluate('said')
+  await leavePage(page)
+  const plain = ([name, message]) => [name, message.replace(/ \(\S+, line \d+\)$/, '')]
+  assert.deepEqual(said.map(plain), [
+    [
+      'WarpError',
+      `createWarp: the option "defs" has a mistake in its line 3, "return 2.0 * y; }": unresolved value 'y'.`,
+    ],
+    [
+      'WarpError',
+      `createWarp: the option "defs" has a mistake in its line 1, "fn twice(x: f32) -> f32 { return 2.0 * x": expected ';' for return statement.`,
+    ],
+  ])
+  const [first, second] = said.map(([, message]) => +/, line (\d+)\)$/.exec(message)[1])
+  assert.equal(second - first, 1)
 })
 
 /** Whether what is lit is elsewhere, by more than edges. */

@@ -119,4 +119,68 @@ export const texts = {
     const wave = Math.sin(position.x * 0.01 + millis / 600) * 14
     return glsl.vec3(away * near * 0.6, near * 90 + wave)
   }`,
+  'three-corridor': `({ position, uniforms }) => {
+    const { curve, roll } = uniforms
+    const angle = position.z * curve
+    const reach = 1 / curve - position.x
+    const x = 1 / curve - reach * Math.cos(angle)
+    const y = position.y + Math.sin(position.z * 0.35) * roll
+    return [x, y, reach * Math.sin(angle)] - position
+  }`,
+  'three-glass': `({ position, millis, uniforms }) => {
+    const { twist, flutes } = uniforms
+    const around = [position.x, position.z]
+    const height = position.y
+    const turn = height * twist * (Math.sin(millis / 2500) * 0.5 + 1)
+    const angle = Math.atan2(position.z, position.x)
+    const swell = Math.cos(angle * 7) * flutes * Math.min(height * 0.5, 1)
+    const wide = around * (swell + 1)
+    const [cos, sin] = [Math.cos(turn), Math.sin(turn)]
+    const x = wide.x * cos - wide.y * sin
+    const z = wide.x * sin + wide.y * cos
+    return [x - position.x, 0, z - position.z]
+  }`,
+  'three-grass': `({ glsl, position, millis, uniforms }) => {
+    const { wind, gusts, direction } = uniforms
+    const way = glsl.vec3(Math.cos(direction), 0, Math.sin(direction))
+    const place = position.xz * gusts - way.xz * (millis / 900)
+    const strength = (place.simplex() * 0.5 + 0.6) * wind
+    const flutter = Math.sin(position.x * 5 + position.z * 7 + millis / 120) * 0.03
+    const bend = Math.max(position.y, 0) ** 2 * (strength + flutter)
+    return way * bend - [0, bend * bend * 0.4, 0]
+  }`,
+  'three-lanterns': `({ position, millis, uniforms }) => {
+    const along = Math.sin(position.x * 0.21 + millis / 2600)
+    const across = Math.sin(position.z * 0.27 - millis / 3100)
+    const slow = (along + across) * uniforms.swell
+    const ripple = Math.sin(position.xz.length() * 0.9 - millis / 700) * uniforms.ripple
+    const lift = slow + ripple
+    return [lift * 0.25, lift, 0]
+  }`,
+  'three-sea': `({ position, millis, uniforms }) => {
+    const waves = [
+      { toward: [1, 0.3], length: 5, steepness: 0.5 },
+      { toward: [0.6, -0.8], length: 2.9, steepness: 0.4 },
+      { toward: [0.2, 1], length: 1.7, steepness: 0.3 },
+      { toward: [-0.5, 0.9], length: 0.9, steepness: 0.25 },
+    ]
+    let offset = [0, 0, 0]
+    for (const { toward, length, steepness } of waves) {
+      const far = Math.hypot(toward[0], toward[1])
+      const [x, z] = [toward[0] / far, toward[1] / far]
+      const k = (2 * Math.PI) / length
+      const way = position.x * x + position.z * z
+      const phase = way * k - millis * (Math.sqrt(9.8 * k) / 1000) * uniforms.speed
+      const height = uniforms.height * (steepness / k)
+      const forth = Math.cos(phase) * height
+      offset += [forth * x, Math.sin(phase) * height, forth * z]
+    }
+    return offset
+  }`,
+  'three-terrain': `({ position, uniforms }) => {
+    const place = position.xz
+    const hill = Math.exp(place.dot(place) * -0.09) * 0.9 + 0.1
+    const ridges = (place * uniforms.detail).ridged({ octaves: 5, seed: 4 })
+    return [0, ridges * hill * uniforms.height, 0]
+  }`,
 }

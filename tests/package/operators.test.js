@@ -1,0 +1,81 @@
+// The operators' plugin in each bundler that it is for: what comes of it runs in Node, which without it refuses the operators.
+import assert from 'node:assert/strict'
+import { before, test } from 'node:test'
+import { rolldown } from 'rolldown'
+import * as vite from 'vite'
+import { load, project, runIn } from './support/project.js'
+
+const entry = `${project}/with-operators.mjs`
+
+let operators
+before(async () => ({ operators } = await load('warpjet/operators/plugin')))
+
+function works(program) {
+  const { output, status } = runIn(process.execPath, [program])
+  assert.equal(output, 'moved 3,1,3\n')
+  assert.equal(status, 0)
+}
+
+test('unbuilt it says what to add', () => {
+  const { output, status } = runIn(process.execPath, ['with-operators.mjs'])
+  assert.match(output, /WarpError: JavaScript's own \+ - \* .* import 'warpjet\/operators'/)
+  assert.equal(status, 1)
+})
+
+test('Vite', async () => {
+  const outDir = 'out/operators-vite'
+  await vite.build({
+    configFile: false,
+    logLevel: 'error',
+    root: project,
+    plugins: [operators()],
+    ssr: { noExternal: true },
+    build: { ssr: entry, outDir, emptyOutDir: true },
+  })
+  works(`${outDir}/with-operators.js`)
+})
+
+const nodeModules = async () => {
+  const { default: nodeResolve } = await load('@rollup/plugin-node-resolve')
+  return nodeResolve({ exportConditions: ['node'] })
+}
+
+/** Rollup and rolldown take the same options here. */
+async function roll(bundler, dir, ...plugins) {
+  const warnings = []
+  const onwarn = ({ message }) => warnings.push(message)
+  const bundle = await bundler({ input: entry, platform: 'node', onwarn, plugins })
+  await bundle.write({ dir: `${project}/${dir}`, entryFileNames: '[name].mjs', format: 'es' })
+  await bundle.close()
+  assert.deepEqual(warnings, [])
+  works(`${dir}/with-operators.mjs`)
+}
+
+test('Rollup', async () => {
+  const { rollup } = await load('rollup')
+  const forRollup = ({ platform: _, ...options }) => rollup(options)
+  await roll(forRollup, 'out/operators-rollup', operators(), await nodeModules())
+})
+
+test('rolldown', () => roll(rolldown, 'out/operators-rolldown', operators()))
+
+test('webpack, by the loader', async () => {
+  const { default: webpack } = await load('webpack')
+  const stats = await new Promise((resolve, reject) =>
+    webpack(
+      {
+        mode: 'development',
+        devtool: false,
+        target: 'node',
+        context: project,
+        entry,
+        module: { rules: [{ test: /with-operators\.mjs$/, use: 'warpjet/operators/plugin' }] },
+        output: { path: `${project}/out/operators-webpack`, filename: 'main.cjs' },
+      },
+      (error, found) => (error ? reject(error) : resolve(found)),
+    ),
+  )
+  const { errors, warnings } = stats.toJson({ all: false, errors: true, warnings: true })
+  assert.deepEqual([...errors, ...warnings], [])
+  works('out/operators-webpack/main.cjs')
+})
