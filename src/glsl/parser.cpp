@@ -133,11 +133,6 @@ Parser::Qualifiers Parser::qualifiers() {
   const auto set = [&](Variable::Kind kind) { found.kind = kind; };
   for (;; take(), found.any = true) {
     const Token& token = peek();
-    requireVersion(token.text, token.place);
-    if (scope_.isGlobal() && token.is("in"))
-      requireVersion("in before a global variable", token.place);
-    if (scope_.isGlobal() && token.is("out"))
-      requireVersion("out before a global variable", token.place);
     if (token.is("const")) {
       found.isConst = true;
     } else if (token.is("uniform")) {
@@ -159,6 +154,11 @@ Parser::Qualifiers Parser::qualifiers() {
                !token.is("centroid")) {
       return found;
     }
+    requireVersion(token.text, token.place);
+    if (scope_.isGlobal() && token.is("in"))
+      requireVersion("in before a global variable", token.place);
+    if (scope_.isGlobal() && token.is("out"))
+      requireVersion("out before a global variable", token.place);
   }
 }
 

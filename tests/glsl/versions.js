@@ -207,6 +207,20 @@ export const versions = {
     'float sin(int x) { return float(x); }',
   ),
   'a variable called round': body('float round = p.x; return vec3(round);'),
+  'a variable called inverse, assigned': body(
+    'float inverse = 1.0; inverse = 2.0; return p * inverse;',
+  ),
+  'a variable called texture2D, assigned by components': body(
+    'vec3 texture2D = p; texture2D.x = 1.0; return texture2D;',
+  ),
+  'a parameter called trunc, changed': value(
+    'f(p.x)',
+    'float f(float trunc) { trunc += 1.0; return trunc; }',
+  ),
+  'a statement that calls a function of its own called transpose': body(
+    'vec2 q = p.xy; transpose(q); return vec3(q, 0.0);',
+    'void transpose(inout vec2 v) { v = v.yx; }',
+  ),
   'a variable called texture': body('float texture = p.x; return vec3(texture);'),
 
   // names of the language
