@@ -187,8 +187,11 @@ Type Parser::type() {
   }
   take();
   if (!peek().is("[")) return found;
-  requireVersion("the length of an array before its name", peek().place);
-  return arrayOf(found);
+  const Location place = peek().place;
+  const Type array = arrayOf(found);
+  // What a function gives has it nowhere else.
+  if (!peek(1).is("(")) requireVersion("the length of an array before its name", place);
+  return array;
 }
 
 Type Parser::arrayOf(Type element) {

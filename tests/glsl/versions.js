@@ -60,6 +60,10 @@ export const versions = {
     'f(p.x)[0]',
     'float[2] f(float x) { return float[2](x, x); }',
   ),
+  'a function that gives a structure with an array': value(
+    'f(p.x).x[0]',
+    'struct S { float x[2]; }; S f(float x) { S s; s.x[0] = x; s.x[1] = x; return s; }',
+  ),
   'an array as a parameter': body(
     `${array} return vec3(f(a));`,
     'float f(float x[3]) { return x[0] + x[2]; }',

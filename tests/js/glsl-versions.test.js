@@ -53,6 +53,11 @@ const told = {
     300,
     'line 2, column 1: "attribute" is not in GLSL ES 3.00, the language of #version 300 es; write in.',
   ],
+  'float[2] f(float x) { return float[2](x, x); }\nvec3 offset(vec3 p) { return vec3(f(p.x)[0]); }':
+    [
+      100,
+      'line 2, column 10: an array that a function gives is not in GLSL ES 1.00, the language of #version 100; give it by an out parameter, or begin the text with #version 300 es.',
+    ],
   'vec3 offset(vec3 p) { return vec3(abs(int(p.x))); }': [
     100,
     'line 2, column 35: abs, sign, min, max or clamp of whole numbers is not in GLSL ES 1.00, the language of #version 100; count in floats, or begin the text with #version 300 es.',
