@@ -80,7 +80,7 @@ Tree Parser::parse() {
         {"gl_VertexID", intType, Attribute},
         {"gl_InstanceID", intType, Attribute},
         {"gl_FragColor", vectorType(Base::Float, 4), Global},
-        {"gl_FragCoord", vectorType(Base::Float, 4), Global}}) {
+        {"gl_FragCoord", vectorType(Base::Float, 4), Fragment}}) {
     const auto isMeant = [&name = name](const Token& token) { return token.text == name; };
     if (std::none_of(text_.tokens.begin(), text_.tokens.end(), isMeant)) continue;
     Token token = end_;

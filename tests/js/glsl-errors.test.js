@@ -35,6 +35,17 @@ const wrong = [
   [body('float height = 1.; return vec3(heigth);'), 2, 'not declared; did you mean height?'],
   [body('float for = 1.; return p;'), 2, 'word of the language'],
   [body('float gl_x = 1.; return p;'), 2, 'those with gl_'],
+  [
+    body('return p * gl_FragCoord.x;'),
+    2,
+    '"gl_FragCoord" is of fragments; a warp moves vertices: take position or uv.',
+  ],
+  [body('return p * gl_FragCoord[1];'), 2, '"gl_FragCoord" is of fragments'],
+  [
+    'float f() { return gl_FragCoord.x; }\nvec3 offset(vec3 p) { return p * f(); }',
+    1,
+    '"gl_FragCoord" is of fragments',
+  ],
   [body('return p.w;'), 2, 'a vec3 has no component "w"'],
   [body('return p.xg;'), 2, 'has no component "xg"'],
   [body('return p.xyzxy;'), 2, 'has no component'],

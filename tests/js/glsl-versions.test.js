@@ -146,6 +146,15 @@ for (const [name, text] of Object.entries(shaders))
     assert.equal(compileWarp(glslOffset(text)).code, plain.code)
   })
 
+test('a whole fragment shader may read gl_FragCoord, where its offset does not', () => {
+  const text = `precision highp float;
+uniform float amount;
+${moved}
+void main() { gl_FragColor = vec4(offset(gl_FragCoord.xyz), gl_FragCoord[3]); }`
+  const plain = compileWarp(glslOffset(`uniform float amount;\n${moved}`))
+  assert.equal(compileWarp(glslOffset(text)).code, plain.code)
+})
+
 test('what an attribute of the host holds is not known to a warp', () => {
   const text = `#version 300 es\nin float aSize;\nvec3 offset(vec3 p) { return p * aSize; }`
   assert.throws(
