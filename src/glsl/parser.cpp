@@ -54,7 +54,7 @@ void Parser::requireVersion(std::string_view what, Location place) {
 }
 
 std::string_view Parser::takeName(std::string_view what) {
-  if (peek().kind != Kind::Name || isKeyword(peek().text)) {
+  if (peek().kind != Kind::Name || isKeyword(peek().text, text_.version)) {
     fail(peek().place, "a name is missing for " + std::string(what) + "; " + found());
     return {};
   }
@@ -133,6 +133,7 @@ Parser::Qualifiers Parser::qualifiers() {
   const auto set = [&](Variable::Kind kind) { found.kind = kind; };
   for (;; take(), found.any = true) {
     const Token& token = peek();
+    if (isDeclared(token)) return found;
     if (token.is("const")) {
       found.isConst = true;
     } else if (token.is("uniform")) {
@@ -162,23 +163,27 @@ Parser::Qualifiers Parser::qualifiers() {
   }
 }
 
+bool Parser::isDeclared(const Token& token) const {
+  return scope_.find(token.text).kind != Meaning::Kind::None;
+}
+
 bool Parser::startsType() const {
   const Token& token = peek();
   if (token.kind != Kind::Name) return false;
-  if (token.is("struct") || findType(token.text)) return true;
-  return scope_.find(token.text).kind == Meaning::Kind::Structure;
+  if (isDeclared(token)) return scope_.find(token.text).kind == Meaning::Kind::Structure;
+  return token.is("struct") || findType(token.text);
 }
 
 Type Parser::type() {
   if (accept("struct")) return structure();
   const Token& word = peek();
   Type found;
-  if (const NamedType* row = findType(word.text); row && word.kind == Kind::Name) {
-    requireVersion(word.text, word.place);
-    found = row->type;
-  } else if (scope_.find(word.text).kind == Meaning::Kind::Structure) {
+  if (scope_.find(word.text).kind == Meaning::Kind::Structure) {
     found.base = Base::Struct;
     found.structure = static_cast<std::uint16_t>(scope_.find(word.text).index);
+  } else if (const NamedType* row = findType(word.text); row && word.kind == Kind::Name) {
+    requireVersion(word.text, word.place);
+    found = row->type;
   } else {
     const bool isOther = word.kind == Kind::Name && word.text.find("sampler") != word.text.npos;
     fail(word.place, isOther ? quoted(word.text) + " cannot be read in a warp; only sampler2D can"
@@ -256,7 +261,7 @@ Type Parser::structure() {
 bool Parser::checkFree(const Token& name) {
   if (name.kind != Kind::Name) {
     fail(name.place, "a name is missing here; " + found());
-  } else if (isKeyword(name.text)) {
+  } else if (isKeyword(name.text, text_.version)) {
     fail(name.place, quoted(name.text) + " cannot be a name: it is a word of the language");
   } else if (name.text.starts_with("gl_")) {
     fail(name.place, quoted(name.text) + " cannot be a name: those with gl_ are the language's");

@@ -4,6 +4,21 @@ const body = (statements, above = '') => `${above}\nvec3 offset(vec3 p) { ${stat
 const value = (expression, above) => body(`return vec3(${expression});`, above)
 const array = 'float a[3]; for (int i = 0; i < 3; i++) a[i] = p.x;'
 
+/** Words that one of the languages, or both, keep for themselves, and some that neither does. */
+export const words = `
+  const uniform attribute varying layout centroid flat smooth break continue do for while switch case default if else in out inout
+  true false invariant discard return lowp mediump highp precision struct goto class union enum typedef template this inline
+  noinline volatile public static extern external interface long short double half fixed unsigned superp input output sizeof cast
+  namespace using float int bool void vec2 vec3 vec4 ivec2 ivec3 ivec4 bvec2 bvec3 bvec4 uint uvec2 uvec3 uvec4 mat2 mat3 mat4
+  mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4 sampler2D sampler3D samplerCube sampler2DArray sampler2DShadow
+  isampler2D usampler2D texture texture2D time offsets`
+  .trim()
+  .split(/\s+/)
+
+/** A text in which a variable is called so. */
+export const named = (word) =>
+  body(`float x = 1.0; float ${word} = p.x; ${word} += x; return vec3(${word});`)
+
 export const versions = {
   'a plain function': value('sin(p.x)'),
 
