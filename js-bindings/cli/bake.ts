@@ -119,6 +119,6 @@ function checkUniforms(file: string, warp: CompiledWarp, uniforms: object) {
   // A text reads what is no float as `float(n)`, or in halves.
   const name = /^\w+\(([^ )]+)/.exec(missing.name)?.[1] ?? missing.name
   throw new WarpError(
-    `${file} reads ${name}; add --set ${name}=<number>, or, if it is an image, know that only a GPU can run it.`,
+    `${file} reads ${name}; add --set ${name}=<number>; if it is an image, only a GPU can run this warp.`,
   )
 }

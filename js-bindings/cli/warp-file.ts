@@ -55,7 +55,8 @@ export async function readWarp(
   choice: GlslChoice = {},
   values: object = {},
 ): Promise<WarpFile> {
-  if (isGlsl(file)) return { offset: await readGlsl(file, choice), uniforms: ofText(values) }
+  if (isGlsl(file))
+    return { offset: await readGlsl(file, choice), uniforms: uniformsOfText(values) }
   const module: Record<string, unknown> = await load(file)
   const uniforms = module.uniforms as UniformOptions | undefined
   const found = (offset: unknown) => ({ offset: offset as OffsetFunction, uniforms })
@@ -70,7 +71,7 @@ export async function readWarp(
 }
 
 /** Without the inputs, which nobody declares. */
-const ofText = (values: object) =>
+const uniformsOfText = (values: object) =>
   Object.fromEntries(
     Object.entries(values).filter(([name]) => !Object.hasOwn(inputSizes, name)),
   ) as UniformOptions

@@ -6,11 +6,14 @@ import type { Expression } from '../expression/expression.js'
 import type { Session } from '../expression/session.js'
 import { drawInputs, inputSizes, markWhole, variationInputs } from '../inputs/inputs.js'
 import type { Vec4, WarpInputs } from '../types/types.js'
-import { imageSizeText, instanceNumber } from './function-text.js'
+import { imageSizeText } from './function-text.js'
 import { type Given as Value, Halves, halvesOf } from './halves.js'
 import type { Named, External } from './listing.js'
 import { article } from './options.js'
 import type { Given } from './replay.js'
+
+/** What GLSL calls the input `instance`. */
+const instanceID = 'gl_InstanceID'
 
 const hidden = new Set(['tangent', ...Object.keys(variationInputs)])
 
@@ -49,14 +52,14 @@ export function bindExternals(
       if (isWhole(type)) (declared as Marking)[markWhole]?.(name)
       return checked(method, glsl, external, declared[name])
     }
-    if (isAttribute && name === instanceNumber)
+    if (isAttribute && name === instanceID)
       return inputNamed(inputs, 'instance') ?? parameterOf(method, glsl, external)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
     if (!isAttribute) return parameterOf(method, glsl, external)
     throw new WarpError(
-      `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv and color.`,
+      `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv, color and gl_InstanceID.`,
     )
   }
   const imageOf = (place: number) => {

@@ -1,6 +1,8 @@
-// Numbers that are known while a text is read, for lengths of arrays and labels of cases.
+// Numbers that are known while a text is read, for lengths of arrays, labels of cases, heads of
+// loops and indices.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -13,8 +15,8 @@ std::optional<double> constantNumber(const Tree& tree, ExpressionId expression);
 
 std::optional<std::int32_t> constantInt(const Tree& tree, ExpressionId expression);
 
-// Whether it is a constant expression of the language, whose value may not be known here, where
-// these variables count as constants too.
+// Whether it is a constant expression (whose value may still be unknown here). `others` count as
+// constant too: the counters of loops.
 bool isConstant(const Tree& tree, ExpressionId expression, std::span<const VariableId> others = {});
 
 }  // namespace warpjet::glsl

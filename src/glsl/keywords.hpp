@@ -1,10 +1,11 @@
-// The words of the language, which nobody can take for a name.
+// The words of a language, which nobody can take for a name.
 #pragma once
 
 #include <string_view>
 
 namespace warpjet::glsl {
 
-bool isKeyword(std::string_view name);
+// In a text of that version; one without, 0, has those of both.
+bool isKeyword(std::string_view name, int version);
 
 }  // namespace warpjet::glsl

@@ -156,6 +156,8 @@ class Lowering {
   LValue elementOf(LValue whole, ExpressionId index);
   Value load(const LValue& from);
   void store(const LValue& to, const Value& value);
+  // Of a variable; fails where a warp has no such.
+  Slot slotToRead(const Expression& node);
   // Of a variable, a field or an element whose index is known, so that an array is not copied to
   // read one of its numbers. Nothing of what cannot be told without side effects.
   std::optional<Slot> knownSlot(const Expression& node);

@@ -21,7 +21,7 @@ Lowering::Value Lowering::evaluateInner(const Expression& node) {
     case Constant:
       return {recorder_.constant(node.type.base, node.value)};
     case Variable:
-      return get(slotOf(node.index), sizeOf(node.type));
+      return get(slotToRead(node), sizeOf(node.type));
     case Part:
       return part(node);
     case Swizzle: {

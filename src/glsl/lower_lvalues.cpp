@@ -81,6 +81,14 @@ void Lowering::store(const LValue& to, const Value& value) {
     }
 }
 
+Lowering::Slot Lowering::slotToRead(const Expression& node) {
+  const Variable& variable = tree_.variables[node.index];
+  if (variable.kind == Variable::Kind::Fragment)
+    problems_.add(node.place, quoted(variable.name) +
+                                  " is of fragments; a warp moves vertices: take position or uv");
+  return slotOf(node.index);
+}
+
 // Without side effects, and so short that it may well be evaluated twice.
 bool Lowering::isPlain(ExpressionId expression) const {
   const Expression& node = tree_.expressions[expression];
@@ -102,7 +110,7 @@ bool Lowering::isPlain(ExpressionId expression) const {
 
 std::optional<Lowering::Slot> Lowering::knownSlot(const Expression& node) {
   using enum Expression::Kind;
-  if (node.kind == Variable) return slotOf(node.index);
+  if (node.kind == Variable) return slotToRead(node);
   if (node.kind != Part && node.kind != Element) return std::nullopt;
   if (node.kind == Element && !isPlain(node.operands[1])) return std::nullopt;
   const std::optional<Slot> whole = knownSlot(tree_.expressions[node.operands[0]]);

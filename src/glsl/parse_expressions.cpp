@@ -185,10 +185,11 @@ ExpressionId Parser::makeAssignable(ExpressionId operand, Location place, std::s
     const Variable& variable = tree_.variables[root->index];
     if (variable.kind == Variable::Kind::Constant)
       return failed(place, quoted(variable.name) + " is a constant and cannot be changed");
-    if (variable.kind == Variable::Kind::Uniform || variable.kind == Variable::Kind::Attribute)
+    if (variable.kind == Variable::Kind::Uniform || variable.kind == Variable::Kind::Attribute ||
+        variable.kind == Variable::Kind::Fragment)
       return failed(place, quoted(variable.name) + " is given by the host and cannot be changed");
     if (std::find(counters_.begin(), counters_.end(), root->index) != counters_.end())
-      requireVersion("a change of a loop's counter in its body", place);
+      requireVersion("changing a loop's counter in its body", place);
   }
   const Expression& node = tree_.expressions[operand];
   if (!node.isAssignable || root->kind != Code::Variable)

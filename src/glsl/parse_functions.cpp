@@ -14,6 +14,7 @@ void Parser::function(Type result, const Token& name) {
   if (isBuiltIn(name.text) && versionProblem(text_.version, name.text).empty())
     requireVersion("a function with the name of a built-in one", name.place);
   if (result.length == 0) return fail(name.place, "the array that a function gives needs a length");
+  if (tree_.types.hasArray(result)) requireVersion("an array that a function gives", name.place);
   if (tree_.types.hasSampler(result))
     return fail(name.place, "a function cannot give an image; give what texture() reads of it");
   if (tree_.types.size(result) > largestValue)

@@ -44,7 +44,7 @@ ExpressionId Parser::member(ExpressionId operand) {
   if (type.isArray() && name.is("length")) {
     expect("(", "length");
     expect(")", "length(");
-    requireVersion("a length that is asked for", place);
+    requireVersion(".length()", place);
     return add(Expression{.kind = Code::Constant,
                           .type = intType,
                           .value = static_cast<double>(type.length),
@@ -86,7 +86,7 @@ ExpressionId Parser::element(ExpressionId operand) {
     return failed(
         place, "an index must be an int or uint, but is " + tree_.types.withArticle(typeOf(index)));
   if (!isConstant(tree_, index, counters_) && !isUniform(operand))
-    requireVersion("an index that only the shader knows", place);
+    requireVersion("an index that is not constant", place);
   const int count = type.isArray() ? type.length : type.isMatrix() ? type.columns : type.rows;
   if (const auto known = constantInt(tree_, index); known && (*known < 0 || *known >= count))
     return failed(place, "the index " + std::to_string(*known) + " is not one of 0 to " +
@@ -101,7 +101,8 @@ ExpressionId Parser::element(ExpressionId operand) {
                         .operands = {operand, index}});
 }
 
-// Of all others GLSL ES 1.00 wants to know the index.
+// Whether this is a uniform or a part of one: in a vertex shader of GLSL ES 1.00, only those take
+// an index that is not constant (appendix A.5).
 bool Parser::isUniform(ExpressionId operand) const {
   const Expression* root = &tree_.expressions[operand];
   while (root->kind != Code::Variable && !root->operands.empty())

@@ -50,7 +50,7 @@ StatementId Parser::statement(bool opensScope) {
     if (token.is("switch")) return switchStatement();
     if (token.is("return")) return returnStatement();
     if (token.is("break") || token.is("continue") || token.is("discard")) return jump();
-    if (token.is("case") || token.is("default")) {
+    if ((token.is("case") && !isDeclared(token)) || token.is("default")) {
       fail(token.place, quoted(token.text) + " stands outside of a switch");
       return nothing;
     }
@@ -247,7 +247,7 @@ void Parser::requireCounting(StatementId start, ExpressionId test, StatementId s
            isCounter(node.operands[0]) && isConstant(tree_, node.operands[1]);
   };
   if (counter == nothing || !isCompared() || !isStepped())
-    return requireVersion("a for that does not count by a constant, from one and to one", place);
+    return requireVersion("a for whose counter does not start, end and step by constants", place);
   counters_.push_back(counter);
 }
 

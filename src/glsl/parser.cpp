@@ -54,7 +54,7 @@ void Parser::requireVersion(std::string_view what, Location place) {
 }
 
 std::string_view Parser::takeName(std::string_view what) {
-  if (peek().kind != Kind::Name || isKeyword(peek().text)) {
+  if (peek().kind != Kind::Name || isKeyword(peek().text, text_.version)) {
     fail(peek().place, "a name is missing for " + std::string(what) + "; " + found());
     return {};
   }
@@ -80,7 +80,7 @@ Tree Parser::parse() {
         {"gl_VertexID", intType, Attribute},
         {"gl_InstanceID", intType, Attribute},
         {"gl_FragColor", vectorType(Base::Float, 4), Global},
-        {"gl_FragCoord", vectorType(Base::Float, 4), Global}}) {
+        {"gl_FragCoord", vectorType(Base::Float, 4), Fragment}}) {
     const auto isMeant = [&name = name](const Token& token) { return token.text == name; };
     if (std::none_of(text_.tokens.begin(), text_.tokens.end(), isMeant)) continue;
     Token token = end_;
@@ -133,11 +133,7 @@ Parser::Qualifiers Parser::qualifiers() {
   const auto set = [&](Variable::Kind kind) { found.kind = kind; };
   for (;; take(), found.any = true) {
     const Token& token = peek();
-    requireVersion(token.text, token.place);
-    if (scope_.isGlobal() && token.is("in"))
-      requireVersion("in before a global variable", token.place);
-    if (scope_.isGlobal() && token.is("out"))
-      requireVersion("out before a global variable", token.place);
+    if (isDeclared(token)) return found;
     if (token.is("const")) {
       found.isConst = true;
     } else if (token.is("uniform")) {
@@ -159,26 +155,35 @@ Parser::Qualifiers Parser::qualifiers() {
                !token.is("centroid")) {
       return found;
     }
+    requireVersion(token.text, token.place);
+    if (scope_.isGlobal() && token.is("in"))
+      requireVersion("in before a global variable", token.place);
+    if (scope_.isGlobal() && token.is("out"))
+      requireVersion("out before a global variable", token.place);
   }
+}
+
+bool Parser::isDeclared(const Token& token) const {
+  return scope_.find(token.text).kind != Meaning::Kind::None;
 }
 
 bool Parser::startsType() const {
   const Token& token = peek();
   if (token.kind != Kind::Name) return false;
-  if (token.is("struct") || findType(token.text)) return true;
-  return scope_.find(token.text).kind == Meaning::Kind::Structure;
+  if (isDeclared(token)) return scope_.find(token.text).kind == Meaning::Kind::Structure;
+  return token.is("struct") || findType(token.text);
 }
 
 Type Parser::type() {
   if (accept("struct")) return structure();
   const Token& word = peek();
   Type found;
-  if (const NamedType* row = findType(word.text); row && word.kind == Kind::Name) {
-    requireVersion(word.text, word.place);
-    found = row->type;
-  } else if (scope_.find(word.text).kind == Meaning::Kind::Structure) {
+  if (scope_.find(word.text).kind == Meaning::Kind::Structure) {
     found.base = Base::Struct;
     found.structure = static_cast<std::uint16_t>(scope_.find(word.text).index);
+  } else if (const NamedType* row = findType(word.text); row && word.kind == Kind::Name) {
+    requireVersion(word.text, word.place);
+    found = row->type;
   } else {
     const bool isOther = word.kind == Kind::Name && word.text.find("sampler") != word.text.npos;
     fail(word.place, isOther ? quoted(word.text) + " cannot be read in a warp; only sampler2D can"
@@ -187,8 +192,11 @@ Type Parser::type() {
   }
   take();
   if (!peek().is("[")) return found;
-  requireVersion("the length of an array before its name", peek().place);
-  return arrayOf(found);
+  const Location place = peek().place;
+  const Type array = arrayOf(found);
+  // What a function gives has it nowhere else.
+  if (!peek(1).is("(")) requireVersion("the length of an array before its name", place);
+  return array;
 }
 
 Type Parser::arrayOf(Type element) {
@@ -253,7 +261,7 @@ Type Parser::structure() {
 bool Parser::checkFree(const Token& name) {
   if (name.kind != Kind::Name) {
     fail(name.place, "a name is missing here; " + found());
-  } else if (isKeyword(name.text)) {
+  } else if (isKeyword(name.text, text_.version)) {
     fail(name.place, quoted(name.text) + " cannot be a name: it is a word of the language");
   } else if (name.text.starts_with("gl_")) {
     fail(name.place, quoted(name.text) + " cannot be a name: those with gl_ are the language's");

@@ -1,5 +1,5 @@
 // From tokens to the typed tree: a recursive descent, as deep as `deepest` and no deeper. Past the
-// first problem every token is the end of the text, so that it comes target at once.
+// first problem every token is the end of the text, so that it comes to an end at once.
 #pragma once
 
 #include <optional>
@@ -47,6 +47,8 @@ class Parser {
   bool goDeeper();
   void global();
   Qualifiers qualifiers();
+  // By the text itself: a word of one language may be a name in the other.
+  bool isDeclared(const Token& token) const;
   bool startsType() const;
   Type type();
   Type structure();

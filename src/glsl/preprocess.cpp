@@ -123,7 +123,7 @@ class Preprocessor {
     const std::uint32_t number = isNumber ? intValue(rest[0], problems_) : 0;
     const bool isWhole = number == 300 ? rest.size() == 2 && rest[1].is("es") : rest.size() == 1;
     if ((number != 100 && number != 300) || !isWhole)
-      return problems_.add(word.place, "the version must be 100 or 300 es, the languages of WebGL");
+      return problems_.add(word.place, "write #version 300 es or #version 100; WebGL has no other");
     result_.version = static_cast<int>(number);
     macros_.define("__VERSION__", result_.version);
   }

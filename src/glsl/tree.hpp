@@ -83,7 +83,15 @@ struct Variable {
   std::string_view name;
   Type type;
   Location place{};
-  enum class Kind : std::uint8_t { Local, Constant, Uniform, Attribute, Parameter, Global } kind;
+  enum class Kind : std::uint8_t {
+    Local,
+    Constant,
+    Uniform,
+    Attribute,
+    Parameter,
+    Global,
+    Fragment,  // of whole fragment shaders, which may hold it beside the function that is run
+  } kind;
   // Of a constant or a global, the expression that it starts with.
   ExpressionId start = nothing;
   // Of a constant number.

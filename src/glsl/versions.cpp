@@ -10,14 +10,17 @@ struct Row {
   // A way of writing has spaces in its name, which stands in the sentence as it is.
   std::string_view what;
   int version;
+  // What a text of the other version writes; none where nothing but a new version helps.
   std::string_view advice{};
 };
 
-constexpr std::string_view ints = "take int", floats = "count in floats",
-                           square = "take mat2, mat3 or mat4",
-                           elements = "write its elements one by one",
-                           counting = "count up to a constant, as in for (int i = 0; i < 8; i++)",
-                           byHand = "write a function that computes it";
+constexpr std::string_view
+    ints = "take int",
+    floats = "count in floats", bits = "use floor() and mod()", square = "take mat2, mat3 or mat4",
+    elements = "write its elements one by one",
+    counting = "count up to a constant, as in for (int i = 0; i < 8; i++)",
+    heads = "write it as for (int i = 0; i < 8; i++), with the counter on the left",
+    byHand = "write a function that computes it";
 
 constexpr Row rows[]{
     // declarations
@@ -51,27 +54,27 @@ constexpr Row rows[]{
     {"an array made in one expression", 300, elements},
     {"an array without a length", 300, "write its length after its name"},
     {"the length of an array before its name", 300, "write it after the name"},
-    {"a length that is asked for", 300, "write the number"},
+    {".length()", 300, "write the number"},
     {"an assignment of arrays", 300, elements},
     {"a comparison of arrays", 300, "compare their elements"},
     {"an array that a function gives", 300, "give it by an out parameter"},
-    {"an index that only the shader knows", 300, "take a constant, or the counter of a loop"},
+    {"an index that is not constant", 300, "take a constant, or the counter of a loop"},
 
     // operators
     {"%", 300, "take mod(x, y) of floats"},
-    {"<<", 300, "multiply"},
-    {">>", 300, "divide"},
-    {"&", 300, floats},
-    {"|", 300, floats},
-    {"^", 300, floats},
-    {"~", 300, floats},
+    {"<<", 300, "multiply by a power of two"},
+    {">>", 300, "divide by a power of two and take floor()"},
+    {"&", 300, bits},
+    {"|", 300, bits},
+    {"^", 300, bits},
+    {"~", 300, bits},
 
     // statements
     {"switch", 300, "write if and else"},
     {"while", 300, counting},
     {"do", 300, counting},
-    {"a for that does not count by a constant, from one and to one", 300, counting},
-    {"a change of a loop's counter in its body", 300, "change another variable"},
+    {"a for whose counter does not start, end and step by constants", 300, heads},
+    {"changing a loop's counter in its body", 300, "change another variable"},
 
     // built-in functions
     {"sinh", 300, byHand},
@@ -82,20 +85,20 @@ constexpr Row rows[]{
     {"atanh", 300, byHand},
     {"trunc", 300, "write sign(x) * floor(abs(x))"},
     {"round", 300, "write floor(x + 0.5)"},
-    {"roundEven", 300, "write floor(x + 0.5)"},
+    {"roundEven", 300, "write floor(x + 0.5), which rounds halves up"},
     {"modf", 300, "take floor and fract"},
     {"isnan", 300, "write x != x"},
     {"isinf", 300, "write abs(x) > 3.4e38"},
-    {"floatBitsToInt", 300, byHand},
-    {"floatBitsToUint", 300, byHand},
-    {"intBitsToFloat", 300, byHand},
-    {"uintBitsToFloat", 300, byHand},
-    {"packSnorm2x16", 300, byHand},
-    {"unpackSnorm2x16", 300, byHand},
-    {"packUnorm2x16", 300, byHand},
-    {"unpackUnorm2x16", 300, byHand},
-    {"packHalf2x16", 300, byHand},
-    {"unpackHalf2x16", 300, byHand},
+    {"floatBitsToInt", 300},
+    {"floatBitsToUint", 300},
+    {"intBitsToFloat", 300},
+    {"uintBitsToFloat", 300},
+    {"packSnorm2x16", 300},
+    {"unpackSnorm2x16", 300},
+    {"packUnorm2x16", 300},
+    {"unpackUnorm2x16", 300},
+    {"packHalf2x16", 300},
+    {"unpackHalf2x16", 300},
     {"outerProduct", 300, byHand},
     {"transpose", 300, byHand},
     {"determinant", 300, byHand},
@@ -105,7 +108,7 @@ constexpr Row rows[]{
     {"texture", 300, "write texture2D"},
     {"textureLod", 300, "write texture2DLod"},
     {"textureSize", 300, "give the size by a uniform"},
-    {"texelFetch", 300, "write texture2D"},
+    {"texelFetch", 300, "write texture2D(image, (vec2(ij) + 0.5) / size)"},
     {"texture2D", 100, "write texture"},
     {"texture2DLod", 100, "write textureLod"},
     {"a function with the name of a built-in one", 100, "give it another name"},
@@ -124,8 +127,9 @@ std::string versionProblem(int version, std::string_view what) {
     if (row.what != what || row.version == version) continue;
     const bool isWord = what.find(' ') == what.npos;
     const std::string subject = isWord ? quoted(what) : std::string(what);
+    const std::string advice = row.advice.empty() ? "" : std::string(row.advice) + ", or ";
     return version == 100 ? subject + " is not in GLSL ES 1.00, the language of #version 100; " +
-                                std::string(row.advice) + ", or begin the text with #version 300 es"
+                                advice + "begin the text with #version 300 es"
                           : subject + " is not in GLSL ES 3.00, the language of #version 300 es; " +
                                 std::string(row.advice);
   }

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { glslOffset } from '../../dist/glsl.js'
-import { versions } from '../glsl/versions.js'
+import { named, versions, words } from '../glsl/versions.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import { servePages } from './support/server.js'
 
@@ -16,6 +16,21 @@ after(async () => {
   await browser.close()
   await server.close()
 })
+
+/** What the browser and we say of whole shaders, by name, where only one of the two refuses. */
+async function disagreements(head, context, texts) {
+  const names = Object.keys(texts)
+  const shaders = names.map(
+    (name) =>
+      `${head}\n${texts[name]}\nvoid main() { gl_Position = vec4(offset(vec3(0.5)), 1.0); }\n`,
+  )
+  const there = await refusedThere(context, shaders)
+  const disagreeing = names.flatMap((name, i) => {
+    const here = refusedHere(shaders[i])
+    return !here === !there[i] ? [] : [`${name}: here "${here}", there "${there[i]}"`]
+  })
+  return { disagreeing, refused: there.filter(Boolean).length }
+}
 
 const heads = { 100: ['#version 100', 'webgl'], 300: ['#version 300 es', 'webgl2'] }
 
@@ -44,19 +59,17 @@ function refusedHere(text) {
   }
 }
 
-for (const [version, [head, context]] of Object.entries(heads))
+for (const [version, [head, context]] of Object.entries(heads)) {
   test(`a text of ${head} holds what a browser lets it hold`, async () => {
-    const names = Object.keys(versions)
-    const texts = names.map(
-      (name) =>
-        `${head}\n${versions[name]}\nvoid main() { gl_Position = vec4(offset(vec3(0.5)), 1.0); }\n`,
-    )
-    const there = await refusedThere(context, texts)
-    const disagreeing = names.flatMap((name, i) => {
-      const here = refusedHere(texts[i])
-      return !here === !there[i] ? [] : [`${name}: here "${here}", there "${there[i]}"`]
-    })
+    const { disagreeing, refused } = await disagreements(head, context, versions)
     assert.deepEqual(disagreeing, [])
-    const refused = there.filter(Boolean).length
     assert.ok(refused > (version === '100' ? 40 : 5), `${refused} were refused`)
   })
+
+  test(`a text of ${head} may call a variable what a browser lets it`, async () => {
+    const texts = Object.fromEntries(words.map((word) => [word, named(word)]))
+    const { disagreeing, refused } = await disagreements(head, context, texts)
+    assert.deepEqual(disagreeing, [])
+    assert.ok(refused > 60 && refused < words.length - 3, `${refused} were refused`)
+  })
+}

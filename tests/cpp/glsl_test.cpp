@@ -62,8 +62,8 @@ TEST(GlslVersions, RefuseWhatTheOtherOneHas) {
   EXPECT_EQ(problemOf(bits), "");
   EXPECT_EQ(problemOf("#version 300 es\n" + bits), "");
   EXPECT_EQ(problemOf("#version 100\n" + bits),
-            "\"&\" is not in GLSL ES 1.00, the language of #version 100; count in floats, or begin "
-            "the text with #version 300 es.");
+            "\"&\" is not in GLSL ES 1.00, the language of #version 100; use floor() and mod(), or "
+            "begin the text with #version 300 es.");
   EXPECT_EQ(problemOf("#version 300 es\nvarying vec2 v;"),
             "\"varying\" is not in GLSL ES 3.00, the language of #version 300 es; write out.");
 }

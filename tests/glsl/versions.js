@@ -4,6 +4,21 @@ const body = (statements, above = '') => `${above}\nvec3 offset(vec3 p) { ${stat
 const value = (expression, above) => body(`return vec3(${expression});`, above)
 const array = 'float a[3]; for (int i = 0; i < 3; i++) a[i] = p.x;'
 
+/** Words that one of the languages, or both, keep for themselves, and some that neither does. */
+export const words = `
+  const uniform attribute varying layout centroid flat smooth break continue do for while switch case default if else in out inout
+  true false invariant discard return lowp mediump highp precision struct goto class union enum typedef template this inline
+  noinline volatile public static extern external interface long short double half fixed unsigned superp input output sizeof cast
+  namespace using float int bool void vec2 vec3 vec4 ivec2 ivec3 ivec4 bvec2 bvec3 bvec4 uint uvec2 uvec3 uvec4 mat2 mat3 mat4
+  mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4 sampler2D sampler3D samplerCube sampler2DArray sampler2DShadow
+  isampler2D usampler2D texture texture2D time offsets`
+  .trim()
+  .split(/\s+/)
+
+/** A text in which a variable is called so. */
+export const named = (word) =>
+  body(`float x = 1.0; float ${word} = p.x; ${word} += x; return vec3(${word});`)
+
 export const versions = {
   'a plain function': value('sin(p.x)'),
 
@@ -59,6 +74,10 @@ export const versions = {
   'a function that gives an array': value(
     'f(p.x)[0]',
     'float[2] f(float x) { return float[2](x, x); }',
+  ),
+  'a function that gives a structure with an array': value(
+    'f(p.x).x[0]',
+    'struct S { float x[2]; }; S f(float x) { S s; s.x[0] = x; s.x[1] = x; return s; }',
   ),
   'an array as a parameter': body(
     `${array} return vec3(f(a));`,
@@ -207,6 +226,20 @@ export const versions = {
     'float sin(int x) { return float(x); }',
   ),
   'a variable called round': body('float round = p.x; return vec3(round);'),
+  'a variable called inverse, assigned': body(
+    'float inverse = 1.0; inverse = 2.0; return p * inverse;',
+  ),
+  'a variable called texture2D, assigned by components': body(
+    'vec3 texture2D = p; texture2D.x = 1.0; return texture2D;',
+  ),
+  'a parameter called trunc, changed': value(
+    'f(p.x)',
+    'float f(float trunc) { trunc += 1.0; return trunc; }',
+  ),
+  'a statement that calls a function of its own called transpose': body(
+    'vec2 q = p.xy; transpose(q); return vec3(q, 0.0);',
+    'void transpose(inout vec2 v) { v = v.yx; }',
+  ),
   'a variable called texture': body('float texture = p.x; return vec3(texture);'),
 
   // names of the language

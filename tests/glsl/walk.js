@@ -39,6 +39,6 @@ export function walk(text, name) {
   const tree = parser.parse(preprocess(text, { preserve: { version: () => true } }), {
     quiet: true,
   })
-  const walk = new Walk(tree.program)
-  return (...numbers) => walk.call(name, numbers)
+  const walker = new Walk(tree.program)
+  return (...numbers) => walker.call(name, numbers)
 }

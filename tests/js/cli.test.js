@@ -352,7 +352,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     const baking = (model, warp, ...rest) => ['bake', model, warp, '-q', '-o', 'bad.glb', ...rest]
     await refuses(
       baking('model.glb', 'wave.js'),
-      /wave\.js reads millis; add --set millis=<number>/,
+      /wave\.js reads millis; add --set millis=<number>; if it is an image, only a GPU can run this warp\./,
     )
     await refuses(
       baking('model.glb', 'wave.js', '--set', 'millis=1', '--set', 'milis=1'),

@@ -35,6 +35,18 @@ const wrong = [
   [body('float height = 1.; return vec3(heigth);'), 2, 'not declared; did you mean height?'],
   [body('float for = 1.; return p;'), 2, 'word of the language'],
   [body('float gl_x = 1.; return p;'), 2, 'those with gl_'],
+  [
+    body('return p * gl_FragCoord.x;'),
+    2,
+    '"gl_FragCoord" is of fragments; a warp moves vertices: take position or uv.',
+  ],
+  [body('gl_FragCoord.x = 1.0; return p;'), 2, 'is given by the host and cannot be changed'],
+  [body('return p * gl_FragCoord[1];'), 2, '"gl_FragCoord" is of fragments'],
+  [
+    'float f() { return gl_FragCoord.x; }\nvec3 offset(vec3 p) { return p * f(); }',
+    1,
+    '"gl_FragCoord" is of fragments',
+  ],
   [body('return p.w;'), 2, 'a vec3 has no component "w"'],
   [body('return p.xg;'), 2, 'has no component "xg"'],
   [body('return p.xyzxy;'), 2, 'has no component'],
@@ -204,7 +216,7 @@ const wrong = [
   ['#define F(a, b) a\n' + body('return F(p);'), 3, 'takes 2 arguments'],
   ['#error not today', 1, '#error: not today'],
   ['#nonsense', 1, 'there is no directive #nonsense'],
-  ['#version 450', 1, 'the version must be 100 or 300 es'],
+  ['#version 450', 1, 'write #version 300 es or #version 100; WebGL has no other.'],
   ['float x;\n#version 300 es', 2, 'must come before everything else'],
   ['#line x', 1, '#line needs the number of a line'],
   [
