@@ -130,10 +130,15 @@ TEST_F(PacksTest, APointThatIsTurnedIsMultipliedByAMatrix) {
             "  float t0 = x * 2.0;\n"
             "  float t1 = sin(t0);\n"
             "  float t2 = cos(t0);\n"
-            "  vec2 t3 = mat2(t2, t1, -t1, t2) * p.xy;\n"
-            "  vec2 t4 = mat2(t2, t1, -t1, t2) * t3;\n"
-            "  y = vec3(t4.x * t4.x, t4.y * t4.y, 1.0);\n");
-  EXPECT_NE(text(y, wgsl).find("  let t4 = mat2x2f(t2, t1, -t1, t2) * t3;\n"), std::string::npos);
+            "  mat2 t3 = mat2(t2, t1, -t1, t2);\n"
+            "  vec2 t4 = t3 * p.xy;\n"
+            "  vec2 t5 = t3 * t4;\n"
+            "  y = vec3(t5.x * t5.x, t5.y * t5.y, 1.0);\n")
+      << "it has a name where two statements read it";
+  EXPECT_NE(text(y, wgsl).find("  let t3 = mat2x2f(t2, t1, -t1, t2);\n"), std::string::npos);
+  EXPECT_NE(text(vec3(once[0] * once[0], once[1] * once[1], number(1)))
+                .find("  vec2 t3 = mat2(t2, t1, -t1, t2) * p.xy;\n"),
+            std::string::npos);
 }
 
 TEST_F(PacksTest, ADotProductIsWrittenAsThat) {

@@ -37,7 +37,7 @@ test('300 stacked sines, 1,500 operations of a sketch, are at most 40,000 charac
 })
 
 /** Of what is written by hand, by row of the benchmark; the others are held to 1.1. */
-const most = { wobble: 1.2 }
+const most = { wobble: 1.15 }
 
 for (const workload of workloads)
   test(`${workload.name}: not much longer than by hand`, () => {
