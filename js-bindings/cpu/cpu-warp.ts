@@ -17,6 +17,7 @@ import {
   type Vertices,
   arrayNames,
   checkVertices,
+  noteChecked,
   readRanges,
   uniformsOf,
 } from '../inputs/vertices.js'
@@ -89,7 +90,10 @@ export interface Foldover {
  * value, such as the logarithm of a negative number, neither have the results.
  */
 export interface CpuWarp {
-  /** Moves vertices, any number, even none: it needs the results' memory and a few megabytes. */
+  /**
+   * Moves vertices, any number, even none: it needs the results' memory, unless `out` has it, and a few megabytes. Numbers of
+   * a Float32Array are checked when it comes for the first time; what is written into it later is the caller's care.
+   */
   evaluate(mesh: Vertices, options?: EvaluateOptions): WarpedVertices
   /** Moves one vertex. */
   evaluateAt(position: ArrayLike<number>, inputs?: PointInputs): WarpedPoint
@@ -166,6 +170,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       results: numbersOf[name],
     }))
     if (vertices > 0) runProgram(program, vertices, streams, sinks)
+    for (const { values } of sinks) noteChecked(values)
     return Object.fromEntries(wanted.map((name, i) => [name, sinks[i]!.values])) as never
   }
 
