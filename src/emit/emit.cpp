@@ -143,7 +143,7 @@ class Emitter {
   void writeBody(const Statements& statements) {
     const std::size_t known = writer_.matrixCount();
     for (const Statement& statement : statements.all) {
-      if (const auto turn = turnOf(statement)) writer_.countMatrix(turn->matrix);
+      if (const auto turn = turnOf(statement)) writer_.countMatrix(turn->matrix, known);
     }
     for (const std::uint32_t i : schedule(statements.work)) {
       const Statement& statement = statements.all[i];

@@ -24,8 +24,9 @@ class Writer {
   void name(NodeId id, std::string name);
   void nameInput(std::uint32_t input, std::string name) { inputNames_[input] = std::move(name); }
 
-  // The matrices of turns, which are a stack, since what a loop's body names is known there alone.
-  void countMatrix(const Packs::Matrix& matrix);
+  // The matrices of turns, which are a stack, since what a loop's body names is known there alone;
+  // those of the body that is being written are from `first` on.
+  void countMatrix(const Packs::Matrix& matrix, std::size_t first);
   // Whether it has been counted more than once, and has no name yet.
   bool wantsName(const Packs::Matrix& matrix) const;
   void nameMatrix(const Packs::Matrix& matrix, std::string name);

@@ -90,10 +90,11 @@ std::uint32_t Writer::find(const Packs::Matrix& matrix) const {
   return i;
 }
 
-void Writer::countMatrix(const Packs::Matrix& matrix) {
+// One of a body around this one counts here if it has its name already.
+void Writer::countMatrix(const Packs::Matrix& matrix, std::size_t first) {
   lastMatrixOf_.resize(graph_.size(), none);
   const std::uint32_t found = find(matrix);
-  if (found != none) {
+  if (found != none && (found >= first || matrices_[found].text < isWanted)) {
     matrices_[found].text = std::min(matrices_[found].text, isWanted);
     return;
   }
