@@ -116,6 +116,25 @@ TEST_F(PacksTest, ANumberOfOneVectorIsWrittenBesideIt) {
   EXPECT_EQ(text(each([&](int i) { return sin(p[i] * scale) * scale; })),
             "  float t0 = x > 0.0 ? inversesqrt(x) : 0.0;\n"
             "  y = sin(p * t0) * t0;\n");
+  const auto mixed = [&](int i) {
+    return Expression{&graph, graph.apply(ops::find("mix"), {p[i].id, scale.id, scale.id})};
+  };
+  EXPECT_EQ(text(each(mixed)),
+            "  float t0 = x > 0.0 ? inversesqrt(x) : 0.0;\n"
+            "  y = mix(p, vec3(t0), t0);\n");
+  const Value shifted = each([&](int i) { return p[i] + scale; });
+  const std::string both =
+      emit(graph, glsl300, std::vector{result("y", p * scale), result("z", shifted)}).code;
+  EXPECT_NE(both.find("  y = p * t0;\n"), std::string::npos) << both;
+}
+
+TEST_F(PacksTest, ANumberThatNestsDeepHasANameBesideAVector) {
+  Expression scale = x;
+  for (int i = 0; i < 3; ++i) scale = sin(scale);
+  EXPECT_EQ(text(p * scale), "  y = p * sin(sin(sin(x)));\n");
+  EXPECT_EQ(text(p * sin(scale)),
+            "  float t0 = sin(sin(sin(sin(x))));\n"
+            "  y = p * t0;\n");
 }
 
 // As a person writes a turn; the columns of the matrix come first.
