@@ -17,6 +17,7 @@ import {
   type Vertices,
   arrayNames,
   checkVertices,
+  noteChecked,
   readRanges,
   uniformsOf,
 } from '../inputs/vertices.js'
@@ -67,8 +68,9 @@ export interface InverseOptions
 export interface WarpInverse {
   /** The place that the warp brings the point from: if there are several, the one that the way from `near` leads to. */
   position: number[]
-  /** Whether space is inside out there, det(I + J) not above 0: then other places come to the point too, which are found
-   * from another `near`. */
+  /** Whether space is inside out there, det(I + J) not above 0. Then other places come to the point too, which are found from
+   * another `near`, unless the warp mirrors all of space or the point lies just on a crease. Where it is false others may
+   * come there as well: of three layers of a fold only the one in the middle is inside out. */
   isFolded: boolean
 }
 
@@ -88,7 +90,10 @@ export interface Foldover {
  * value, such as the logarithm of a negative number, neither have the results.
  */
 export interface CpuWarp {
-  /** Moves vertices, any number, even none: it needs the results' memory and a few megabytes. */
+  /**
+   * Moves vertices, any number, even none: it needs the results' memory, unless `out` has it, and a few megabytes. Numbers of
+   * a Float32Array are checked when it comes for the first time; what is written into it later is the caller's care.
+   */
   evaluate(mesh: Vertices, options?: EvaluateOptions): WarpedVertices
   /** Moves one vertex. */
   evaluateAt(position: ArrayLike<number>, inputs?: PointInputs): WarpedPoint
@@ -101,7 +106,8 @@ export interface CpuWarp {
   bounds(box: Box, options?: EvaluationOptions): { min: number[]; max: number[] }
   /**
    * Where the warp brings a point from, such as what of a calm sea is under a boat: evaluateAt of `position` is the point, up
-   * to float32. Nothing comes back if the search meets no such place. In double, by Newton's method with the exact Jacobian, each
+   * to float32. It is one place, and says whether that is in a fold; nothing comes back if the search meets none, which proves
+   * nothing of places that it does not come near. In double, by Newton's method with the exact Jacobian, each
    * step halved until it leads closer, and the way to the point taken in pieces where that fails. Normals and the like
    * count as constant. A warp compiled with `normals: false` has no Jacobian, and throws.
    */
@@ -164,6 +170,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       results: numbersOf[name],
     }))
     if (vertices > 0) runProgram(program, vertices, streams, sinks)
+    for (const { values } of sinks) noteChecked(values)
     return Object.fromEntries(wanted.map((name, i) => [name, sinks[i]!.values])) as never
   }
 

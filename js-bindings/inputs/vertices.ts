@@ -50,7 +50,14 @@ export const arrayNames: Record<VertexInput, keyof Vertices> = {
   vGradient: 'vGradients',
 }
 
-/** How many vertices there are; throws for arrays that do not fit or hold something else than finite numbers. */
+/** Arrays that held finite numbers when they were checked, or that a warp wrote; others of the same kind can get longer. */
+const checked = new WeakSet<Float32Array>()
+
+/** What a warp has written is not checked when it comes back. */
+export const noteChecked = (numbers: Float32Array) => void checked.add(numbers)
+
+/** How many vertices there are; throws for arrays that do not fit, or hold something else than finite
+ * numbers when they come for the first time. */
 export function checkVertices(method: string, mesh: unknown): number {
   if (typeof mesh !== 'object' || mesh === null || !('positions' in mesh))
     throw new WarpError(
@@ -79,11 +86,14 @@ export function checkVertices(method: string, mesh: unknown): number {
       throw new WarpError(
         `${method}: ${name} must have ${size} numbers a vertex, ${vertices * size} for these positions, but has ${numbers.length}.`,
       )
+    const isFloats = numbers instanceof Float32Array
+    if (isFloats && checked.has(numbers)) continue
     const wrong = firstWrong(numbers, finiteFloat)
     if (wrong >= 0)
       throw new WarpError(
         `${method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${inWords(numbers[wrong])}.`,
       )
+    if (isFloats) noteChecked(numbers)
   }
   return vertices
 }

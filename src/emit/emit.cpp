@@ -141,8 +141,14 @@ class Emitter {
   }
 
   void writeBody(const Statements& statements) {
+    const std::size_t known = writer_.matrixCount();
+    for (const Statement& statement : statements.all) {
+      if (const auto turn = turnOf(statement)) writer_.countMatrix(turn->matrix, known);
+    }
     for (const std::uint32_t i : schedule(statements.work)) {
       const Statement& statement = statements.all[i];
+      const auto turn = turnOf(statement);
+      if (turn && writer_.wantsName(turn->matrix)) nameMatrix(turn->matrix);
       if (statement.node == noNode)
         assign(*statement.output);
       else if (graph_.isFold(statement.node))
@@ -150,6 +156,23 @@ class Emitter {
       else
         compute(statement);
     }
+    writer_.forgetMatrices(known);
+  }
+
+  std::optional<Packs::Turn> turnOf(const Statement& statement) const {
+    if (statement.pack == none) return {};
+    const Lanes lanes = packs_[statement.pack];
+    if (packs_.written(lanes, Packs::As::Statement).form != Packs::Form::Operation) return {};
+    return packs_.turnOf(lanes);
+  }
+
+  void nameMatrix(const Packs::Matrix& matrix) {
+    const std::string name = temporaries_.next();
+    define(dialect_.typeName(ops::Type::Float, matrixOf(2, 2)), name);
+    writer_.writeMatrix(statements_, matrix);
+    statements_ += ";\n";
+    writer_.nameMatrix(matrix, name);
+    ++result_.temporaries;
   }
 
   // Variables live on behind the loop, where they are the outcome.

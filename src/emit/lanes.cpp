@@ -142,7 +142,8 @@ std::optional<Packs::Factors> Packs::crossedBy(const Lanes& lanes) const {
 
 std::optional<Packs::Turn> Packs::turnOf(const Lanes& lanes) const {
   if (lanes.count != 2) return std::nullopt;
-  Turn turn{{}, noNode, noNode, {}};
+  Turn turn{{}, {noNode, noNode, 0}};
+  Matrix& matrix = turn.matrix;
   std::array<NodeId, 4> factors{noNode, noNode, noNode, noNode};
   for (int k = 0; k < 4; ++k) {
     const NodeId lane = lanes[k / 2];
@@ -152,17 +153,17 @@ std::optional<Packs::Turn> Packs::turnOf(const Lanes& lanes) const {
     NodeId wave = graph_.operand(product, 0), factor = graph_.operand(product, 1);
     if (!isWave(wave)) std::swap(wave, factor);
     const bool isSine = graph_.is(wave, ops::find("sin"));
-    NodeId& known = isSine ? turn.sine : turn.cosine;
+    NodeId& known = isSine ? matrix.sine : matrix.cosine;
     if (!isWave(wave) || (known != noNode && known != wave)) return {};
     known = wave;
     // The cosine stands in the column of its row, the sine in the other one.
     const int place = (k / 2 == isSine ? 0 : 2) + k / 2;
     if (factors[place] != noNode) return {};
     factors[place] = factor;
-    turn.isNegative[place] = k % 2 == 1 && graph_.is(lane, ops::find("sub"));
+    if (k % 2 == 1 && graph_.is(lane, ops::find("sub"))) matrix.minus |= 1 << place;
   }
   if (factors[0] != factors[1] || factors[2] != factors[3]) return {};
-  if (graph_.operand(turn.cosine, 0) != graph_.operand(turn.sine, 0)) return {};
+  if (graph_.operand(matrix.cosine, 0) != graph_.operand(matrix.sine, 0)) return {};
   turn.point.add(factors[0]);
   turn.point.add(factors[2]);
   return turn;

@@ -90,12 +90,16 @@ class Packs {
   std::optional<Factors> factorsOf(NodeId sum) const;
   // The vectors whose cross product three lanes are.
   std::optional<Factors> crossedBy(const Lanes& lanes) const;
+  // Of a turn by an angle, up to the signs: `minus` has a bit for each entry, by columns.
+  struct Matrix {
+    NodeId cosine, sine;
+    std::uint8_t minus;
+    bool operator==(const Matrix&) const = default;
+  };
   // The point (a, b) whose turn by an angle two lanes are: ±a cos u ± b sin u, ±a sin u ± b cos u.
   struct Turn {
     Lanes point;
-    NodeId cosine, sine;
-    // Of the matrix, by columns, which are minus them.
-    std::array<bool, 4> isNegative;
+    Matrix matrix;
   };
   std::optional<Turn> turnOf(const Lanes& lanes) const;
   // Whether all could share a statement that none of them shares.

@@ -24,6 +24,15 @@ class Writer {
   void name(NodeId id, std::string name);
   void nameInput(std::uint32_t input, std::string name) { inputNames_[input] = std::move(name); }
 
+  // The matrices of turns, which are a stack, since what a loop's body names is known there alone;
+  // those of the body that is being written are from `first` on.
+  void countMatrix(const Packs::Matrix& matrix, std::size_t first);
+  // Whether it has been counted more than once, and has no name yet.
+  bool wantsName(const Packs::Matrix& matrix) const;
+  void nameMatrix(const Packs::Matrix& matrix, std::string name);
+  std::size_t matrixCount() const { return matrices_.size(); }
+  void forgetMatrices(std::size_t first);
+
   // That this result of a call of a function of ours is needed, hence all of its order.
   void need(NodeId call, int result);
   int orderOf(NodeId call) const { return orders_[index(call)]; }
@@ -39,6 +48,7 @@ class Writer {
   // Several nodes as a vector, even if they have names where they are a statement.
   void writeLanes(std::string& text, const Lanes& lanes, Packs::As as,
                   ops::Precedence loosest = ops::Precedence::Ternary);
+  void writeMatrix(std::string& text, const Packs::Matrix& matrix);
   // A number, a vector or a matrix.
   void writeValue(std::string& text, Shape shape, std::span<const NodeId> components);
 
@@ -49,6 +59,15 @@ class Writer {
     std::string_view rest;
     bool parenthesized;
   };
+
+  struct CountedMatrix {
+    Packs::Matrix matrix;
+    std::uint32_t before;  // of the same cosine, or none
+    std::uint32_t text;    // its name, if it has one
+  };
+  static constexpr std::uint32_t isWanted = none - 1;
+  // Which one it is, or none.
+  std::uint32_t find(const Packs::Matrix& matrix) const;
 
   void write(std::string& text, NodeId id);
   void open(std::string& text, NodeId id, ops::Precedence loosest);
@@ -72,8 +91,10 @@ class Writer {
   std::vector<std::uint32_t> names_;  // by node index, an index into texts_
   std::vector<std::string> texts_;
   std::vector<std::string> inputNames_;
-  std::vector<std::uint8_t> orders_;  // by node, of calls of functions of ours
-  std::set<std::string> callTexts_;   // such as `bump($0)`
+  std::vector<CountedMatrix> matrices_;
+  std::vector<std::uint32_t> lastMatrixOf_;  // by cosine
+  std::vector<std::uint8_t> orders_;         // by node, of calls of functions of ours
+  std::set<std::string> callTexts_;          // such as `bump($0)`
   std::vector<Frame> frames_;
 };
 

@@ -1,4 +1,7 @@
 // How the writer writes vectors.
+#include <algorithm>
+#include <utility>
+
 #include "emit/writer.hpp"
 
 namespace warpjet {
@@ -70,16 +73,59 @@ void Writer::writePart(std::string& text, const Lanes& lanes) {
 void Writer::writeTurn(std::string& text, const Packs::Turn& turn, ops::Precedence loosest) {
   const bool parenthesized = ops::Precedence::Multiplicative < loosest;
   if (parenthesized) text += '(';
-  std::string entries;
-  for (int i = 0; i < 4; ++i) {
-    if (i > 0) entries += ", ";
-    if (turn.isNegative[i]) entries += '-';
-    write(entries, i % 3 == 0 ? turn.cosine : turn.sine);
-  }
-  fill(text, dialect_.construction, {dialect_.typeName(ops::Type::Float, matrixOf(2, 2)), entries});
+  const std::uint32_t found = find(turn.matrix);
+  if (found != none && matrices_[found].text < isWanted)
+    text += texts_[matrices_[found].text];
+  else
+    writeMatrix(text, turn.matrix);
   text += " * ";
   writeLanes(text, turn.point, Packs::As::Operand, ops::Precedence::Unary);
   if (parenthesized) text += ')';
+}
+
+std::uint32_t Writer::find(const Packs::Matrix& matrix) const {
+  if (matrices_.empty()) return none;
+  std::uint32_t i = lastMatrixOf_[index(matrix.cosine)];
+  while (i != none && !(matrices_[i].matrix == matrix)) i = matrices_[i].before;
+  return i;
+}
+
+// One of a body around this one counts here if it has its name already.
+void Writer::countMatrix(const Packs::Matrix& matrix, std::size_t first) {
+  lastMatrixOf_.resize(graph_.size(), none);
+  const std::uint32_t found = find(matrix);
+  if (found != none && (found >= first || matrices_[found].text < isWanted)) {
+    matrices_[found].text = std::min(matrices_[found].text, isWanted);
+    return;
+  }
+  std::uint32_t& last = lastMatrixOf_[index(matrix.cosine)];
+  matrices_.push_back({matrix, last, none});
+  last = static_cast<std::uint32_t>(matrices_.size() - 1);
+}
+
+bool Writer::wantsName(const Packs::Matrix& matrix) const {
+  const std::uint32_t found = find(matrix);
+  return found != none && matrices_[found].text == isWanted;
+}
+
+void Writer::nameMatrix(const Packs::Matrix& matrix, std::string name) {
+  matrices_[find(matrix)].text = static_cast<std::uint32_t>(texts_.size());
+  texts_.push_back(std::move(name));
+}
+
+void Writer::forgetMatrices(std::size_t first) {
+  for (; matrices_.size() > first; matrices_.pop_back())
+    lastMatrixOf_[index(matrices_.back().matrix.cosine)] = matrices_.back().before;
+}
+
+void Writer::writeMatrix(std::string& text, const Packs::Matrix& matrix) {
+  std::string entries;
+  for (int i = 0; i < 4; ++i) {
+    if (i > 0) entries += ", ";
+    if (matrix.minus >> i & 1) entries += '-';
+    write(entries, i % 3 == 0 ? matrix.cosine : matrix.sine);
+  }
+  fill(text, dialect_.construction, {dialect_.typeName(ops::Type::Float, matrixOf(2, 2)), entries});
 }
 
 // The names are the same in all languages; see names.cpp.

@@ -116,6 +116,25 @@ TEST_F(PacksTest, ANumberOfOneVectorIsWrittenBesideIt) {
   EXPECT_EQ(text(each([&](int i) { return sin(p[i] * scale) * scale; })),
             "  float t0 = x > 0.0 ? inversesqrt(x) : 0.0;\n"
             "  y = sin(p * t0) * t0;\n");
+  const auto mixed = [&](int i) {
+    return Expression{&graph, graph.apply(ops::find("mix"), {p[i].id, scale.id, scale.id})};
+  };
+  EXPECT_EQ(text(each(mixed)),
+            "  float t0 = x > 0.0 ? inversesqrt(x) : 0.0;\n"
+            "  y = mix(p, vec3(t0), t0);\n");
+  const Value shifted = each([&](int i) { return p[i] + scale; });
+  const std::string both =
+      emit(graph, glsl300, std::vector{result("y", p * scale), result("z", shifted)}).code;
+  EXPECT_NE(both.find("  y = p * t0;\n"), std::string::npos) << both;
+}
+
+TEST_F(PacksTest, ANumberThatNestsDeepHasANameBesideAVector) {
+  Expression scale = x;
+  for (int i = 0; i < 3; ++i) scale = sin(scale);
+  EXPECT_EQ(text(p * scale), "  y = p * sin(sin(sin(x)));\n");
+  EXPECT_EQ(text(p * sin(scale)),
+            "  float t0 = sin(sin(sin(sin(x))));\n"
+            "  y = p * t0;\n");
 }
 
 // As a person writes a turn; the columns of the matrix come first.
@@ -130,10 +149,15 @@ TEST_F(PacksTest, APointThatIsTurnedIsMultipliedByAMatrix) {
             "  float t0 = x * 2.0;\n"
             "  float t1 = sin(t0);\n"
             "  float t2 = cos(t0);\n"
-            "  vec2 t3 = mat2(t2, t1, -t1, t2) * p.xy;\n"
-            "  vec2 t4 = mat2(t2, t1, -t1, t2) * t3;\n"
-            "  y = vec3(t4.x * t4.x, t4.y * t4.y, 1.0);\n");
-  EXPECT_NE(text(y, wgsl).find("  let t4 = mat2x2f(t2, t1, -t1, t2) * t3;\n"), std::string::npos);
+            "  mat2 t3 = mat2(t2, t1, -t1, t2);\n"
+            "  vec2 t4 = t3 * p.xy;\n"
+            "  vec2 t5 = t3 * t4;\n"
+            "  y = vec3(t5.x * t5.x, t5.y * t5.y, 1.0);\n")
+      << "it has a name where two statements read it";
+  EXPECT_NE(text(y, wgsl).find("  let t3 = mat2x2f(t2, t1, -t1, t2);\n"), std::string::npos);
+  EXPECT_NE(text(vec3(once[0] * once[0], once[1] * once[1], number(1)))
+                .find("  vec2 t3 = mat2(t2, t1, -t1, t2) * p.xy;\n"),
+            std::string::npos);
 }
 
 TEST_F(PacksTest, ADotProductIsWrittenAsThat) {

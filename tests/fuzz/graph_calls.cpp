@@ -90,6 +90,7 @@ void GraphCalls::run() {
   keep(builder_.input("param", "time", oneNumber));
   while (!reader_.isAtEnd() && builder_.graph().size() < mostNodes && values_.size() < mostValues)
     step();
+  for (; !repeats_.empty(); repeats_.pop_back()) builder_.dropRepeat();
 }
 
 void GraphCalls::keep(int handle) {
@@ -181,6 +182,10 @@ void GraphCalls::step() {
       output();
       break;
     case Step::Build: {
+      if (!builder_.finish()) {
+        requireProblem(builder_);
+        break;
+      }
       const Written made = write(builder_.module(), glsl300, {.emit = {1 + reader_.byte()}});
       if (!made.text) requireSentence(made.problem);
       break;
@@ -188,9 +193,37 @@ void GraphCalls::step() {
     case Step::Position:
       values_.push_back(values_[0]);
       break;
+    case Step::OpenRepeat:
+      openRepeat();
+      break;
+    case Step::CloseRepeat:
+      closeRepeat();
+      break;
     case Step::count:
       break;
   }
+}
+
+// The last number of steps is more than there may be.
+void GraphCalls::openRepeat() {
+  constexpr std::array counts{0, 1, 2, 3, 7, 10'001};
+  const int steps = counts[static_cast<std::size_t>(reader_.below(counts.size()))];
+  const int count = 1 + reader_.below(3);
+  for (int i = 0; i < count; ++i) builder_.push(value());
+  const int step = builder_.openRepeat(steps);
+  for (int i = 0; i <= count; ++i) keep(step == Builder::failed ? step : step + i);
+  if (step != Builder::failed) repeats_.push_back({step + 1, count});
+}
+
+void GraphCalls::closeRepeat() {
+  if (repeats_.empty()) return;
+  const auto [first, count] = repeats_.back();
+  repeats_.pop_back();
+  // Whatever a sketch returns from the body, most often states of the right shapes.
+  const bool isOdd = reader_.byte() > 240;
+  for (int i = 0; i < count; ++i) builder_.push(isOdd ? value() : valueLike(first + i));
+  const int outcome = builder_.closeRepeat();
+  for (int i = 0; i < count; ++i) keep(outcome == Builder::failed ? outcome : outcome + i);
 }
 
 // As JavaScript makes it: of whatever it is called on, of a whole seed, and of numbers.

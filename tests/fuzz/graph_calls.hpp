@@ -29,6 +29,8 @@ enum class Step : std::uint8_t {
   Output,
   Build,
   Position,  // the input whose derivatives warps need
+  OpenRepeat,
+  CloseRepeat,
   count
 };
 
@@ -59,11 +61,19 @@ class GraphCalls {
   void callFunction();
   void noise();
   void output();
+  void openRepeat();
+  void closeRepeat();
+
+  // The handles of the states of a repeat whose body is being recorded.
+  struct OpenRepeat {
+    int first, count;
+  };
 
   Builder& builder_;
   Reader& reader_;
   std::vector<int> values_;
-  std::map<int, int> arities_;  // of functions of the host, by number
+  std::map<int, int> arities_;       // of functions of the host, by number
+  std::vector<OpenRepeat> repeats_;  // the innermost last
   bool hasForeignText_ = false;
 };
 

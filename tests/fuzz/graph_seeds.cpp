@@ -127,6 +127,18 @@ Calls everyNoise(std::size_t dialect) {
   return calls.add(Step::Build, {7});
 }
 
+// s = sin(s * s), thrice, and within it a number that is doubled; the derivatives of what comes
+// out.
+Calls repeats(std::size_t dialect) {
+  Calls calls(dialect, 2);
+  calls.position().component(0, 0).add(Step::OpenRepeat, {3, 1, 16, 0});
+  calls.call("mult", {0, 0}).add(Step::OpenRepeat, {2, 0, 0}).call("add", {0, 0});
+  calls.add(Step::CloseRepeat, {0, 0}).call("sin", {0}).add(Step::CloseRepeat, {0, 0, 16});
+  calls.output().position().call("mult", {0, 1}).output().derivative(0, {0}).output();
+  calls.position().add(Step::OpenRepeat, {4, 0, 0}).call("sin", {0}).add(Step::CloseRepeat, {0, 0});
+  return calls.derivative(4, {0}).add(Step::Constant, {1}).output();
+}
+
 Calls oddities(std::size_t dialect) {
   Calls calls(dialect, 1);
   for (std::size_t i = 0; i < 24; ++i) calls.constant(i).call("mult", {0, 1}).output();
@@ -151,6 +163,7 @@ void writeGraphSeeds() {
     write("warp", warp(dialect));
     write("functions", ownFunctions(dialect));
     write("noises", everyNoise(dialect));
+    write("repeats", repeats(dialect));
     write("oddities", oddities(dialect));
   }
 }

@@ -50,6 +50,47 @@ describe('evaluate', () => {
     refused({ normal: new Float32Array(6) }, /normal/)
   })
 
+  test('makes no array of the size of the mesh where all are given', () => {
+    const count = 3 * 10_000
+    const mesh = { positions: new Float32Array(count), normals: new Float32Array(count) }
+    const out = { positions: new Float32Array(count), normals: new Float32Array(count) }
+    const largest = (options) => {
+      const plain = Float32Array
+      const lengths = []
+      const construct = (target, from) => {
+        const made = Reflect.construct(target, from)
+        if (typeof from[0] === 'number') lengths.push(made.length)
+        return made
+      }
+      globalThis.Float32Array = new Proxy(plain, { construct })
+      try {
+        wave.evaluate(mesh, options)
+      } finally {
+        globalThis.Float32Array = plain
+      }
+      return Math.max(0, ...lengths)
+    }
+    assert.equal(largest({ uniforms }), count)
+    for (let i = 0; i < 3; i++) assert.ok(largest({ uniforms, out }) < 1000)
+  })
+
+  test('checks a Float32Array when it comes for the first time, and none that it made', () => {
+    const refusal = { name: 'WarpError', message: /positions\[0\].* is NaN/ }
+    const positions = Float32Array.of(NaN, 0, 0)
+    assert.throws(() => wave.evaluate({ positions }, { uniforms }), refusal)
+    assert.throws(() => wave.evaluate({ positions }, { uniforms }), refusal)
+    positions[0] = 1
+    const { positions: made } = wave.evaluate({ positions }, { uniforms })
+    for (const array of [positions, made]) {
+      array[0] = NaN
+      assert.ok(Number.isNaN(wave.evaluate({ positions: array }, { uniforms }).positions[0]))
+    }
+    const list = [1, 0, 0]
+    wave.evaluate({ positions: list }, { uniforms })
+    list[0] = NaN
+    assert.throws(() => wave.evaluate({ positions: list }, { uniforms }), refusal)
+  })
+
   test('takes any number of vertices, none too', () => {
     assert.deepEqual(wave.evaluate({ positions: [], normals: [] }, { uniforms }), {
       positions: new Float32Array(0),

@@ -58,12 +58,26 @@ describe('a wave that folds', () => {
     }
   })
 
+  test('has one layer of three that is inside out, between two that are not', () => {
+    const isFolded = (near) => wave.inverseAt([0.5, 0, 0], { near: [near, 0, 0] }).isFolded
+    assert.deepEqual([-2, 0, 2.4].map(isFolded), [false, true, false])
+  })
+
   test('is reached from everywhere', () => {
     for (let i = -30; i <= 30; i++) {
       const { position } = wave.inverseAt([i / 3, 0, 0])
       assert.ok(Math.abs(position[0] - 3 * Math.sin(position[0]) - i / 3) < 1e-9)
     }
   })
+})
+
+test('a mirror is inside out everywhere, though one place alone comes to each point', () => {
+  const mirror = along((x) => x.mult(-2))
+  for (const near of [-9, 0, 5]) {
+    const { position, isFolded } = mirror.inverseAt([3, 1, 2], { near: [near, 0, 0] })
+    isClose(position, [-3, 1, 2], 1e-12)
+    assert.equal(isFolded, true)
+  }
 })
 
 test('where nothing comes, nothing is found', () => {
