@@ -151,13 +151,13 @@ std::optional<Packs::Turn> Packs::turnOf(const Lanes& lanes) const {
     const NodeId product = graph_.operand(lane, k % 2);
     if (isStatement(product) || !graph_.is(product, ops::find("mult"))) return {};
     NodeId wave = graph_.operand(product, 0), factor = graph_.operand(product, 1);
-    if (!isWave(wave)) std::swap(wave, factor);
+    if (!isNamedSineOrCosine(wave)) std::swap(wave, factor);
     const bool isSine = graph_.is(wave, ops::find("sin"));
     NodeId& known = isSine ? matrix.sine : matrix.cosine;
-    if (!isWave(wave) || (known != noNode && known != wave)) return {};
+    if (!isNamedSineOrCosine(wave) || (known != noNode && known != wave)) return {};
     known = wave;
     // The cosine stands in the column of its row, the sine in the other one.
-    const int place = (k / 2 == isSine ? 0 : 2) + k / 2;
+    const int row = k / 2, column = (row == 1) == isSine ? 0 : 1, place = 2 * column + row;
     if (factors[place] != noNode) return {};
     factors[place] = factor;
     if (k % 2 == 1 && graph_.is(lane, ops::find("sub"))) matrix.minus |= 1 << place;
@@ -170,7 +170,7 @@ std::optional<Packs::Turn> Packs::turnOf(const Lanes& lanes) const {
 }
 
 // A sine or cosine that has a name.
-bool Packs::isWave(NodeId id) const {
+bool Packs::isNamedSineOrCosine(NodeId id) const {
   return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
 }
 

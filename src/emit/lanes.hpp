@@ -1,8 +1,9 @@
 // How several nodes are written as the components of one vector, and how long that is.
 //
 // Lanes are up to four nodes. They are one number for all, a part of a vector that there is, one
-// operation on vectors, or a row of numbers, whichever is shortest. Nothing is computed otherwise
-// than component by component, so every component has the bits of its own scalar text.
+// operation on vectors (a cross product and a turn by a mat2 among them), or a row of numbers,
+// whichever is shortest. All is computed component by component, so every component has the bits of
+// its own scalar text, but in dot products and turns, which a language may add up in any order.
 #pragma once
 
 #include <array>
@@ -74,7 +75,7 @@ class Packs {
   int lengthOfStatement(NodeId id) const { return operationLength(Lanes({&id, 1}), deepest); }
 
   // Which component of which vector a node is, as four times the vector's key and the component;
-  // less than four if it is none.
+  // fewer than four if it is none.
   std::uint64_t placeOf(NodeId id) const;
   // How many components that vector has, if it is a variable of ours or of the host.
   int sizeAround(NodeId id) const;
@@ -90,7 +91,8 @@ class Packs {
   std::optional<Factors> factorsOf(NodeId sum) const;
   // The vectors whose cross product three lanes are.
   std::optional<Factors> crossedBy(const Lanes& lanes) const;
-  // Of a turn by an angle, up to the signs: `minus` has a bit for each entry, by columns.
+  // Of a turn by an angle, or a reflection. `minus` has a bit for each entry that is negated,
+  // column by column.
   struct Matrix {
     NodeId cosine, sine;
     std::uint8_t minus;
@@ -106,10 +108,10 @@ class Packs {
   bool isHope(const Lanes& lanes) const;
 
  private:
-  // Texts have less levels, unless somebody wants them deeper.
+  // Texts have fewer levels, unless somebody wants them deeper.
   static constexpr int deepest = 16;
   static constexpr int name = 3, member = 2, rowStart = 6, separator = 2, usualNumber = 5;
-  // Of `mat2(t1, t2, -t2, t1) * `.
+  // Of `mat2(t12, t13, -t13, t12) * `, a name being three long.
   static constexpr int turnStart = 28;
   // An operation that is hardly shorter than a row is read less well.
   static constexpr int margin = 4;
@@ -117,7 +119,7 @@ class Packs {
   int length(NodeId id, int levels) const;
   int operationLength(const Lanes& lanes, int levels) const;
   bool isOperation(const Lanes& lanes) const;
-  bool isWave(NodeId id) const;
+  bool isNamedSineOrCosine(NodeId id) const;
   const ops::Spelling& spellingOf(const Lanes& lanes) const {
     return ops::info(graph_.node(lanes[0]).op).spellings.in(language_);
   }

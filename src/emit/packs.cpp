@@ -244,7 +244,7 @@ class Packer {
 
   bool isNamed(NodeId id) const { return graph_.isLeaf(id) || packs_.isStatement(id); }
 
-  // Whether an operation's operands nest less than so many operations.
+  // Whether an operation's operands nest fewer than so many operations.
   bool areShallow(NodeId id, int levels) const {
     if (levels == 0) return false;
     for (int i = 0; i < graph_.arity(id); ++i) {

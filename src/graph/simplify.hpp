@@ -19,9 +19,10 @@ namespace warpjet {
 // float32, as Graph::apply says. All else is exact. tests/cpp/simplify_test.cpp has an example of
 // each.
 //
-// What is turned back, such as sin²(x) + cos²(x) = 1, is that though a GPU's sine and cosine may be
-// inexact, and the other cofactors of a rotation are then by that factor longer: see the normals of
-// tests/browser for what that costs. In double it is off by a few ulps of the largest product.
+// What turns back, such as sin²(x) + cos²(x) = 1, is folded as if sines and cosines were exact. A
+// GPU's are not, and entries of a Jacobian that are folded and those that are not then differ by
+// the factor sin² + cos²: tests/browser/normals.test.js holds what that costs. In double it is off
+// by a few ulps of the largest product.
 std::optional<NodeId> simplify(Graph& graph, Op op, Operands<NodeId>& operands);
 
 }  // namespace warpjet

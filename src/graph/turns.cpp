@@ -10,9 +10,9 @@ namespace {
 constexpr Op Neg = ops::find("neg"), Add = ops::find("add"), Sub = ops::find("sub"),
              Mult = ops::find("mult"), Sin = ops::find("sin"), Cos = ops::find("cos");
 
-// The factors of cos u and of sin u in a sum of the two, where there are any.
-using Wave = std::array<NodeId, 2>;
-constexpr Wave noWave{noNode, noNode};
+// Of cos u and of sin u in a sum of the two, where there are any.
+using Coefficients = std::array<NodeId, 2>;
+constexpr Coefficients noCoefficients{noNode, noNode};
 
 class TurnedBack {
  public:
@@ -26,7 +26,7 @@ class TurnedBack {
       const bool isReverse = graph_.is(cosine, Sin);
       if (isReverse) std::swap(cosine, sine), std::swap(f, g);
       angle_ = graph_.operand(cosine, 0);
-      if (!graph_.is(cosine, Cos) || !graph_.is(sine, Sin) || !isWave(sine)) continue;
+      if (!graph_.is(cosine, Cos) || !graph_.is(sine, Sin) || !isSineOrCosine(sine)) continue;
       if (const auto found = withoutCommonFactor(f, g))
         return isReverse && isDifference_ ? graph_.apply(Neg, {*found}) : *found;
     }
@@ -51,38 +51,38 @@ class TurnedBack {
 
   // (a cos u + b sin u) cos u ± (c cos u + d sin u) sin u is a, if ±d is a and ±c is -b.
   std::optional<NodeId> turned(NodeId f, NodeId g, bool isDifference) {
-    Wave first = noWave, second = noWave;
+    Coefficients first = noCoefficients, second = noCoefficients;
     if (!add(first, f, false) || !add(second, g, isDifference)) return {};
     if (first[1] != noNode) first[1] = graph_.apply(Neg, {first[1]});
     if (first[0] == noNode || first[0] != second[1] || first[1] != second[0]) return {};
     return first[0];
   }
 
-  bool add(Wave& wave, NodeId id, bool isNegative) {
+  bool add(Coefficients& sum, NodeId id, bool isNegative) {
     const bool isDifference = graph_.is(id, Sub);
-    if (!isDifference && !graph_.is(id, Add)) return addPart(wave, id, isNegative);
-    return addPart(wave, graph_.operand(id, 0), isNegative) &&
-           addPart(wave, graph_.operand(id, 1), isNegative != isDifference);
+    if (!isDifference && !graph_.is(id, Add)) return addPart(sum, id, isNegative);
+    return addPart(sum, graph_.operand(id, 0), isNegative) &&
+           addPart(sum, graph_.operand(id, 1), isNegative != isDifference);
   }
 
-  bool addPart(Wave& wave, NodeId id, bool isNegative) {
+  bool addPart(Coefficients& sum, NodeId id, bool isNegative) {
     NodeId factor = graph_.constant(1);
     if (graph_.is(id, Neg)) {
       id = graph_.operand(id, 0);
       isNegative = !isNegative;
     }
     if (graph_.is(id, Mult)) {
-      const int i = isWave(graph_.operand(id, 0)) ? 0 : 1;
+      const int i = isSineOrCosine(graph_.operand(id, 0)) ? 0 : 1;
       factor = graph_.operand(id, 1 - i);
       id = graph_.operand(id, i);
     }
-    NodeId& place = wave[graph_.is(id, Cos) ? 0 : 1];
-    if (!isWave(id) || place != noNode) return false;
+    NodeId& place = sum[graph_.is(id, Cos) ? 0 : 1];
+    if (!isSineOrCosine(id) || place != noNode) return false;
     place = isNegative ? graph_.apply(Neg, {factor}) : factor;
     return true;
   }
 
-  bool isWave(NodeId id) const {
+  bool isSineOrCosine(NodeId id) const {
     return (graph_.is(id, Sin) || graph_.is(id, Cos)) && graph_.operand(id, 0) == angle_;
   }
 
@@ -94,6 +94,7 @@ class TurnedBack {
 
 }  // namespace
 
+// Most sums are none of these: out of the way of those, which a warp has thousands of.
 [[gnu::noinline, gnu::cold]] std::optional<NodeId> turnedBack(Graph& graph, NodeId x, NodeId y,
                                                               bool isDifference) {
   if (!graph.is(x, Mult) || !graph.is(y, Mult)) return {};

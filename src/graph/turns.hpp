@@ -14,8 +14,8 @@
 
 namespace warpjet {
 
-// Of the sum or difference of two products, what it is if that turns something back, for their
-// common factors; looks at a few factors of each.
+// What the sum or difference of two products is, if one of them turns back what the other turned;
+// looks at two factors of each, and at two of theirs.
 std::optional<NodeId> turnedBack(Graph& graph, NodeId x, NodeId y, bool isDifference);
 
 }  // namespace warpjet

@@ -16,7 +16,8 @@ namespace warpjet {
 namespace {
 
 // x + 1 if x is a sum with the term -1 within a few levels. An offset is often "moved - position",
-// and its derivative such a sum; adding 1 to it would cost digits where the rest is small.
+// and its derivative such a sum; adding 1 to it would cost digits where the rest is small. Of
+// -(a - b), which the graph keeps as it is, it reads b - a.
 std::optional<Expression> cancelMinusOne(Expression x, int levels = 4) {
   Graph& graph = *x.graph;
   if (graph.isConstant(x.id, -1)) return Expression{&graph, graph.constant(0)};
