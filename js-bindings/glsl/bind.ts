@@ -6,14 +6,11 @@ import type { Expression } from '../expression/expression.js'
 import type { Session } from '../expression/session.js'
 import { drawInputs, inputSizes, markWhole, variationInputs } from '../inputs/inputs.js'
 import type { Vec4, WarpInputs } from '../types/types.js'
-import { imageSizeText } from './function-text.js'
+import { imageSizeText, instanceID } from './function-text.js'
 import { type Given as Value, Halves, halvesOf } from './halves.js'
 import type { Named, External } from './listing.js'
 import { article } from './options.js'
 import type { Given } from './replay.js'
-
-/** What GLSL calls the input `instance`. */
-const instanceID = 'gl_InstanceID'
 
 const hidden = new Set(['tangent', ...Object.keys(variationInputs)])
 
@@ -59,7 +56,7 @@ export function bindExternals(
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
     if (!isAttribute) return parameterOf(method, glsl, external)
     throw new WarpError(
-      `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv, color and gl_InstanceID.`,
+      `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv, color and ${instanceID}.`,
     )
   }
   const imageOf = (place: number) => {

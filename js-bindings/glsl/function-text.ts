@@ -29,6 +29,9 @@ export function functionText(target: Target, parts: FunctionParts): string {
   return `${declarations}${head} {\n${body}\n}\n`
 }
 
+/** What GLSL calls the input `instance`. */
+export const instanceID = 'gl_InstanceID'
+
 /** As each language asks for it; WebGL 1 has it told by a uniform. */
 const imageSizes: Record<Target, (image: string) => string> = {
   glsl300: (image) => `vec2(textureSize(${image}, 0))`,
