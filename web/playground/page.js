@@ -17,8 +17,7 @@ import { isModelFile, whole } from './offset.js'
 import { download, pageAlone, pageWithTags, project } from './save.js'
 import { makeSliders } from './sliders.js'
 import { makeStage } from './stage.js'
-import { showStill } from './still.js'
-import { hasWebGL } from '../site/webgl.js'
+import { hasWebGL, showStill } from './still.js'
 import { makeTime } from './time.js'
 
 /** Milliseconds without a key, after which the sketch is built again. */

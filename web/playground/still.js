@@ -1,6 +1,8 @@
 /** What stands in the picture's place where the browser has no WebGL: the example's own picture, and why. */
 import { make } from '../bench/dom.js'
 
+export const hasWebGL = Boolean(document.createElement('canvas').getContext('webgl2'))
+
 /** `example` is the name of the one that is chosen, if one is. */
 export const showStill = (place, example) =>
   place.replaceChildren(

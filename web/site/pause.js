@@ -1,7 +1,5 @@
 /** The button that stops a sketch and starts it. Whoever wants less motion says when it begins. */
 
-import { hasWebGL } from './webgl.js'
-
 /** `stage` as of makeStage; `place` gets a sentence where nothing can be drawn. */
 export function pauseButton(button, place, stage) {
   function setPaused(isPaused) {
@@ -10,7 +8,9 @@ export function pauseButton(button, place, stage) {
     stage.setPaused(isPaused)
   }
   button.addEventListener('click', () => setPaused(button.ariaPressed !== 'true'))
-  if (hasWebGL) return setPaused(matchMedia('(prefers-reduced-motion: reduce)').matches)
+  // Asked here, since a file that pages share is one request more.
+  if (document.createElement('canvas').getContext('webgl2'))
+    return setPaused(matchMedia('(prefers-reduced-motion: reduce)').matches)
   button.hidden = true
   place.textContent = 'This browser has no WebGL: here is a picture of it.'
 }
