@@ -1,5 +1,6 @@
 // The steps of `npm test`, each ends well or throws.
 import { availableParallelism } from 'node:os'
+import { pathToFileURL } from 'node:url'
 import { fuzz } from '../fuzz.mjs'
 import { staleFiles } from '../reference.mjs'
 import { installEnvironments } from './environments.mjs'
@@ -61,7 +62,8 @@ async function nodeTests(folder) {
   const concurrency = `--test-concurrency=${availableParallelism()}`
   // A file of its own never takes so long; one that hangs is to fail, not to keep all others from being heard of.
   const limit = `--test-timeout=${15 * 60_000}`
-  await node('--test', '--test-reporter=spec', concurrency, limit, ...files)
+  const printing = ['--import', pathToFileURL(path('.scripts/lib/tests-console.mjs')).href]
+  await node('--test', '--test-reporter=spec', ...printing, concurrency, limit, ...files)
 }
 
 const browser = () => withBrowsers(availableParallelism(), () => nodeTests('tests/browser'))
