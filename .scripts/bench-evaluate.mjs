@@ -9,6 +9,7 @@ import { performance } from 'node:perf_hooks'
 import { build } from './build.mjs'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { path } from './lib/files.mjs'
+import { median } from './lib/median.mjs'
 import { main } from './lib/terminal.mjs'
 
 /** The library once more, where the engine compiles nothing after what the library itself consists of. */
@@ -112,10 +113,6 @@ function startUp(compileWarp, offset) {
     best.interpreter.toFixed(2).padStart(13),
     ((1000 * best.next) / best.many).toFixed(1).padStart(12),
   ]
-}
-
-function median(numbers) {
-  return numbers.toSorted((a, b) => a - b)[numbers.length >> 1]
 }
 
 function seconds(work) {

@@ -4,6 +4,7 @@
 import { performance } from 'node:perf_hooks'
 import { measureStartUp } from './bench/start-up.mjs'
 import { build } from './build.mjs'
+import { median } from './lib/median.mjs'
 
 await build()
 const { compileWarp, compile } = await import('../dist/warpjet.js')
@@ -19,7 +20,7 @@ function medianMilliseconds(work, runs) {
     work()
     return performance.now() - start
   })
-  return times.sort((a, b) => a - b)[runs >> 1]
+  return median(times)
 }
 
 function square(repeats) {

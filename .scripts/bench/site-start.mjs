@@ -4,6 +4,7 @@ import { preview } from 'vite'
 import { findBrowser } from '../lib/browser.mjs'
 import { path } from '../lib/files.mjs'
 import { softwareFlags } from '../lib/flags.mjs'
+import { median } from '../lib/median.mjs'
 import { say } from '../lib/terminal.mjs'
 
 const RUNS = 7
@@ -108,9 +109,9 @@ export async function measureSite(folder) {
       `\nThe first page, ${SLOWDOWN} times slowed, medians of ${RUNS} loads (the most), in milliseconds; ${aim} are aimed at:`,
     )
     for (const [title, of] of Object.entries(rows)) {
-      const sorted = runs.map(of).sort((a, b) => a - b)
+      const times = runs.map(of)
       say(
-        `${title.padEnd(46)} ${sorted[RUNS >> 1].toFixed().padStart(5)} (${sorted.at(-1).toFixed()})`,
+        `${title.padEnd(46)} ${median(times).toFixed().padStart(5)} (${Math.max(...times).toFixed()})`,
       )
     }
   } finally {

@@ -19,7 +19,7 @@ export function halfOf(given: Given, isHigh: boolean): Expression | undefined {
   return isHigh ? undefined : given
 }
 
-/** A number that the sketch gives as an int or uint. */
+/** A number that is an int or uint, of a sketch or of a text. */
 export function halvesOf(glsl: Builder, value: number): Given {
   if (Math.abs(value) <= 2 ** 24) return glsl.val!(value)
   const bits = Math.trunc(value) | 0

@@ -3,7 +3,7 @@
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import { getGlsl } from '../wasm/glsl.js'
-import { type Given as Value, halfOf, wholeOf } from './halves.js'
+import { type Given as Value, Halves, halfOf, halvesOf, wholeOf } from './halves.js'
 import type { Listing } from './listing.js'
 import { type Routine, record } from './record.js'
 
@@ -96,9 +96,8 @@ export function replay(glsl: Builder, listing: Listing, given: Given): Expressio
 }
 
 function constantOf(glsl: Builder, value: number): Expression {
-  if (Math.abs(value) <= 2 ** 24) return glsl.int!(glsl.val!(value))
-  const bits = value | 0
-  return wholeOf(glsl, glsl.val!(bits & 0xffff), glsl.val!(bits >> 16))
+  const given = halvesOf(glsl, value)
+  return given instanceof Halves ? wholeOf(glsl, given.low, given.high) : glsl.int!(given)
 }
 
 /** Of an argument or a uniform, where the layout says of which half, too. */

@@ -16,6 +16,7 @@ import { createElement as e, Suspense, StrictMode, act } from 'react'
 import { createRoot, extend, useFrame } from '@react-three/fiber'
 import * as THREE from 'three'
 import { Warp } from 'warpjet/react'
+import { settledHeap } from '../../tests/browser/support/three/heap.js'
 
 extend(THREE)
 globalThis.IS_REACT_ACT_ENVIRONMENT = true
@@ -90,13 +91,9 @@ window.cycle = async (times) => {
     else await act(async () => root.render(e(StrictMode, null, e(Spy), e(pages.around, { amount: i / times }))))
     await show('plain')
   }
-  // What a weak reference was asked for lives until the turn ends, and what hangs on it goes with the next collection.
-  for (let turn = 0; turn < 4; turn++) {
-    await new Promise((resolve) => setTimeout(resolve, 20))
-    globalThis.gc?.()
-  }
+  const heap = await settledHeap()
   const { memory, programs } = state.gl.info
-  return { ...memory, programs: programs.length, heap: performance.memory.usedJSHeapSize }
+  return { ...memory, programs: programs.length, heap }
 }
 window.isShared = () => !Object.hasOwn(shared, 'onBeforeCompile')
 document.title = 'ready'
