@@ -2,7 +2,7 @@
 import { createBuilder } from '../expression/builder.js'
 import type { Session } from '../expression/session.js'
 import { WarpError, describe } from '../checks/errors.js'
-import { type Compiled, type CompileOptions, declared, withSession } from '../module/result.js'
+import { type Compiled, type CompileOptions, declaredOf, withSession } from '../module/result.js'
 import { type Numbers, evaluate } from '../cpu/double.js'
 import { Expression, toExpression } from '../expression/expression.js'
 import {
@@ -57,7 +57,7 @@ export function compile(
     code,
     declarations,
     stats,
-    uniforms: inputs.map(declared),
+    uniforms: declaredOf(inputs),
     evaluate: (given = {}) => evaluate(cpu().program, inputs, cpu().outputs, given),
   }
 }

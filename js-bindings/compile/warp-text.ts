@@ -5,6 +5,7 @@ import {
   type CompileOptions,
   type Declared,
   declared,
+  declaredOf,
   withSession,
 } from '../module/result.js'
 import { type Session, resultName } from '../expression/session.js'
@@ -308,7 +309,7 @@ function writeResults(
       code,
       declarations,
       stats,
-      uniforms: [...uniforms, ...[...ofFrame, ...parameters].map(declared)],
+      uniforms: [...uniforms, ...declaredOf([...ofFrame, ...parameters])],
       attributes,
     },
     parameters,

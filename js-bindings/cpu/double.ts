@@ -2,9 +2,10 @@
 import { getCore } from '../wasm/core.js'
 import { WarpError } from '../checks/errors.js'
 import type { Program } from '../module/kept-module.js'
-import { finiteDouble, readNumbers } from '../checks/numbers.js'
+import { finiteDouble } from '../checks/numbers.js'
 import { own } from '../checks/options.js'
 import type { Variable } from '../expression/shapes.js'
+import { inputNumbers } from '../inputs/input-numbers.js'
 
 export type Numbers = number | ArrayLike<number>
 
@@ -37,14 +38,11 @@ export function evaluate(
   )
 }
 
-const numbersOf = (input: Variable, given: Readonly<Record<string, Numbers>>): number[] =>
-  readNumbers(
-    `evaluate: "${input.name}"`,
-    own(given ?? {}, input.name),
-    sizeOf(input),
-    finiteDouble,
-    input.shape[0] > 1 ? ', column by column' : '',
-  )
+const numbersOf = (input: Variable, given: Readonly<Record<string, Numbers>>): number[] => {
+  const layout = input.shape[0] > 1 ? ', column by column' : ''
+  const value = own(given ?? {}, input.name)
+  return inputNumbers(`evaluate: "${input.name}"`, input, value, finiteDouble, layout)
+}
 
 /** The first results of a program, from the numbers of its inputs. */
 export function runInDouble(

@@ -1,7 +1,7 @@
 // Where the inputs of a warp's program come from on the CPU: vertices, or uniforms, which are checked here.
 import { WarpError } from '../checks/errors.js'
-import { readNumbers } from '../checks/numbers.js'
 import type { Variable } from '../expression/shapes.js'
+import { inputNumbers } from '../inputs/input-numbers.js'
 import { withDeclared } from '../inputs/declared-uniforms.js'
 import { type VertexInput, vertexInputs } from '../inputs/inputs.js'
 import { type Uniforms, checkUniforms } from '../inputs/vertices.js'
@@ -21,7 +21,7 @@ export interface Origin {
 
 /** What stays the same of these from call to call, by program and wanted results. */
 interface Reading {
-  inputs: readonly { name: string; origin: Origin }[]
+  inputs: readonly { variable: Variable; origin: Origin }[]
   /** Those that are no inputs of the warp. */
   parameters: readonly Variable[]
   /** What uniforms there are beside the inputs of a draw call. */
@@ -58,7 +58,7 @@ function read(
       const values = Array<number>(variable.shape[0] * variable.shape[1]).fill(0)
       const isInput = names.has(variable.number) && name in vertexInputs
       const input = isInput && { input: name as VertexInput }
-      return { name, origin: { ...input, isRead: isRead[i]!, values } }
+      return { variable: { ...variable, name }, origin: { ...input, isRead: isRead[i]!, values } }
     }),
     parameters,
     known: new Set([...declared.keys(), ...parameters.map(({ name }) => name)]),
@@ -77,13 +77,12 @@ export function originsOf(
   checkUniforms(method, given, known)
   const uniforms = withDeclared(method, warp.declared, given, parameters)
   Object.assign(uniforms, warp.valuesOfFrame?.(method, uniforms))
-  return inputs.map(({ name, origin }) => {
+  return inputs.map(({ variable, origin }) => {
+    const { name } = variable
     const { input, isRead, values } = origin
     const value = input ? undefined : uniforms[name]
-    if (value !== undefined) {
-      const place = `${method}: the uniform "${name}"`
-      return { isRead, values: readNumbers(place, value, values.length) }
-    }
+    if (value !== undefined)
+      return { isRead, values: inputNumbers(`${method}: the uniform "${name}"`, variable, value) }
     if (input || !isRead) return origin
     throw new WarpError(
       `${method}: the warp reads "${name}"; give it a value in the uniforms, as in { ${JSON.stringify(name)}: ${values.length === 1 ? 0 : `[${values}]`} }.`,

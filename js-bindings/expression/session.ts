@@ -6,7 +6,7 @@ import { Expression, toExpression } from './expression.js'
 import type { KeptModule, Target } from '../module/kept-module.js'
 import { describeShape } from '../checks/describe.js'
 import { isCallable } from '../checks/options.js'
-import type { Shape } from './shapes.js'
+import type { ReadAsFloats, Shape } from './shapes.js'
 import { noteIdle } from './idle.js'
 import { callerOutside } from './source-lines.js'
 import { failed, needsPartials } from '../wasm/tables.js'
@@ -37,6 +37,8 @@ export interface Recording {
 }
 
 export class Session {
+  /** The inputs that are no floats of the host, by their number. */
+  private readonly others = new Map<number, ReadAsFloats>()
   /** The functions of the host, by their number. */
   readonly functions: HostFunction[] = []
   private readonly core: Core = getCore()
@@ -105,6 +107,13 @@ export class Session {
         `${method}: the name of a shader variable was expected, but ${describe(label)} came.`,
       )
     return this.expression(this.core.input(id, method, label, columns, rows))
+  }
+
+  /** A variable of the host that has another type than floats. */
+  inputOf(read: ReadAsFloats, shape: Shape, method: string): Expression {
+    const input = this.input(read.texts[this.target], shape, method)
+    this.others.set(this.numberOf(input), read)
+    return input
   }
 
   private push(id: SessionHandle, operands: readonly Expression[]) {
@@ -298,7 +307,8 @@ export class Session {
     if (!this.core._finish(id)) this.refuse()
     for (const error of this.idle.values()) noteIdle(error)
     const at = this.core._keptWords(id) / 4
-    return this.core.HEAPU32.slice(at, at + this.core._keptSize(id)) as KeptModule
+    const words = this.core.HEAPU32.slice(at, at + this.core._keptSize(id))
+    return Object.assign(words as KeptModule, { others: this.others })
   }
 }
 

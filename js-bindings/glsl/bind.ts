@@ -4,9 +4,10 @@ import { WarpError, describe, describeShape } from '../checks/errors.js'
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import type { Session } from '../expression/session.js'
+import type { TypeName } from '../expression/shapes.js'
 import { drawInputs, inputSizes, markWhole, variationInputs } from '../inputs/inputs.js'
 import type { Vec4, WarpInputs } from '../types/types.js'
-import { imageSizeText, instanceID } from './function-text.js'
+import { imageSizeText, instanceID, textsAsFloats } from './function-text.js'
 import { type Given as Value, Halves, halvesOf } from './halves.js'
 import type { Named, External } from './listing.js'
 import { article } from './options.js'
@@ -120,27 +121,23 @@ interface Marking {
 
 /** A variable of the host's shader: a parameter of a function, or a uniform. */
 export function parameterOf(method: string, glsl: Builder, { name, type }: Named): Value {
-  const [, word, base, digit] = /^([iub]?)(float|int|uint|bool|vec|mat)(\dx?\d?)?$/.exec(type) ?? []
-  if (base === undefined || digit?.includes('x'))
+  const [, word, size] = /^(float|vec|mat|u?int|bool|[iub]vec)(\d?)$/.exec(type) ?? []
+  if (word === undefined)
     throw new WarpError(
       `${method}: ${name} is ${article(type)}; only numbers, vectors and matrices of as many rows as columns can be given.`,
     )
-  const size = digit ?? ''
-  const kind = base === 'vec' || base === 'mat' ? base + size : ''
-  // What the shader has as another type of numbers is read as floats.
-  const isOther = word !== '' || !['float', 'vec', 'mat'].includes(base)
-  const { target } = glsl.val!(0).session as Session
-  const isWgsl = target === 'wgsl'
-  const floats = isWgsl ? (kind ? `${kind}f` : 'f32') : kind || 'float'
-  const labelled = (label: string) => glsl[kind ? `${kind}Param` : 'param']!(label)
-  if (!isWhole(type) || target === 'glsl100') return labelled(isOther ? `${floats}(${name})` : name)
-  const isUnsigned = type.startsWith('u')
-  const of = (number: number, isUnsigned: boolean) =>
-    isWgsl && kind
-      ? `${kind}${isUnsigned ? 'u' : 'i'}(${number})`
-      : `${number}${isUnsigned ? 'u' : ''}`
-  return new Halves(
-    labelled(`${floats}(${name} & ${of(0xffff, isUnsigned)})`),
-    labelled(`${floats}(${name} >> ${of(16, isUnsigned || isWgsl)})`),
-  )
+  if (word === 'float') return glsl.param!(name)
+  if (word === 'vec' || word === 'mat') return glsl[`${type}Param`]!(name)
+  const { session } = glsl.val!(0) as unknown as { session: Session }
+  const read = (half?: 'low' | 'high') => {
+    const texts = textsAsFloats(name, type, half)
+    return session.inputOf(
+      { name, type: type as TypeName, half, texts },
+      [1, Number(size || 1)],
+      method,
+    )
+  }
+  return isWhole(type) && session.target !== 'glsl100'
+    ? new Halves(read('low'), read('high'))
+    : read()
 }

@@ -40,3 +40,23 @@ const imageSizes: Record<Target, (image: string) => string> = {
 }
 
 export const imageSizeText = (target: Target, image: string) => imageSizes[target](image)
+
+/** How each language reads a variable of another type as floats, or as those of one half of whole numbers. */
+export function textsAsFloats(
+  name: string,
+  type: string,
+  half: 'low' | 'high' | undefined,
+): Record<Target, string> {
+  const [size = ''] = /\d/.exec(type) ?? []
+  const isUnsigned = type.startsWith('u')
+  /** WGSL has bits of vectors by vectors alone, and shifts by what has no sign. */
+  const wgslNumber = (number: number, isUnsigned: boolean) =>
+    size ? `vec${size}${isUnsigned ? 'u' : 'i'}(${number})` : `${number}${isUnsigned ? 'u' : ''}`
+  const part = (number: (number: number, isUnsigned: boolean) => string, shift: boolean) => {
+    if (half === 'low') return `${name} & ${number(0xffff, isUnsigned)}`
+    return half === 'high' ? `${name} >> ${number(16, shift)}` : name
+  }
+  const glsl = `${size ? `vec${size}` : 'float'}(${part((number, isUnsigned) => `${number}${isUnsigned ? 'u' : ''}`, isUnsigned)})`
+  const wgsl = `${size ? `vec${size}f` : 'f32'}(${part(wgslNumber, true)})`
+  return { glsl300: glsl, glsl100: glsl, wgsl }
+}

@@ -2,7 +2,7 @@
 // programs are made of them as often as need be.
 import { type Core, type Reading, getCore, laid } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
-import type { Variable } from '../expression/shapes.js'
+import type { ReadAsFloats, Variable } from '../expression/shapes.js'
 import { languages } from '../wasm/tables.js'
 
 /** A shading language: GLSL ES 3.00 (WebGL 2), GLSL ES 1.00 (WebGL 1), or WGSL (WebGPU). */
@@ -17,7 +17,11 @@ export function checkTarget(target: unknown = targets[0]): Target {
   )
 }
 
-export type KeptModule = Uint32Array & { readonly kept: unique symbol }
+export type KeptModule = Uint32Array & {
+  readonly kept: unique symbol
+  /** Of inputs that are no floats of the host, by number. */
+  others: ReadonlyMap<number, ReadAsFloats>
+}
 
 /** src/eval/program.hpp: plain words, which outlive the session. */
 export interface Program {
@@ -52,7 +56,7 @@ export const makeFrame = (module: KeptModule, isKnown: Known) =>
   reading(module, (core, open) => {
     const count = separate(core, open, isKnown)
     if (count === 0) return undefined
-    const program = programOf(core, open, [readLines(core.outputLines(open)).length - 1])
+    const program = programOf(core, module, open, [readLines(core.outputLines(open)).length - 1])
     return program && { program, count }
   })
 
@@ -73,6 +77,7 @@ export const writeText = (
 ): Text =>
   reading(module, (core, open) => {
     separate(core, open, known)
+    for (const [number, { texts }] of module.others) core.nameInput(open, number, texts[target]!)
     for (const [number, name] of inputs) core.nameInput(open, number, name)
     for (const [number, name] of results) core.nameResult(open, number, name)
     if (!core.writeText(open, target, Math.min(maxDepth, 2 ** 30)))
@@ -80,7 +85,7 @@ export const writeText = (
     return {
       code: core.code(open),
       declarations: core.declarations(open),
-      inputs: readLines(core.inputLines(open)),
+      inputs: readLines(core.inputLines(open), module),
       stats: {
         nodes: core._nodeCount(open),
         operations: core._operationCount(open),
@@ -102,10 +107,15 @@ export const makeProgram = (
 ): Program | undefined =>
   reading(module, (core, open) => {
     separate(core, open, known)
-    return programOf(core, open, results)
+    return programOf(core, module, open, results)
   })
 
-function programOf(core: Core, open: Reading, results: readonly number[]): Program | undefined {
+function programOf(
+  core: Core,
+  module: KeptModule,
+  open: Reading,
+  results: readonly number[],
+): Program | undefined {
   for (const number of results) core._wantResult(open, number)
   if (!core._makeProgram(open)) {
     const problem = core.readingProblem(open)
@@ -116,7 +126,7 @@ function programOf(core: Core, open: Reading, results: readonly number[]): Progr
   return {
     words: core.HEAPU32.slice(at, at + core._programSize(open)),
     instructions: core._instructionCount(open),
-    inputs: readLines(core.allInputLines(open)),
+    inputs: readLines(core.allInputLines(open), module),
   }
 }
 
@@ -130,11 +140,14 @@ function reading<Result>(module: KeptModule, work: (core: Core, open: Reading) =
   }
 }
 
-const readLines = (lines: string): Variable[] =>
+/** Results or, of a `module`, inputs. */
+const readLines = (lines: string, module?: KeptModule): Variable[] =>
   lines
     .split('\n')
     .slice(0, -1)
     .map((line) => {
       const [columns, rows, number] = line.split(' ', 3).map(Number)
-      return { name: line.replace(/^\d+ \d+ \d+ /, ''), shape: [columns!, rows!], number: number! }
+      const read = module?.others.get(number!)
+      const name = read?.name ?? line.replace(/^\d+ \d+ \d+ /, '')
+      return { name, shape: [columns!, rows!], number: number!, ...(read && { read }) }
     })

@@ -22,7 +22,14 @@ export interface Declared {
   type: TypeName
 }
 
-export const declared = ({ name, shape }: Variable): Declared => ({ name, type: typeOf(shape) })
+export const declared = ({ name, shape, read }: Variable): Declared => ({
+  name,
+  type: read?.type ?? typeOf(shape),
+})
+
+/** Each once: the halves of a whole number are one variable. */
+export const declaredOf = (variables: readonly Variable[]): Declared[] =>
+  [...new Map(variables.map((each) => [each.name, each])).values()].map(declared)
 
 export interface Compiled {
   /** Statements for the inside of a function; they declare and assign the results. */

@@ -140,12 +140,13 @@ export function refuseUndeclared(
     )
   const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
   for (const { name } of own) declared.add(name)
-  for (const { name, shape } of parameters) {
+  for (const parameter of parameters) {
+    const { name, shape } = parameter
     if (/^(?!gl_)[A-Za-z_]\w*$/.test(name) && !declared.has(name))
       throw new WarpError(
         uniforms.has(name)
           ? `createWarp: the warp reads "${name}" by glsl.${shape[1] > 1 ? `${typeOf(shape)}Param` : 'param'}; a uniform of the option "uniforms" is read as uniforms.${name}.`
-          : `createWarp: the warp reads "${name}", which nothing declares; ${isWgsl ? valueFor(name) : `add the option { defs: "uniform ${glslType(typeOf(shape))} ${name};" }`}.`,
+          : `createWarp: the warp reads "${name}", which nothing declares; ${isWgsl ? valueFor(name) : `add the option { defs: "uniform ${glslType(declaredOf(parameter).type)} ${name};" }`}.`,
       )
   }
 }

@@ -10,7 +10,8 @@ import type { Modifications, Shader } from './host.js'
 import { hookIn, turnInStruct } from './struct-hooks.js'
 import { type HookStyle, type Woven, readsInstance } from './styles.js'
 
-const types: Record<Declared['type'], string> = {
+/** Of inputs, and of the option `uniforms`. */
+const types: Partial<Record<Declared['type'], string>> = {
   float: 'f32',
   vec2: 'vec2<f32>',
   vec3: 'vec3<f32>',

@@ -72,6 +72,30 @@ test('a hook in GLSL, a strands sketch with a loop and an if, and a text, each a
     )
 })
 
+test('a whole number of a sketch has all its bits in a text, and p5 is told to declare it as one', async () => {
+  const text = `warpjet.glslOffset(\`uniform int n;
+    vec3 offset(vec3 p) { return vec3(0.0, float(n % 1000) * 0.03125, 0.0); }\`)`
+  const images = await drawScenes(browser, server, scripts, {
+    setup: `
+      warps.whole = createWarp(${text}, { defs: 'uniform int n;' })
+      warps.byHand = createWarp(({ glsl }) => glsl.vec3(0, 0.28125, 0))
+      warps.still = createWarp(({ glsl }) => glsl.vec3(0, 0, 0))
+      try {
+        createWarp(${text})()
+        throw new Error('no sentence')
+      } catch ({ message }) {
+        if (!message.includes('add the option { defs: "uniform int n;" }')) throw new Error(message)
+      }`,
+    scenes: {
+      whole: scene('warps.whole({ n: 20000009 })'),
+      byHand: scene('warps.byHand()'),
+      still: scene('warps.still()'),
+    },
+  })
+  assert.ok(differingPixels(images.still, images.byHand, 8) > 500, 'what stands still would show')
+  assert.ok(differingPixels(images.whole, images.byHand, 2) < 20)
+})
+
 test('p5.strands in world and in camera space, as its reference moves positions, beside the same by createWarp', async () => {
   const moved = (isStrands) =>
     isStrands

@@ -1,7 +1,7 @@
 // Shader text as offset functions: values by hand, on the CPU and as text.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { compileWarp } from 'warpjet'
+import { compile, compileWarp } from 'warpjet'
 import { chain } from 'warpjet/deformers'
 import { differentiate, glslOffset } from 'warpjet/glsl'
 
@@ -293,9 +293,8 @@ test('whole numbers of the host that no float holds arrive in two halves', () =>
   const source =
     'uniform int n; vec3 offset(vec3 p) { return vec3(n % 1000, n > 0 ? 1 : 2, n / 7); }'
   const at = (n) =>
-    compileWarp(glslOffset(source), { normals: false }).evaluateAt([0, 0, 0], {
-      uniforms: { 'float(n & 65535)': n & 65535, 'float(n >> 16)': n >> 16 },
-    }).position
+    compileWarp(glslOffset(source), { normals: false }).evaluateAt([0, 0, 0], { uniforms: { n } })
+      .position
   near(at(20000001), [1, 1, 2857143])
   near(at(-20000001), [-1, 2, -2857143])
   near(at(5), [5, 1, 0])
@@ -304,6 +303,39 @@ test('whole numbers of the host that no float holds arrive in two halves', () =>
   assert.match(code, /f32\(n >> 16u\)/)
   const unsigned = 'uniform uvec2 n; vec3 offset(vec3 p) { return vec3(n % 1000u, 0.); }'
   assert.match(compileWarp(glslOffset(unsigned), { normals: false }).code, /vec2\(n >> 16u\)/)
+})
+
+test('variables of the host that are no floats keep their names and types, in every language', () => {
+  const source = `uniform int n; uniform uint u; uniform ivec3 way; uniform bool on; uniform float f;
+    vec3 offset(vec3 p) { return on ? vec3(n % 1000, u / 1000u, f) + vec3(way) : p; }`
+  const warp = compileWarp(glslOffset(source), { normals: false })
+  const types = ({ uniforms }) => uniforms.map(({ name, type }) => `${type} ${name}`).sort()
+  const all = ['bool on', 'float f', 'int n', 'ivec3 way', 'uint u']
+  assert.deepEqual(types(warp), all)
+  const wgsl = warp.emit('wgsl')
+  assert.deepEqual(types(wgsl), all)
+  assert.match(wgsl.code, /f32\(on\)/)
+  assert.match(wgsl.code, /vec3f\(way >> vec3u\(16\)\)/)
+  assert.doesNotMatch(wgsl.code, /\bfloat\(/)
+  const expressions = compile((glsl) => ({
+    x: glsl.source('uniform int n; float f() { return float(n / 7); }')(),
+  }))
+  assert.deepEqual(types(expressions), ['int n'])
+  near([expressions.evaluate({ n: 20000001 }).x], [2857143])
+
+  const uniforms = { n: -20000001, u: 4294967295, way: [70000, -70000, 1], on: 1, f: 0.5 }
+  const at = (other) => warp.evaluateAt([0, 0, 0], { uniforms: { ...uniforms, ...other } }).position
+  near(at({}), [69999, 4294967 - 70000, 1.5])
+  near(at({ on: 0 }), [0, 0, 0])
+  assert.throws(() => at({ n: 0.5 }), /"n" is an int of the shader, a whole number .* but is 0\.5/)
+  assert.throws(
+    () => at({ u: -1 }),
+    /"u" is a uint of the shader, a whole number from 0 to 42949672/,
+  )
+  assert.throws(
+    () => at({ on: 2 }),
+    /"on" is a bool of the shader, a whole number from 0 to 1, but/,
+  )
 })
 
 test('what a sketch gives as a whole number is exact, or refused in a sentence', () => {
