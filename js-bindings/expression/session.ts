@@ -135,7 +135,7 @@ export class Session {
       this.push(id, operands)
       const result = this.core._call(id, operation, isMethod)
       if (result !== needsPartials) {
-        if (isCondition.test(method)) this.idle.set(result, new Error())
+        if (conditions.has(method)) this.idle.set(result, new Error())
         return this.expression(result)
       }
       this.givePartials(id)
@@ -312,7 +312,7 @@ export class Session {
   }
 }
 
-const isCondition = /^([lg][te]|eq|ne|and|or|not)$/
+const conditions = new Set(['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'not'])
 
 /** The name of a result must be a text; whether it will do, a language says. */
 export function resultName(name: unknown, method: string): string {

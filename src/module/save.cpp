@@ -18,6 +18,8 @@ std::size_t numberOf(Definition::Maker maker) {
   return static_cast<std::size_t>(std::find(makers.begin(), makers.end(), maker) - makers.begin());
 }
 
+constexpr std::size_t wordsOfNode = 1 + ops::maxArity;
+
 class Saver {
  public:
   explicit Saver(const Module& module)
@@ -39,14 +41,14 @@ class Saver {
 
  private:
   void nodes() {
-    words_.reserve(kept_.size() * (ops::maxArity + 1) + 1);
     words_.number(kept_.size());
+    std::uint32_t* word = words_.room(kept_.size() * wordsOfNode);
     for (const NodeId id : kept_) {
       const auto& [operands, op] = graph_.node(id);
-      words_.number(index(op));
+      *word++ = static_cast<std::uint32_t>(index(op));
       const int arity = graph_.arity(id);
       for (int i = 0; i < ops::maxArity; ++i)
-        words_.number(i < arity ? places_[operands[i]] : operands[i]);
+        *word++ = i < arity ? places_[operands[i]] : operands[i];
     }
   }
 
@@ -150,9 +152,10 @@ class Loader {
 
   std::vector<Node> nodes() {
     std::vector<Node> all(words_.number());
+    const std::uint32_t* word = words_.block(all.size() * wordsOfNode);
     for (Node& node : all) {
-      node.op = Op{static_cast<std::uint8_t>(words_.number())};
-      for (std::uint32_t& operand : node.operands) operand = words_.number();
+      node.op = Op{static_cast<std::uint8_t>(*word++)};
+      for (std::uint32_t& operand : node.operands) operand = *word++;
     }
     return all;
   }

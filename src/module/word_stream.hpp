@@ -12,7 +12,11 @@ namespace warpjet {
 
 class WordWriter {
  public:
-  void reserve(std::size_t words) { words_.reserve(words_.size() + words); }
+  // Room for so many words, to be filled before the next call.
+  std::uint32_t* room(std::size_t words) {
+    words_.resize(words_.size() + words);
+    return words_.data() + (words_.size() - words);
+  }
   void number(std::size_t value) { words_.push_back(static_cast<std::uint32_t>(value)); }
   void text(std::string_view text) {
     number(text.size());
@@ -35,6 +39,11 @@ class WordReader {
     const std::uint32_t value = rest_[0];
     rest_ = rest_.subspan(1);
     return value;
+  }
+  const std::uint32_t* block(std::size_t words) {
+    const std::uint32_t* const first = rest_.data();
+    rest_ = rest_.subspan(words);
+    return first;
   }
   std::string text() {
     const std::size_t size = number(), words = (size + 3) / 4;
