@@ -6,7 +6,7 @@ import { type Shape, imageShape } from '../expression/shapes.js'
 import {
   type DeclaredUniforms,
   numbersFor,
-  readDeclared,
+  readDeclaredOf,
   unknownUniform,
   withUniforms,
 } from '../inputs/declared-uniforms.js'
@@ -43,15 +43,7 @@ function vectorOf(value: unknown): unknown {
 const now = (given: unknown) => plain(isCallable(given) ? (given as () => unknown)() : given)
 
 export function readUniforms(method: string, offset: OffsetFunction, option: object | undefined) {
-  const wrapped =
-    option &&
-    Object.fromEntries(
-      Object.entries(option).map(([name, given]) => [
-        name,
-        isCallable(given) ? () => now(given) : plain(given),
-      ]),
-    )
-  const declared = readDeclared(method, wrapped)
+  const declared = readDeclaredOf(method, option, plain)
   const labels = new Map([...declared.keys()].map((name, i) => [name, `warpjet${i}`]))
   const values: Record<string, unknown> = {}
   const uniforms = [...declared].map(([name, { shape }]): BabylonUniform => {

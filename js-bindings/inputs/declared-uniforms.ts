@@ -48,6 +48,19 @@ export function readDeclared(method: string, option: unknown): DeclaredUniforms 
   )
 }
 
+/** The same of an option whose values, also those that functions give, `plain` makes of a host's own. */
+export function readDeclaredOf(
+  method: string,
+  option: object | undefined,
+  plain: (value: unknown) => unknown,
+): DeclaredUniforms {
+  const converted = Object.entries(option ?? {}).map(([name, given]: [string, unknown]) => [
+    name,
+    isCallable(given) ? () => plain((given as () => unknown)()) : plain(given),
+  ])
+  return readDeclared(method, option && Object.fromEntries(converted))
+}
+
 function declare(method: string, name: string, given: Given): DeclaredUniform {
   if (Object.hasOwn(inputSizes, name))
     throw new WarpError(

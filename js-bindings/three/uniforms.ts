@@ -7,7 +7,7 @@ import { type Shape, imageShape } from '../expression/shapes.js'
 import {
   type DeclaredUniforms,
   numbersFor,
-  readDeclared,
+  readDeclaredOf,
   unknownUniform,
   unlisted,
 } from '../inputs/declared-uniforms.js'
@@ -100,15 +100,7 @@ function textureFor(place: string, value: unknown): unknown {
 
 /** Reads the option `uniforms`. */
 export function readUniforms(method: string, option: object | undefined) {
-  const wrapped =
-    option &&
-    Object.fromEntries(
-      Object.entries(option).map(([name, given]) => [
-        name,
-        isCallable(given) ? () => valueOf(given) : plain(given),
-      ]),
-    )
-  const declared = readDeclared(method, wrapped)
+  const declared = readDeclaredOf(method, option, plain)
   const handles: Record<string, { value: unknown }> = {}
   const uniforms = [...declared].map(([name, { shape, image }], i): Uniform => {
     let given: unknown = (option as Record<string, unknown>)[name]
