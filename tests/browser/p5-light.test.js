@@ -320,8 +320,9 @@ for (const [version, p5] of p5InThisRun)
     const shapes = shapesOn(version, 'WEBGL')
     if (!geometries.has(version)) geometries.set(version, await geometriesOf(p5, shapes))
     for (const [name, { sides, isBuilt }] of shapes) {
-      if (!sides || isBuilt) continue
       const geometry = geometries.get(version)[name]
+      assert.ok(geometry.gradients.flat().every(Number.isFinite), name)
+      if (!sides || isBuilt) continue
       let [count, torn] = [0, 0]
       for (const corner of trianglesOf(geometry, { sides }).flat()) {
         const { side, where, n, vertex } = corner
@@ -356,6 +357,43 @@ for (const [version, p5] of p5InThisRun)
       assert.ok(count >= 90, `${name}: ${count} corners`)
       assert.ok(name === 'torus' || torn >= 20, `${name}: ${torn} corners where u has no slope`)
     }
+  })
+
+/** Seen along their axes, from where their poles and apexes are in the middle. */
+const ends = {
+  "a sphere's pole": ['sphere', 1],
+  'its other pole': ['sphere', -1],
+  "a cone's apex": ['cone', 1],
+}
+
+/** From the corners of a tetrahedron, so that each normal that is one has at least a third of a light. */
+const allAround = ['1, 1, 1', '1, -1, -1', '-1, 1, -1', '-1, -1, 1']
+  .map((way) => `directionalLight(255, 255, 255, ${way})`)
+  .join('; ')
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: where a flag by uv has no true normal, at poles and apexes, it is lit by one`, async () => {
+    const shapes = { own: (shape) => `${shape}(60)`, built: (shape) => `model(warps.${shape})` }
+    const scenes = Object.entries(shapes).flatMap(([maker, draw]) =>
+      Object.entries(ends).map(([name, [shape, side]]) => [
+        `${name}, ${maker}`,
+        `noStroke(); fill(255); ${allAround}
+        rotateX(${(side * PI) / 2}); warps.${maker}(); ${draw(shape)}`,
+      ]),
+    )
+    const flag = offsets['a flag by uv']
+    const images = await drawScenes(browsers.WEBGL, server, [p5, addon], {
+      setup: `noStroke()
+        warps.own = createWarp(${flag.code(unit)})
+        warps.built = createWarp(${flag.code({ height: 60 })})
+        warps.sphere = buildGeometry(() => sphere(60))
+        warps.cone = buildGeometry(() => cone(60))`,
+      scenes: Object.fromEntries(scenes),
+    })
+    for (const [name, image] of Object.entries(images))
+      for (let y = image.height / 2 - 12; y < image.height / 2 + 12; y++)
+        for (let x = image.width / 2 - 12; x < image.width / 2 + 12; x++)
+          assert.ok(colorAt(image, x, y)[0] > 50, `${name}: dark at ${x}, ${y}`)
   })
 
 for (const [version, p5] of p5InThisRun)
