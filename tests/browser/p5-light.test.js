@@ -2,15 +2,14 @@
 // vertex is that of the surface which the offset makes, whose normal comes from differences in double of what p5
 // documents its shapes to be.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import { leavePage } from './support/browser.js'
 import * as m from './support/matrix.js'
 import { colorAt, differingPixels, litPixels } from './support/pixels.js'
 import { radius, surfaces } from './support/p5-surfaces.js'
-import { servePages } from './support/server.js'
 import {
   drawScenes,
-  launchFor,
+  openHosts,
   p5HostsInThisRun,
   p5InThisRun,
   p5Versions,
@@ -20,15 +19,7 @@ import {
 const addon = '/dist/p5.warpjet.min.js'
 const size = 520
 
-let browsers, server
-before(async () => {
-  server = await servePages()
-  browsers = await launchFor(p5HostsInThisRun)
-})
-after(async () => {
-  for (const browser of Object.values(browsers)) await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 const { PI, sin } = Math
 

@@ -1,20 +1,11 @@
 // What people get wrong in their first sketches, each with the sentence that they see, and where it says that it was.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
+import { test } from 'node:test'
 import { leavePage } from './support/browser.js'
-import { servePages } from './support/server.js'
-import { launchFor, p5HostsInThisRun, p5InThisRun, runSketch } from './support/sketch.js'
+import { openHosts, p5HostsInThisRun, p5InThisRun, runSketch } from './support/sketch.js'
 
-let browser, browsers, server
-before(async () => {
-  server = await servePages()
-  browsers = await launchFor(p5HostsInThisRun)
-  browser = browsers.WEBGL
-})
-after(async () => {
-  for (const each of Object.values(browsers)) await each.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
+const browser = browsers.WEBGL
 
 /** The beginning of setup(), up to what makes the canvas. */
 const setupOf = (renderer) =>
