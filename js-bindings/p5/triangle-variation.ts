@@ -2,7 +2,6 @@
  * How normal and uv vary over a shape of which nothing is known but its triangles. What a sketch built may have a hundred thousand
  * vertices, and its first frame waits for this: hence arrays of numbers.
  */
-import { firstEqual } from './first-equal.js'
 import type { Shape } from './host.js'
 import { type Triple, cross, dot, sub, times } from './triple.js'
 
@@ -36,11 +35,19 @@ function tableOf({ vertices, vertexNormals, uvs }: Shape): Float64Array {
 
 /**
  * By value that varies and vertex, the vertex that has its gradient: those of one place and normal share what the normal does, and what
- * the uvs do where these only begin anew, so that such a seam is none of the light.
+ * the uvs do where these only begin anew, so that such a seam is none of the light. A hash table of numbers instead of the texts takes
+ * a third off the whole and adds forty lines.
  */
 function ownersOf(vertices: Float64Array): Int32Array[] {
   const rounded = vertices.map((x, at) => Math.round((at % width < uv ? x : x % 1) * 1e6))
-  const [byNormal, byUv] = [uv, width].map((columns) => firstEqual(rounded, width, columns))
+  const [byNormal, byUv] = [uv, width].map((columns) => {
+    const first = new Map<string, number>()
+    return Int32Array.from({ length: vertices.length / width }, (_, i) => {
+      const key = rounded.subarray(width * i, width * i + columns).join()
+      if (!first.has(key)) first.set(key, i)
+      return first.get(key)!
+    })
+  })
   return [byNormal!, byNormal!, byNormal!, byUv!, byUv!]
 }
 
