@@ -215,17 +215,22 @@ function defineComponents(name: string, indices: readonly number[]) {
   })
 }
 
-/** An expression that gives itself when it is called. */
+/**
+ * An expression that gives itself when it is called. A console prints the source of a function, which so begins with what it is:
+ * as the name of a property, since minifiers keep those.
+ */
 export function callable(name: string, expression: Expression): Expression {
-  const component = (...others: unknown[]) => {
-    expectNoMore(name, others)
-    return expression
-  }
+  const [component] = Object.values({
+    'an expression of warpjet'(...others: unknown[]) {
+      expectNoMore(name, others)
+      return expression
+    },
+  })
   // They are methods of expressions.
-  Reflect.deleteProperty(component, 'length')
-  Reflect.deleteProperty(component, 'name')
+  Reflect.deleteProperty(component!, 'length')
+  Reflect.deleteProperty(component!, 'name')
   Object.setPrototypeOf(component, Expression.prototype)
-  return Object.assign(component, expression) as unknown as Expression
+  return Object.assign(component!, expression) as unknown as Expression
 }
 
 function define(name: string, method: (this: Expression, ...operands: unknown[]) => unknown) {

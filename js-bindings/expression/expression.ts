@@ -31,6 +31,11 @@ export class Expression {
       "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add the script warpjet.operators.min.js or import 'warpjet/operators', with which they do.",
     )
   }
+
+  /** What Node's console prints. */
+  [Symbol.for('nodejs.util.inspect.custom')](): string {
+    return expressionAsText
+  }
 }
 
 const isVector = (value: unknown) => Array.isArray(value) || describe(value) === vectorOfNumbers

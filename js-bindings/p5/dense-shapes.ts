@@ -3,8 +3,7 @@ import { WarpError, describe } from '../checks/errors.js'
 import type { Canvas } from './host.js'
 import type { Makers, WarpModel } from '../mesh/p5-model.js'
 import { emptyModel } from './load-model.js'
-
-type Triple = readonly [number, number, number]
+import type { Triple } from './triple.js'
 
 /** As p5's box has its faces: the first corner, and where the second and third lie from it. */
 const faces: readonly (readonly [Triple, Triple, Triple])[] = [

@@ -46,6 +46,22 @@ export interface Shader {
   setUniform(name: string, value: unknown): unknown
 }
 
+/** Such as a p5.Vector. */
+export interface Vector {
+  x: number
+  y: number
+  z: number
+}
+
+/** What is used of a p5.Geometry. */
+export interface Shape {
+  gid?: string
+  vertices: Vector[]
+  vertexNormals: Vector[]
+  uvs: number[] | number[][]
+  faces: number[][]
+}
+
 interface MaterialState {
   readonly userFillShader?: Shader | null
   readonly userStrokeShader?: Shader | null

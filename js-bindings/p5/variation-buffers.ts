@@ -3,8 +3,8 @@
  * first asks, and every renderer that draws with a warp that reads them has buffers of them.
  */
 import { type VariationInput, variationAttribute, variationNames } from '../inputs/inputs.js'
-import type { Renderer, Shader } from './host.js'
-import { type Shape, type Variation, variationOf } from './shape-variation.js'
+import type { Renderer, Shader, Shape } from './host.js'
+import { type Variation, variationOf } from './shape-variation.js'
 
 type Drawn = Shape & { dirtyFlags: Record<string, boolean | undefined> }
 

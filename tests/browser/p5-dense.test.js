@@ -1,12 +1,11 @@
 // Shapes with enough vertices to bend: warpBox beside p5's own box, and subdivide.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import { leavePage } from './support/browser.js'
 import { differingPixels, litPixels, readPixels } from './support/pixels.js'
-import { servePages } from './support/server.js'
 import {
   drawScenes,
-  launchFor,
+  openHosts,
   p5HostsInThisRun,
   p5InThisRun,
   runSketch,
@@ -14,15 +13,7 @@ import {
 
 const addon = '/dist/p5.warpjet.min.js'
 
-let browsers, server
-before(async () => {
-  server = await servePages()
-  browsers = await launchFor(p5HostsInThisRun)
-})
-after(async () => {
-  for (const browser of Object.values(browsers)) await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 for (const [version, renderer, scripts] of p5HostsInThisRun)
   describe(`shapes with more vertices, p5 ${version}, ${renderer}`, () => {

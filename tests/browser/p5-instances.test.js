@@ -1,22 +1,13 @@
 // model(shape, count): each instance has a warp of its own. Judged by where the picture is, and by how p5 lights what it shears itself.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
+import { test } from 'node:test'
 import { beyondEdges, colorAt, differingPixels, litPixels } from './support/pixels.js'
-import { servePages } from './support/server.js'
-import { drawScenes, launchFor, p5HostsInThisRun } from './support/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun } from './support/sketch.js'
 
 /** p5 1.11 has no instances of a model. */
 const hosts = p5HostsInThisRun.filter(([version]) => version === '2.x')
 
-let browsers, server
-before(async () => {
-  server = await servePages()
-  browsers = await launchFor(hosts)
-})
-after(async () => {
-  for (const browser of Object.values(browsers)) await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(hosts)
 
 for (const [, renderer, scripts] of hosts)
   test(`instances by ${renderer}, fills and strokes`, async () => {

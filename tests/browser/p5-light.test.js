@@ -2,15 +2,14 @@
 // vertex is that of the surface which the offset makes, whose normal comes from differences in double of what p5
 // documents its shapes to be.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import { leavePage } from './support/browser.js'
 import * as m from './support/matrix.js'
 import { colorAt, differingPixels, litPixels } from './support/pixels.js'
 import { radius, surfaces } from './support/p5-surfaces.js'
-import { servePages } from './support/server.js'
 import {
   drawScenes,
-  launchFor,
+  openHosts,
   p5HostsInThisRun,
   p5InThisRun,
   p5Versions,
@@ -20,15 +19,7 @@ import {
 const addon = '/dist/p5.warpjet.min.js'
 const size = 520
 
-let browsers, server
-before(async () => {
-  server = await servePages()
-  browsers = await launchFor(p5HostsInThisRun)
-})
-after(async () => {
-  for (const browser of Object.values(browsers)) await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 const { PI, sin } = Math
 
@@ -320,8 +311,9 @@ for (const [version, p5] of p5InThisRun)
     const shapes = shapesOn(version, 'WEBGL')
     if (!geometries.has(version)) geometries.set(version, await geometriesOf(p5, shapes))
     for (const [name, { sides, isBuilt }] of shapes) {
-      if (!sides || isBuilt) continue
       const geometry = geometries.get(version)[name]
+      assert.ok(geometry.gradients.flat().every(Number.isFinite), name)
+      if (!sides || isBuilt) continue
       let [count, torn] = [0, 0]
       for (const corner of trianglesOf(geometry, { sides }).flat()) {
         const { side, where, n, vertex } = corner
@@ -358,6 +350,43 @@ for (const [version, p5] of p5InThisRun)
     }
   })
 
+/** Seen along their axes, from where their poles and apexes are in the middle. */
+const ends = {
+  "a sphere's pole": ['sphere', 1],
+  'its other pole': ['sphere', -1],
+  "a cone's apex": ['cone', 1],
+}
+
+/** From the corners of a tetrahedron, so that each normal that is one has at least a third of a light. */
+const allAround = ['1, 1, 1', '1, -1, -1', '-1, 1, -1', '-1, -1, 1']
+  .map((way) => `directionalLight(255, 255, 255, ${way})`)
+  .join('; ')
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: where a flag by uv has no true normal, at poles and apexes, it is lit by one`, async () => {
+    const shapes = { own: (shape) => `${shape}(60)`, built: (shape) => `model(warps.${shape})` }
+    const scenes = Object.entries(shapes).flatMap(([maker, draw]) =>
+      Object.entries(ends).map(([name, [shape, side]]) => [
+        `${name}, ${maker}`,
+        `noStroke(); fill(255); ${allAround}
+        rotateX(${(side * PI) / 2}); warps.${maker}(); ${draw(shape)}`,
+      ]),
+    )
+    const flag = offsets['a flag by uv']
+    const images = await drawScenes(browsers.WEBGL, server, [p5, addon], {
+      setup: `noStroke()
+        warps.own = createWarp(${flag.code(unit)})
+        warps.built = createWarp(${flag.code({ height: 60 })})
+        warps.sphere = buildGeometry(() => sphere(60))
+        warps.cone = buildGeometry(() => cone(60))`,
+      scenes: Object.fromEntries(scenes),
+    })
+    for (const [name, image] of Object.entries(images))
+      for (let y = image.height / 2 - 12; y < image.height / 2 + 12; y++)
+        for (let x = image.width / 2 - 12; x < image.width / 2 + 12; x++)
+          assert.ok(colorAt(image, x, y)[0] > 50, `${name}: dark at ${x}, ${y}`)
+  })
+
 for (const [version, p5] of p5InThisRun)
   test(`p5 ${version}: how another shape varies is found out once, and kept`, async () => {
     const { page, messages } = await runSketch(
@@ -371,9 +400,9 @@ for (const [version, p5] of p5InThisRun)
         noStroke()
         shape = buildGeometry(() => torus(30, 10))
         // What finds it out goes through these; p5 does not.
-        const { map } = shape.vertices
-        Object.defineProperty(shape.vertices, 'map', {
-          value(...all) { looks += /warpjet/.test(new Error().stack); return map.apply(this, all) } })
+        const { forEach } = shape.vertices
+        Object.defineProperty(shape.vertices, 'forEach', {
+          value(...all) { looks += /warpjet/.test(new Error().stack); return forEach.apply(this, all) } })
         bend = createWarp(({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(6).sin().mult(5)))
         bulge = createWarp(({ normal, uv }) => normal.mult(uv.y()))
       }
@@ -396,30 +425,44 @@ test(
   { skip: p5InThisRun.length < 2 },
   async () => {
     const spaces = { local: 0.1, world: 6, camera: 6 }
+    const warps = Object.entries(spaces).flatMap(([space, height]) => [
+      [
+        `by the normal, in ${space} space`,
+        space,
+        `glsl.vec3(0, normal.normalize().x().mult(4).sin().mult(${3 * height}), 0)`,
+      ],
+      [
+        `by both, in ${space} space`,
+        space,
+        `normal.mult(position.x().div(${height}).sin().mult(${height}))
+        .add(glsl.vec3(0, 0, uv.x().mult(12).sin().mult(${height})))`,
+      ],
+    ])
+    // From the side, since normals of view space must not do for those of world space.
+    const scene = `camera(500, -400, 500, 10, 5, 0, 0, 1, 0); noStroke()
+      rotateX(0.5); rotateY(0.4); scale(1, 1.3, 0.8)`
     const draw = (version, attributes = '') =>
       drawScenes(browsers.WEBGL, server, [p5Versions[version], addon], {
         setup: `${attributes}
-          ${Object.entries(spaces)
+          ${warps
             .map(
-              ([space, height]) => `warps.${space} = createWarp(({ glsl, normal, uv, position }) =>
-              normal.mult(position.x().div(${height}).sin().mult(${height}))
-                .add(glsl.vec3(0, 0, uv.x().mult(12).sin().mult(${height}))),
-              { type: 'normal', space: '${space}' })`,
+              ([
+                name,
+                space,
+                code,
+              ]) => `warps['${name}'] = createWarp(({ glsl, normal, uv, position }) =>
+              ${code}, { type: 'normal', space: '${space}' })`,
             )
             .join('\n')}`,
         scenes: Object.fromEntries(
-          Object.keys(spaces).map((space) => [
-            space,
-            `camera(60, -90, 300, 10, 5, 0, 0, 1, 0); noStroke(); rotateX(0.5); rotateY(0.4); scale(1, 1.3, 0.8)
-            warps.${space}(); sphere(60, 40, 40)`,
-          ]),
+          warps.map(([name]) => [name, `${scene}\nwarps['${name}'](); sphere(60, 40, 40)`]),
         ),
       })
     const images = await draw('2.x')
     for (const older of [await draw('1.11'), await draw('1.11', 'setAttributes({ version: 1 })')])
-      for (const space in spaces) {
-        assert.ok(litPixels(images[space]).length > 5000, space)
-        assert.equal(differingPixels(images[space], older[space], 8), 0, space)
+      for (const [name] of warps) {
+        assert.ok(litPixels(images[name]).length > 5000, name)
+        assert.equal(differingPixels(images[name], older[name], 8), 0, name)
       }
   },
 )

@@ -1,42 +1,40 @@
 // What people get wrong in their first sketches, each with the sentence that they see, and where it says that it was.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
-import { launchBrowser, leavePage } from './support/browser.js'
-import { servePages } from './support/server.js'
-import { p5InThisRun, runSketch } from './support/sketch.js'
+import { test } from 'node:test'
+import { leavePage } from './support/browser.js'
+import { openHosts, p5HostsInThisRun, p5InThisRun, runSketch } from './support/sketch.js'
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
+const browser = browsers.WEBGL
 
-test('a warp made in every frame is noted once; what another script has says which', async () => {
-  const { page, messages } = await runSketch(
-    browser,
-    server,
-    [p5InThisRun[0][1], '/dist/p5.warpjet.min.js'],
-    `let said
+/** The beginning of setup(), up to what makes the canvas. */
+const setupOf = (renderer) =>
+  renderer === 'WEBGPU' ? 'async function setup() { await' : 'function setup() {'
+
+for (const [version, renderer, scripts] of p5HostsInThisRun)
+  test(`p5 ${version} by ${renderer}: a warp made in every frame is noted once; what another script has says which`, async () => {
+    const { page, messages } = await runSketch(
+      browsers[renderer],
+      server,
+      [...scripts, '/dist/p5.warpjet.min.js'],
+      `let said
     try { const { twist } = warpjet } catch (error) { said = [error.name, error.message.replace(/ \\(\\S+, line \\d+\\)$/, '')] }
-    function setup() { createCanvas(20, 20, WEBGL); noStroke() }
+    ${setupOf(renderer)} createCanvas(20, 20, ${renderer}); noStroke(); isReady = true }
     function draw() {
+      if (!window.isReady) return
       createWarp(({ glsl }) => glsl.vec3(1, 0, 0))()
       if (frameCount === 8) { noLoop(); window.done = true }
     }`,
-  )
-  assert.deepEqual(await page.evaluate('said'), [
-    'WarpError',
-    'warpjet.twist: no script of this page has it; add the script warpjet.deformers.min.js after p5.warpjet.min.js.',
-  ])
-  await leavePage(page)
-  assert.deepEqual(messages, [
-    'createWarp: it makes a new shader in every frame, which is slow; call it once, in setup(), and in draw() the function that it returned.',
-  ])
-})
+    )
+    assert.deepEqual(await page.evaluate('said'), [
+      'WarpError',
+      'warpjet.twist: no script of this page has it; add the script warpjet.deformers.min.js after p5.warpjet.min.js.',
+    ])
+    await leavePage(page)
+    assert.deepEqual(messages, [
+      'createWarp: it makes a new shader in every frame, which is slow; call it once, in setup(), and in draw() the function that it returned.',
+    ])
+  })
 
 const ownOperators =
   "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add the script warpjet.operators.min.js or import 'warpjet/operators', with which they do."
@@ -175,29 +173,43 @@ const calls = {
   'warp({ amount: 1 })': `The warp has no uniform "amount"; createWarp's option "uniforms" must declare it: { uniforms: { amount: 0.5 } }.`,
 }
 
+/** Those that are others on WEBGPU, where defs are WGSL, which is read when the shader is used: p5-webgpu.test.js. */
+const onWebGPU = {
+  'glsl.vec3(glsl.param("amount"), 0, 0)':
+    'createWarp: the warp reads "amount", which nothing declares; give it a value by the option { uniforms: { amount: 0.5 } }, and read it as uniforms.amount.',
+  ...Object.fromEntries(
+    Object.keys(calls)
+      .filter((code) => /has a mistake in its line/.test(calls[code]))
+      .map((code) => [code, null]),
+  ),
+}
+
 const inBraces = (code) => (code.startsWith('{') ? code : `return ${code}`)
 
-for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: each mistake has its sentence, and the line of the sketch`, async () => {
+for (const [version, renderer, scripts] of p5HostsInThisRun)
+  test(`p5 ${version} by ${renderer}: each mistake has its sentence, and the line of the sketch`, async () => {
+    const expected =
+      renderer === 'WEBGL' ? { ...offsets, ...calls } : { ...offsets, ...calls, ...onWebGPU }
+    // What is null is not tried.
+    const tried = (all) => Object.keys(all).filter((code) => expected[code])
     const works = [
-      ...Object.keys(offsets).map(
+      ...tried(offsets).map(
         (code) =>
           `createWarp((inputs) => { const { glsl, position, millis } = inputs; ${inBraces(code)} })`,
       ),
-      ...Object.keys(calls),
+      ...tried(calls),
     ]
     const { page, messages } = await runSketch(
-      browser,
+      browsers[renderer],
       server,
-      [p5, '/dist/p5.warpjet.min.js'],
+      [...scripts, '/dist/p5.warpjet.min.js'],
       `let warp, flat
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
 const trying = (work) => { try { work(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
 const works = [
 ${works.map((work) => `() => ${work},`).join('\n')}
 ]
-function setup() {
-  createCanvas(100, 100, WEBGL)
+${setupOf(renderer)} createCanvas(100, 100, ${renderer})
   flat = createGraphics(10, 10)
   warp = createWarp(still)
   window.said = works.map(trying)
@@ -219,12 +231,12 @@ function setup() {
     assert.deepEqual(left, [0, 2, 1])
     const lines = source.split('\n')
     const first = lines.findIndex((line) => line.startsWith('const works')) + 1
-    const expected = [...Object.values(offsets), ...Object.values(calls)]
+    const sentences = [...tried(offsets), ...tried(calls)].map((code) => expected[code])
     const number = /, line (\d+)\)$/
     const shift = number.exec(said[0][1])[1] - first
     said.forEach(([name, message], i) => {
       assert.equal(name, 'WarpError', works[i])
-      assert.equal(message.replace(/ \(\S+, line \d+\)$/, ''), expected[i], works[i])
+      assert.equal(message.replace(/ \(\S+, line \d+\)$/, ''), sentences[i], works[i])
       assert.match(message, number, works[i])
       assert.equal(number.exec(message)[1] - first, shift + i, `${works[i]}: ${message}`)
     })
@@ -246,8 +258,8 @@ const uncaught = {
     'position is not defined: the offset function is given it, as in ({ position }) => ….',
 }
 
-for (const [version, p5] of p5InThisRun)
-  test(`p5 ${version}: its friendly errors show what nobody caught`, async () => {
+for (const [version, renderer, scripts] of p5HostsInThisRun)
+  test(`p5 ${version} by ${renderer}: its friendly errors show what nobody caught`, async () => {
     const all = {
       ...uncaught,
       // p5 2 has such a function, for p5.strands.
@@ -258,17 +270,16 @@ for (const [version, p5] of p5InThisRun)
     }
     const works = Object.keys(all)
     const { page } = await runSketch(
-      browser,
+      browsers[renderer],
       server,
-      [p5, '/dist/p5.warpjet.min.js'],
+      [...scripts, '/dist/p5.warpjet.min.js'],
       `let said = []
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
 p5._friendlyError = (message) => said.push(message)
 const works = [
 ${works.map((work) => `() => ${work},`).join('\n')}
 ]
-function setup() {
-  createCanvas(20, 20, WEBGL)
+${setupOf(renderer)} createCanvas(20, 20, ${renderer})
   noLoop()
   for (const work of works) setTimeout(work)
   setTimeout(async () => { await null; createWarp() })
@@ -298,6 +309,9 @@ test('an expression that is printed says what it is', async () => {
     console.log(position.mult(2))
     console.log(\`x is \${position.x()}\`)
     console.log(String(position.x), [position.x()].join())
+    // Chrome prints the source of what can be called.
+    console.log(position.x)
+    print(position.xy)
     return position
   })
   done = true
@@ -305,7 +319,10 @@ test('an expression that is printed says what it is', async () => {
   )
   await leavePage(page)
   const said = 'an expression of warpjet'
-  assert.deepEqual(messages, ['Expression', `x is ${said}`, `${said} ${said}`])
+  assert.deepEqual(messages.slice(0, 3), ['Expression', `x is ${said}`, `${said} ${said}`])
+  const components = messages.slice(3)
+  assert.equal(components.length, 2)
+  for (const text of components) assert.match(text, /^["'`]an expression of warpjet["'`]\(.{1,60}$/)
 })
 
 test('what JavaScript takes without a word is noted, with the line', async () => {

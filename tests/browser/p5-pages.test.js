@@ -1,25 +1,16 @@
 // Warps wherever a sketch draws: in a p5.Framebuffer, on shapes it built, beside other sketches and other versions of p5, and
 // after its canvas changed; and a page that makes a new warp each frame.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
-import { launchBrowser, leavePage, openPage } from './support/browser.js'
+import { leavePage, openPage } from './support/browser.js'
 import { differingPixels, litPixels, readPixels } from './support/pixels.js'
-import { servePages } from './support/server.js'
-import { drawScenes, launchFor, p5HostsInThisRun, p5Versions, runSketch } from './support/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun, p5Versions, runSketch } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 
-let browsers, browser, server
-before(async () => {
-  server = await servePages()
-  browsers = await launchFor(p5HostsInThisRun)
-  browser = browsers.WEBGL ?? (await launchBrowser())
-})
-after(async () => {
-  for (const each of Object.values(browsers)) await each.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
+const browser = browsers.WEBGL
 
 /** As many to the right as p5's own translate. */
 const toTheRight = `({ glsl }) => glsl.vec3(40, 0, 0), { space: 'world' }`

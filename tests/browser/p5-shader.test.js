@@ -1,25 +1,16 @@
 // The option `shader`: a warp on a shader of the sketch's own, whose hooks go on.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import { leavePage } from './support/browser.js'
 import { colorAt, differingPixels, litPixels } from './support/pixels.js'
 import * as m from './support/matrix.js'
 import { geometryCode, sphereMesh } from './support/mesh.js'
-import { servePages } from './support/server.js'
-import { drawScenes, launchFor, p5HostsInThisRun, runSketch } from './support/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 const more = [addon, '/dist/warpjet.glsl.min.js']
 
-let browsers, server
-before(async () => {
-  server = await servePages()
-  browsers = await launchFor(p5HostsInThisRun)
-})
-after(async () => {
-  for (const browser of Object.values(browsers)) await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 const directional = 'noStroke(); directionalLight(255, 255, 255, 0.4, 0.6, -1)'
 const light = `${directional}; ambientLight(40)`

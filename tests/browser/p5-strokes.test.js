@@ -1,24 +1,15 @@
 // Lines, wireframes and points under a warp, against p5's own `rotate`: the oracle is the host's own transformation.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
+import { describe, test } from 'node:test'
 import { leavePage } from './support/browser.js'
 import { beyondEdges, colorAt, differingPixels, litPixels } from './support/pixels.js'
-import { servePages } from './support/server.js'
-import { drawScenes, launchFor, p5HostsInThisRun, p5Versions, runSketch } from './support/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun, p5Versions, runSketch } from './support/sketch.js'
 
 const addon = '/dist/p5.warpjet.min.js'
 const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
 
-let browsers, server, word
-before(async () => {
-  server = await servePages()
-  browsers = await launchFor(p5HostsInThisRun)
-  word = await contoursOf('We8')
-})
-after(async () => {
-  for (const browser of Object.values(browsers)) await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
+const word = await contoursOf('We8')
 
 /** The outlines of a word, of p5 2.x, since 1.11 cannot tell them: [[[x, y], …], …]. */
 async function contoursOf(text) {

@@ -1,22 +1,18 @@
 // After a week: what is computed once a frame keeps positions, normals and the way from one frame to the next right.
 import assert from 'node:assert/strict'
-import { after, before, describe, test } from 'node:test'
+import { before, describe, test } from 'node:test'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { warps } from '../warps/index.js'
-import { launchBrowser } from './support/browser.js'
 import { differingPixels, litPixels } from './support/pixels.js'
-import { servePages } from './support/server.js'
-import { drawScenes, launchFor, p5HostsInThisRun } from './support/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun } from './support/sketch.js'
 import { openPipeline } from './support/transform-feedback.js'
 import { afterAWeek, isMeasured } from './support/uptime.js'
 
+const { browsers, server } = await openHosts(p5HostsInThisRun)
+
 describe('warpjetFrame0, … keep float32 right for a week:', () => {
-  let browser, gpu
-  before(async () => {
-    browser = await launchBrowser()
-    gpu = await openPipeline(browser)
-  })
-  after(() => browser.close())
+  let gpu
+  before(async () => (gpu = await openPipeline(browsers.WEBGL)))
 
   const everyday = ['sine-sphere', 'deformer-noise', 'airplane-twist']
   const shown = warps
@@ -48,16 +44,6 @@ describe('warpjetFrame0, … keep float32 right for a week:', () => {
 })
 
 describe('createWarp after a week', () => {
-  let browsers, server
-  before(async () => {
-    server = await servePages()
-    browsers = await launchFor(p5HostsInThisRun)
-  })
-  after(async () => {
-    for (const browser of Object.values(browsers)) await browser.close()
-    await server.close()
-  })
-
   for (const [version, renderer, scripts] of p5HostsInThisRun)
     test(`p5 ${version}, ${renderer}`, async () => {
       const wave = (phase) =>

@@ -1,6 +1,7 @@
 // Bad input gets one clear sentence, and the next warp works as if nothing had happened.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
+import { inspect } from 'node:util'
 import { chain, inSpace, twist } from '../../dist/deformers.js'
 import { compile, compileWarp, gen, WarpError } from '../../dist/warpjet.js'
 
@@ -66,6 +67,9 @@ test('expressions in texts', () => {
   compile((glsl) => {
     const x = glsl.param('x')
     assert.equal(`${x}`, 'an expression of warpjet')
+    // As Node's console does.
+    assert.equal(inspect(x), 'an expression of warpjet')
+    assert.equal(inspect([glsl.vec2Param('v').y]), '[ an expression of warpjet ]')
     refuses(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
     refuses(
       () => glsl.fn({ name: 'f', arity: 1, source: `float f(float a) { return a * ${x}; }` }),

@@ -1,8 +1,10 @@
 // p5 sketches as pages, drawn frame by frame.
 import assert from 'node:assert/strict'
+import { after } from 'node:test'
 import { isRun } from '../../../.scripts/lib/tiers.mjs'
 import { launchBrowser, launchBrowserWithWebGPU, leavePage, openPage } from './browser.js'
 import { readPixels, readWebGPUPixels } from './pixels.js'
+import { servePages } from './server.js'
 
 /** The p5 versions that the addon promises to work with; the full files, which have p5's friendly errors in them. */
 export const p5Versions = {
@@ -18,18 +20,24 @@ export const p5InThisRun = Object.entries(p5Versions).filter(
   ([version]) => version !== '1.11' || isRun('p5 1.11'),
 )
 
-/** How this run draws with p5, [[version, renderer, scripts]]; `launchFor` opens the browsers. */
+/** How this run draws with p5, [[version, renderer, scripts]]; `openHosts` opens the browsers. */
 export const p5HostsInThisRun = [
   ...p5InThisRun.map(([version, p5]) => [version, 'WEBGL', [p5]]),
   ...(isRun('p5 on WebGPU') ? [['2.x', 'WEBGPU', [p5Versions['2.x'], p5WebGPU]]] : []),
 ]
 
-/** A browser for each renderer of `hosts`. */
-export async function launchFor(hosts) {
+/** A server of pages and, by renderer, the browsers that `hosts` need: until the tests of the file that asks for them are over. */
+export async function openHosts(hosts) {
+  const server = await servePages()
   const launch = { WEBGL: launchBrowser, WEBGPU: launchBrowserWithWebGPU }
-  const renderers = new Set(hosts.map(([, renderer]) => renderer))
-  const opened = [...renderers].map(async (renderer) => [renderer, await launch[renderer]()])
-  return Object.fromEntries(await Promise.all(opened))
+  const renderers = [...new Set(hosts.map(([, renderer]) => renderer))]
+  const launched = renderers.map(async (renderer) => [renderer, await launch[renderer]()])
+  const browsers = Object.fromEntries(await Promise.all(launched))
+  after(async () => {
+    for (const browser of Object.values(browsers)) await browser.close()
+    await server.close()
+  })
+  return { browsers, server }
 }
 
 /** Opens a page with `scripts` (addresses) and then `code`, and waits until that sets `window.done` → { page, messages }. */
