@@ -36,7 +36,7 @@ function tableOf({ vertices, vertexNormals, uvs }: Shape): Float64Array {
 /**
  * By value that varies and vertex, the vertex that has its gradient: those of one place and normal share what the normal does, and what
  * the uvs do where these only begin anew, so that such a seam is none of the light. A hash table of numbers instead of the texts takes
- * a third off the whole and adds forty lines.
+ * a quarter to a third off the whole and adds forty lines.
  */
 function ownersOf(vertices: Float64Array): Int32Array[] {
   const rounded = vertices.map((x, at) => Math.round((at % width < uv ? x : x % 1) * 1e6))
