@@ -53,20 +53,22 @@ async function cpp(preset) {
   ])
 }
 
-async function nodeTests(folder) {
+async function nodeTests(folder, atOnce = availableParallelism()) {
   const files = walk(folder, /\.test\.js$/).filter(
     (file) => !(isEveryday() && file in leftOut.files),
   )
   if (!files.length) throw new Stop(`There are no tests in ${folder}.`)
-  // Node's own choice is one file fewer than there are cores. The browsers of two files fill each other's pauses.
-  const concurrency = `--test-concurrency=${availableParallelism()}`
+  // Node's own choice is one file fewer than there are cores.
+  const concurrency = `--test-concurrency=${atOnce}`
   // A file of its own never takes so long; one that hangs is to fail, not to keep all others from being heard of.
   const limit = `--test-timeout=${15 * 60_000}`
   const printing = ['--import', pathToFileURL(path('.scripts/lib/tests-console.mjs')).href]
   await node('--test', '--test-reporter=spec', ...printing, concurrency, limit, ...files)
 }
 
-const browser = () => withBrowsers(availableParallelism(), () => nodeTests('tests/browser'))
+// Browsers wait for each other: two on two cores leave a sixth of the time idle, three none.
+const browsersAtOnce = availableParallelism() + 1
+const browser = () => withBrowsers(browsersAtOnce, () => nodeTests('tests/browser', browsersAtOnce))
 
 async function environments() {
   await installEnvironments()

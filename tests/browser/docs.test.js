@@ -7,9 +7,9 @@ import { blocksOf } from '../../web/site/markdown.js'
 import { linkTo } from '../../web/site/runnable.js'
 import { desktop, path } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { keepFrames } from './support/examples.js'
+import { keepFrames, rough } from './support/frames.js'
 import { settled, shown, text } from './support/playground.js'
-import { serveSite } from './support/site.js'
+import { serveSite, withoutWorker } from './support/site.js'
 
 const patience = { timeout: 120_000 }
 const blocks = walk('web/docs', /\.md$/).flatMap((file) =>
@@ -39,8 +39,7 @@ before(async () => {
   server = await serveSite(5350)
   url = `${server.resolvedUrls.local[0]}playground/index.html`
   const context = await browser.newContext(desktop)
-  await context.addInitScript(() => delete Navigator.prototype.serviceWorker)
-  await context.addInitScript(keepFrames)
+  for (const script of [withoutWorker, keepFrames, rough]) await context.addInitScript(script)
   ;({ page, messages } = await openPage(context, url))
   await settled(page)
 })

@@ -8,7 +8,8 @@ import { createServer } from 'vite'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { sections } from '../../web/catalogue.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { assertPicture, keepFrames, lower, plain, statistics, still } from './support/examples.js'
+import { assertPicture, lower, plain, statistics, still } from './support/examples.js'
+import { fewFrames, keepFrames, rough } from './support/frames.js'
 import { serveSite } from './support/site.js'
 
 const path = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url))
@@ -67,7 +68,7 @@ describe('the gallery of npm start', () => {
       await lower(context, { before: still })
       // The first frame is that of one moment: on a busy machine it comes late, and may show a thin side.
       await context.addInitScript('let now = 0; performance.now = () => (now += 100)')
-      await context.addInitScript(keepFrames)
+      for (const script of [keepFrames, rough]) await context.addInitScript(script)
       // One page for all, which compiles p5 once.
       ;({ page, messages } = await openPage(context, `${url}recorder.js`))
     })
@@ -92,8 +93,8 @@ describe('the gallery of npm start', () => {
     before(async () => {
       const context = await browser.newContext(desktop)
       await lower(context, { exceptions: [asItIs], before: plain })
-      await context.addInitScript(stopWhenTimed)
-      await context.addInitScript(keepFrames)
+      for (const script of [stopWhenTimed, keepFrames, rough, fewFrames])
+        await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
     })
     after(() => page.context().close())
@@ -133,6 +134,7 @@ describe('the gallery of npm start', () => {
   if (isRun('the gallery built, and on a phone'))
     test('fits a phone, and so does each example', async () => {
       const context = await browser.newContext(phone)
+      await context.addInitScript(rough)
       await lower(context, { before: still })
       const { page, messages } = await openPage(context, url)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)

@@ -5,7 +5,7 @@ import { after, before, test } from 'node:test'
 import { pathToFileURL } from 'node:url'
 import { difference, path } from './support/bench.js'
 import { launchBrowserWithWebGPU, openPage } from './support/browser.js'
-import { keepFrames } from './support/examples.js'
+import { keepFrames } from './support/frames.js'
 import {
   canvasPixels,
   openPlayground,

@@ -7,6 +7,7 @@ import { createServer } from 'vite'
 import { config, desktop, difference, path, phone } from './support/bench.js'
 import { loadMesh } from '../../dist/mesh.js'
 import { bytesOf, launchBrowser, openPage } from './support/browser.js'
+import { fewFrames, rough } from './support/frames.js'
 import {
   canvasPixels,
   dragNumber,
@@ -50,6 +51,7 @@ describe('the playground', () => {
   let page, messages, context
   before(async () => {
     context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })
+    for (const script of [rough, fewFrames]) await context.addInitScript(script)
     await context.grantPermissions(['clipboard-read', 'clipboard-write'])
     ;({ page, messages } = await openPage(context, url))
     await settled(page)

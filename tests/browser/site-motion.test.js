@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { desktop } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { keepFrames } from './support/examples.js'
+import { keepFrames } from './support/frames.js'
 import { settled } from './support/playground.js'
 import { calm, serveSite, withoutWorker } from './support/site.js'
 

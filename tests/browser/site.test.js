@@ -9,6 +9,7 @@ import { checkSite } from '../../.scripts/lib/site-budget.mjs'
 import { folder } from '../../.scripts/site.mjs'
 import { desktop, path, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
+import { fewFrames, rough } from './support/frames.js'
 import { settled, shown } from './support/playground.js'
 import { calm, serveSite, withoutWorker } from './support/site.js'
 
@@ -47,7 +48,9 @@ const findings = (page) =>
       'td-has-header',
     ]
     const rules = Object.fromEntries(optional.map((id) => [id, { enabled: true }]))
-    const { violations } = await window.axe.run(document, { iframes: false, rules })
+    // Of what is right nothing is told, which is most of the work.
+    const told = { resultTypes: ['violations'], selectors: false, ancestry: false }
+    const { violations } = await window.axe.run(document, { iframes: false, rules, ...told })
     return violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)}`)
   })
 
@@ -76,7 +79,7 @@ for (const [name, size, colorScheme] of [
 ])
   test(`on ${name} every page has nothing that axe finds, shows where the focus is, prints nothing, and fits`, async () => {
     const context = await browser.newContext({ ...calm(size), colorScheme })
-    await context.addInitScript(withoutWorker)
+    for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
     await context.addInitScript(axe)
     const { page, messages } = await openPage(context, url)
     const wrong = []
@@ -105,7 +108,7 @@ for (const file of [
 ])
   test(`the Tab key goes through ${file}, stops at all that can be used, and leaves it`, async () => {
     const context = await browser.newContext(calm(desktop))
-    await context.addInitScript(withoutWorker)
+    for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
     const { page } = await openPage(context, url + file)
     if (file.startsWith('playground')) await settled(page)
     const wanted = await page.evaluate(() => {
@@ -143,7 +146,7 @@ describe('the first page', () => {
   let context, page, messages
   before(async () => {
     context = await browser.newContext({ ...desktop })
-    await context.addInitScript(withoutWorker)
+    for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
     ;({ page, messages } = await openPage(context, url))
   })
   after(() => context.close())
@@ -210,7 +213,7 @@ describe('the first page', () => {
 
 test('a slider changes the sketch, and the picture follows', async () => {
   const context = await browser.newContext({ ...desktop })
-  await context.addInitScript(withoutWorker)
+  for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
   const { page, messages } = await openPage(context, `${url}gallery/deformer-twist/index.html`)
   const frame = await page.waitForSelector('iframe.shown', patience)
   await page.getByLabel('Angle').fill('0')
@@ -224,6 +227,7 @@ test('a slider changes the sketch, and the picture follows', async () => {
 
 test('once seen, all of it is there without a network', async () => {
   const context = await browser.newContext(desktop)
+  for (const script of [rough, fewFrames]) await context.addInitScript(script)
   const { page, messages } = await openPage(context, url)
   // It takes over once it has kept all files.
   await page.waitForFunction(() => navigator.serviceWorker.controller, null, patience)

@@ -2,6 +2,7 @@
 import { createServer } from 'vite'
 import { config, desktop, pixels } from './bench.js'
 import { openPage } from './browser.js'
+import { fewFrames, rough } from './frames.js'
 
 const patience = { timeout: 120_000 }
 
@@ -85,6 +86,7 @@ export async function openPlayground(port, browser) {
   const server = await createServer({ ...config, server: { port, watch: null } })
   await server.listen()
   const context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })
+  for (const script of [rough, fewFrames]) await context.addInitScript(script)
   const [url] = server.resolvedUrls.local
   const { page, messages } = await openPage(context, `${url}playground/index.html`)
   await settled(page)
