@@ -194,7 +194,7 @@ describe('the first page', () => {
     ['use noise', /docs\/(?:tutorial-3-)?noise/],
     ["what is space: 'world'", /docs\/spaces/],
     ['waving flag', /how-to-flag/],
-    ['melting bunny', /deformer-melt|tutorial-5/],
+    ['melting bunny', /tutorial-5|deformers\.html#melt/],
   ])
     test(`answers “${question}” first of all`, async () => {
       await page.goto(url, patience)
