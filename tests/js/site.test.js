@@ -78,6 +78,28 @@ test('a part of a sketch gets the rest', () => {
   assert.equal(runnable('createWarp(f)\n', 'js', ' not '), undefined)
 })
 
+test('no sketch leaves a warp on for what the next frame draws before it', () => {
+  const blocks = markdown.flatMap((file) =>
+    [...read(`web/docs/${file}`).matchAll(/```js\n([^]*?)```/g)].map(([, text]) => ({
+      file,
+      text,
+    })),
+  )
+  const sketches = names.map((file) => ({ file, text: read(`examples/${file}/sketch.js`) }))
+  const shape = /\b(?:sphere|box|cylinder|plane|torus|model|cone|ellipsoid|warpBox|rect)\(/
+  const wrong = []
+  for (const { file, text } of [...blocks, ...sketches]) {
+    const [, draw] = /function draw\(\) \{\n([^]*?)^\}/m.exec(text) ?? []
+    const warps = [...text.matchAll(/(\w+) = createWarp/g)].map(([, name]) => name)
+    if (!draw || !warps.length) continue
+    const before = draw.split(new RegExp(`\\b(?:${warps.join('|')})\\(`))[0]
+    const count = (call) => before.split(call).length - 1
+    const isAlone = count('push()') > count('pop()')
+    if (before !== draw && shape.test(before) && !isAlone) wrong.push(file)
+  }
+  assert.deepEqual(wrong, [])
+})
+
 test('every example has a page and a picture of at most 20 KB', () => {
   for (const name of names) {
     assert.ok(pages.has(`gallery/${name}/index.html`), name)
