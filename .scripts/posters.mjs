@@ -16,11 +16,11 @@ const mostBytes = 20_000
 /** Milliseconds of the sketch, where it shows what it is about; a second and a half unless named. */
 const moments = {
   'deformer-genie': 3600,
-  'deformer-melt': 1300,
+  'deformer-melt': 500,
   'deformer-spherify': 200,
   'deformer-taper': 4700,
   'deformer-twist': 3000,
-  genie: 850,
+  genie: 250,
 }
 const patience = { timeout: 240_000 }
 

@@ -28,6 +28,7 @@ export const leftOut = {
       'each of its sketches starts a p5 of its own, which takes minutes in all; the page ships to nobody',
     'tests/browser/playground-costs.test.js': 'likewise, for its costs and checks',
     'tests/browser/playground-help.test.js': 'likewise, for what completes and explains',
+    'tests/browser/playground-habits.test.js': 'likewise, for what one does beside writing',
     'tests/browser/playground-hosts.test.js': 'likewise, for each of its hosts',
     'tests/browser/playground-examples.test.js':
       'likewise; gallery.test.js draws every example every day',

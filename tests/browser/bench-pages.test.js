@@ -177,12 +177,13 @@ describe('the benchmark by hand', () => {
     assert.deepEqual(messages, [])
   })
 
-  test('says so where there is no WebGL 2', async () => {
+  test('says so where there is no WebGL 2, and shows a picture', async () => {
     const { page, messages } = await openByHand(desktop, (context) =>
       context.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null)),
     )
     assert.match(await page.getByRole('alert').textContent(), /needs WebGL 2/)
     assert.equal(await page.locator('canvas').count(), 0)
+    await page.locator('main img').evaluate((image) => image.decode())
     await page.context().close()
     assert.deepEqual(messages, [])
   })

@@ -87,4 +87,13 @@ test('finds normals wrong that leave out how the surface turns', async () => {
   assert.ok(red > all / 2)
 })
 
+test('says of a warp whose uniform is set where the sketch draws how it can be checked', async () => {
+  const far = "glsl.vec3(glsl.param('far'), 0, 0)"
+  const sketch = still('#ff0000', far, ", { defs: 'uniform float far;' }")
+  await write(page, sketch.replace('warp()', 'warp({ far: 0.5 })'))
+  await open('Checks')
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  assert.match(await page.locator('#panel .check').textContent(), /“far”.*uniforms: \{ far: 1 \}/)
+})
+
 test('has printed nothing', () => assert.deepEqual(messages, []))

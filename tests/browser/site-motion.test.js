@@ -2,7 +2,7 @@
 // gets less, and without WebGL there are pictures.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { desktop } from './support/bench.js'
+import { desktop, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import { keepFrames } from './support/frames.js'
 import { settled } from './support/playground.js'
@@ -137,28 +137,41 @@ test('with less motion the first page stands still, and an example waits', async
   await context.close()
 })
 
-test('without WebGL there are pictures', async () => {
-  const context = await browser.newContext({ ...desktop })
+test('without WebGL there are pictures, which fit a phone, and no button for what cannot move', async () => {
+  const context = await browser.newContext({ ...phone })
   await context.addInitScript(withoutWorker)
   await context.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null))
   const { page, messages } = await openPage(context, url)
   await page.waitForTimeout(500)
   const isLoaded = (selector) => page.locator(selector).evaluate((image) => image.naturalWidth > 0)
+  const fits = async () =>
+    assert.equal(
+      await page.evaluate(() => document.documentElement.scrollWidth),
+      phone.viewport.width,
+      page.url(),
+    )
   assert.equal(await page.locator('.hero canvas').count(), 0)
   assert.ok(await isLoaded('.hero img'))
-  await page.goto(`${url}gallery/deformer-bend/index.html`)
-  assert.ok(await isLoaded('.stage img'))
-  assert.match(await page.locator('.rate').textContent(), /no WebGL/)
-  await page.goto(`${url}gallery/deformer-bend/full.html`)
-  assert.ok(await isLoaded('.stage img'))
+  await fits()
+  for (const file of ['index', 'full']) {
+    await page.goto(`${url}gallery/deformer-bend/${file}.html`)
+    assert.ok(await isLoaded('.stage img'))
+    assert.match(await page.locator('.rate').textContent(), /no WebGL/)
+    assert.equal(await page.locator('.pause').isVisible(), false)
+    await fits()
+  }
   await page.goto(`${url}playground/index.html#example=lotus`)
   await settled(page)
   await page.locator('.still').evaluate((image) => image.decode())
   assert.match(await page.locator('.still').getAttribute('src'), /lotus/)
   assert.match(await page.locator('.stage').textContent(), /no WebGL/)
-  await page.goto(`${url}drop/index.html`)
-  await page.locator('main img').evaluate((image) => image.decode())
-  assert.match(await page.getByRole('alert').textContent(), /WebGL2/)
+  await fits()
+  for (const file of ['drop', 'bench']) {
+    await page.goto(`${url}${file}/index.html`)
+    await page.locator('main img').evaluate((image) => image.decode())
+    assert.match(await page.getByRole('alert').textContent(), /WebGL ?2/)
+    await fits()
+  }
   assert.deepEqual(messages, [])
   await context.close()
 })

@@ -194,10 +194,10 @@ describe('the first page', () => {
 
   for (const [question, answer] of [
     ['Rotate about an axis', /how-to-rotate/],
-    ['use noise', /noise/],
-    ["what is space: 'world'", /spaces|units|p5\.html/],
+    ['use noise', /docs\/(?:tutorial-3-)?noise/],
+    ["what is space: 'world'", /docs\/spaces/],
     ['waving flag', /how-to-flag/],
-    ['melting bunny', /deformer-melt|tutorial-5/],
+    ['melting bunny', /tutorial-5|deformers\.html#melt/],
   ])
     test(`answers “${question}” first of all`, async () => {
       await page.goto(url, patience)

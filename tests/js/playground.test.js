@@ -1,5 +1,6 @@
 // The parts of the playground that need no browser.
 import assert from 'node:assert/strict'
+import { readFileSync, readdirSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { converted } from '../../web/playground/convert.js'
 import { guarded } from '../../web/playground/guard.js'
@@ -215,4 +216,17 @@ describe('an offset alone', () => {
     new Function(whole({ text, host: 'offset', model: "a'); alert('b.obj" }).text)
     assert.deepEqual(whole({ text, host: 'p5', model: 'box' }), { text, host: 'p5' })
   })
+})
+
+test('at least forty interactions are tested in a browser', () => {
+  const folder = new URL('../browser/', import.meta.url)
+  const titles = readdirSync(folder)
+    .filter((file) => /^playground.*\.test\.js$/.test(file))
+    .flatMap((file) => [
+      ...readFileSync(new URL(file, folder), 'utf8').matchAll(/^ *test\(\s*(['"`])(.+?)\1,/gm),
+    ])
+    .map(([, , title]) => title)
+    .filter((title) => !title.startsWith('has printed nothing'))
+  assert.equal(new Set(titles).size, titles.length)
+  assert.ok(titles.length >= 40, `${titles.length}`)
 })

@@ -2,13 +2,14 @@
 import assert from 'node:assert/strict'
 import { existsSync, readFileSync, readdirSync } from 'node:fs'
 import { dirname, join } from 'node:path/posix'
-import { before, test } from 'node:test'
+import { before, describe, test } from 'node:test'
 import { viteBuild } from '../../.scripts/lib/vite.mjs'
 import { sections } from '../../web/catalogue.js'
 import { sketchOf } from '../../web/playground/link.js'
 import { blocksOf } from '../../web/site/markdown.js'
 import { pages as listed } from '../../web/site/navigation.js'
 import { sitePages } from '../../web/site/pages.js'
+import { makeSearch } from '../../web/site/search.js'
 import { linkTo, runnable } from '../../web/site/runnable.js'
 import { sliders } from '../../web/sliders.js'
 
@@ -77,6 +78,28 @@ test('a part of a sketch gets the rest', () => {
   assert.equal(runnable('createWarp(f)\n', 'js', ' not '), undefined)
 })
 
+test('no sketch leaves a warp on for what the next frame draws before it', () => {
+  const blocks = markdown.flatMap((file) =>
+    [...read(`web/docs/${file}`).matchAll(/```js\n([^]*?)```/g)].map(([, text]) => ({
+      file,
+      text,
+    })),
+  )
+  const sketches = names.map((file) => ({ file, text: read(`examples/${file}/sketch.js`) }))
+  const shape = /\b(?:sphere|box|cylinder|plane|torus|model|cone|ellipsoid|warpBox|rect)\(/
+  const wrong = []
+  for (const { file, text } of [...blocks, ...sketches]) {
+    const [, draw] = /function draw\(\) \{\n([^]*?)^\}/m.exec(text) ?? []
+    const warps = [...text.matchAll(/(\w+) = createWarp/g)].map(([, name]) => name)
+    if (!draw || !warps.length) continue
+    const before = draw.split(new RegExp(`\\b(?:${warps.join('|')})\\(`))[0]
+    const count = (call) => before.split(call).length - 1
+    const isAlone = count('push()') > count('pop()')
+    if (before !== draw && shape.test(before) && !isAlone) wrong.push(file)
+  }
+  assert.deepEqual(wrong, [])
+})
+
 test('every example has a page and a picture of at most 20 KB', () => {
   for (const name of names) {
     assert.ok(pages.has(`gallery/${name}/index.html`), name)
@@ -120,6 +143,43 @@ test('the search looks through headings of the docs and through examples', () =>
     'gallery/bunny/index.html',
   ])
     assert.ok(urls.includes(url), url)
+})
+
+describe('the search answers, first of all,', () => {
+  let search
+  before(async () => {
+    const { fetch } = globalThis
+    globalThis.fetch = async () => new Response(pages.get('site/search.json'))
+    search = await makeSearch('https://example.org/')
+    globalThis.fetch = fetch
+  })
+
+  for (const [question, answer] of [
+    ['rotate about an axis', 'docs/how-to-rotate.html'],
+    ['use noise', /^docs\/(?:tutorial-3-noise|noise)\.html$/],
+    ["what is space: 'world'", 'docs/spaces.html'],
+    ['spaces', 'docs/spaces.html'],
+    ['waving flag', 'docs/how-to-flag.html'],
+    ['melting', /^docs\/deformers\.html#melt$/],
+    ['melting bunny', /^docs\/(?:deformers\.html#melt|tutorial-5-your-model\.html)$/],
+    ['load a model', /^docs\/tutorial-5-your-model\.html/],
+    ['how do I install it', /^docs\/tutorial-1-first-warp\.html/],
+    ['where do I start', /^docs\/tutorial-1-first-warp\.html/],
+    ['lotus', 'gallery/lotus/index.html'],
+  ])
+    test(question, () => {
+      const [first] = search(question)
+      if (answer instanceof RegExp) assert.match(first.url, answer)
+      else assert.equal(first.url, answer)
+    })
+
+  test('with text as one reads it', () => {
+    const { text } = JSON.parse(pages.get('site/search.json')).find(
+      ({ url }) => url === 'docs/how-to-rotate.html',
+    )
+    assert.match(text, /createWarp\(\(\{ glsl, position, millis \}\) => \{/)
+    assert.doesNotMatch(pages.get('site/search.json'), /&#\w+;/)
+  })
 })
 
 test('a build is one for production and leaves NODE_ENV as it was, so that servers before and after it do not matter', async () => {

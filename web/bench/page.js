@@ -208,7 +208,8 @@ try {
   })
   run(picture)
 } catch (error) {
-  find('.hand').remove()
+  const still = { src: '../posters/airplane-twist.webp', alt: 'The airplane at rest, twisted' }
+  find('.hand').replaceWith(make('img', still))
   complain(error)
 }
 

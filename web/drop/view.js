@@ -16,7 +16,10 @@ const boxEdges = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2,
 export class View {
   constructor(canvas) {
     const gl = canvas.getContext('webgl2', { antialias: true })
-    if (!gl) throw new Error('This page draws with WebGL2, which this browser does not have.')
+    if (!gl)
+      throw new Error(
+        'This page draws with WebGL2, which this browser does not have: open it in another one.',
+      )
     this.gl = gl
     this.canvas = canvas
     this.boxProgram = this.link(boxVertex, lineFragment)

@@ -46,7 +46,12 @@ export function makeChecks(uniforms) {
 function check({ maker, made, surfaceVariation }, points, all) {
   const title = make('h3', { textContent: maker })
   try {
-    const read = made.uniforms.map(({ name }) => name).filter((name) => name in all)
+    const read = made.uniforms.map(({ name }) => name)
+    const unknown = read.find((name) => !(name in all))
+    if (unknown)
+      throw new Error(
+        `The sketch sets “${unknown}” where it draws, which is not seen here: give it to createWarp, as in { uniforms: { ${unknown}: 1 } }.`,
+      )
     const uniforms = Object.fromEntries(read.map((name) => [name, all[name]]))
     const { positions, normals, uvs, colors } = points
     // Without, the shader takes normal and uv for constant, and so does this.

@@ -1,0 +1,190 @@
+// What one does at the playground beside writing a warp: choosing, printing, looking around, reloading, dropping files, finding.
+import assert from 'node:assert/strict'
+import { mkdirSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { pathToFileURL } from 'node:url'
+import { difference, path, pixels } from './support/bench.js'
+import { launchBrowser, openPage } from './support/browser.js'
+import {
+  canvasPixels,
+  line,
+  openPlayground,
+  saved,
+  settled,
+  shown,
+  still,
+  text,
+  write,
+} from './support/playground.js'
+
+const folder = path('.build/downloads')
+
+let page, messages, context, close
+before(async () => {
+  mkdirSync(folder, { recursive: true })
+  ;({ page, messages, context, close } = await openPlayground(5254, await launchBrowser()))
+})
+after(() => close())
+
+const mistake = () => page.locator('.mistake').textContent()
+const slider = (name) => page.getByLabel(name, { exact: true })
+
+const setup = (more) => still('#ff8040').replace('noStroke()', `noStroke(); ${more}`)
+
+test('chooses an example, with the scripts that it needs, and undo brings the own sketch back', async () => {
+  await write(page, still('#ff8040'))
+  await page.getByLabel('Example').selectOption('deformer-bend')
+  await page.waitForFunction(() => document.querySelector('[name=deformers]').checked)
+  await settled(page)
+  assert.equal(await mistake(), '')
+  assert.match(await text(page), /warpjet\.bend/)
+  await page.locator('.cm-content').focus()
+  await page.keyboard.press('Control+z')
+  await settled(page)
+  assert.equal(await text(page), still('#ff8040'))
+  assert.equal(await page.getByLabel('Deformers').isChecked(), false)
+})
+
+test('lists what a sketch prints, counts it, and forgets it with the sketch', async () => {
+  const tab = page.getByRole('tab', { name: 'Console' })
+  await write(page, setup("print('so', 7); console.warn('beware')"))
+  assert.equal(await tab.textContent(), 'Console (2)')
+  await tab.click()
+  const lines = page.locator('.printed li')
+  assert.deepEqual(await lines.allTextContents(), ['so 7', 'beware'])
+  assert.equal(await lines.nth(1).getAttribute('class'), 'warn')
+  // What is only said goes to the browser's own console, too.
+  assert.deepEqual(messages.splice(0), ['so 7'])
+  await write(page, still('#ff8040'))
+  assert.equal(await tab.textContent(), 'Console')
+  assert.equal(await lines.count(), 0)
+  await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
+})
+
+test('turns the shape where the sketch lets the pointer turn it', async () => {
+  const bent = still('#ff8040', 'glsl.vec3(position.y(), 0, 0)')
+  await write(page, bent.replace('warp()\n', 'orbitControl(); lights(); warp()\n'))
+  const before = await canvasPixels(page)
+  const { x, y, width, height } = await page.locator('iframe.shown').boundingBox()
+  await page.mouse.move(x + width / 2, y + height / 2)
+  await page.mouse.down()
+  await page.mouse.move(x + width / 2 + 60, y + height / 2 + 20, { steps: 6 })
+  await page.mouse.up()
+  const isTurned = async () => difference(before, await canvasPixels(page)) > 0.02
+  for (let i = 0; i < 40 && !(await isTurned()); i++) await page.waitForTimeout(100)
+  assert.ok(await isTurned())
+})
+
+test('keeps the sketch and where its slider stands over a reload', async () => {
+  const far = still('#80ff00', 'glsl.vec3(uniforms.far, 0, 0)', ', { uniforms: { far: 0.5 } }')
+  await write(page, far)
+  const address = page.url()
+  await slider('far').press('End')
+  await page.waitForFunction((before) => location.href !== before, address)
+  const before = await canvasPixels(page)
+  await page.reload()
+  await settled(page)
+  assert.equal(await text(page), far)
+  assert.equal(Number(await slider('far').inputValue()), 2)
+  assert.equal(difference(before, await canvasPixels(page)), 0)
+})
+
+test('keeps where a slider stands while one writes on, until its number changes', async () => {
+  const far = (number, color) =>
+    still(color, 'glsl.vec3(uniforms.far, 0, 0)', `, { uniforms: { far: ${number} } }`)
+  await write(page, far(0.25, '#80ff00'))
+  await slider('far').press('End')
+  await write(page, far(0.25, '#8000ff'))
+  assert.equal(Number(await slider('far').inputValue()), 1)
+  await write(page, far(0.3, '#8000ff'))
+  assert.equal(Number(await slider('far').inputValue()), 0.3)
+})
+
+test('is left by a link and come back to by the browser’s own way back', async () => {
+  await write(page, still('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
+  const before = await canvasPixels(page)
+  await page.getByRole('link', { name: 'warpjet' }).click()
+  await page.waitForURL(/(?:\/|index\.html)$/)
+  await page.goBack()
+  await settled(page)
+  assert.equal(await text(page), still('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
+  assert.equal(difference(before, await canvasPixels(page)), 0)
+  // Of the first page, which was left before it was there.
+  messages.length = 0
+})
+
+test('a picture that is dropped is the sketch’s to load, and goes into the page that is saved', async () => {
+  const dataTransfer = await page.evaluateHandle(async () => {
+    const canvas = new OffscreenCanvas(4, 4)
+    const brush = canvas.getContext('2d')
+    brush.fillStyle = '#ff0000'
+    brush.fillRect(0, 0, 4, 4)
+    const transfer = new DataTransfer()
+    transfer.items.add(new File([await canvas.convertToBlob()], 'red.png'))
+    return transfer
+  })
+  await page.dispatchEvent('body', 'drop', { dataTransfer })
+  await settled(page)
+  const textured = setup("image = await loadImage('red.png')")
+    .replace('function setup', 'let image\nasync function setup')
+    .replace("fill('#ff8040')", 'texture(image)')
+  await write(page, textured)
+  assert.equal(await mistake(), '')
+  const before = await canvasPixels(page)
+  const middle = 4 * (120 * 45 + 60)
+  assert.deepEqual([...before.subarray(middle, middle + 3)], [255, 0, 0])
+  const file = `${folder}/textured.html`
+  await (await saved(page, 'Page that opens anywhere')).saveAs(file)
+  const other = await openPage(context, pathToFileURL(file).href)
+  await other.page.waitForFunction(() => window.frameCount > 1, null, { timeout: 120_000 })
+  assert.equal(difference(before, await pixels(other.page)), 0)
+  assert.deepEqual(other.messages, [])
+  await other.page.close()
+})
+
+test('the menu closes by Escape, which gives the focus back, and by a press elsewhere', async () => {
+  const item = page.getByRole('button', { name: 'Picture (PNG)' })
+  const summary = page.getByText('Save', { exact: true })
+  await summary.click()
+  await item.focus()
+  await page.keyboard.press('Escape')
+  assert.equal(await item.isVisible(), false)
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Save')
+  await summary.click()
+  assert.equal(await item.isVisible(), true)
+  await page.locator('.cm-content').click()
+  assert.equal(await item.isVisible(), false)
+})
+
+test('finds a word in the text', async () => {
+  await write(page, still('#ff8040'))
+  await page.keyboard.press('Control+f')
+  await page.getByRole('textbox', { name: 'Find' }).waitFor()
+  await page.keyboard.type('background')
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Escape')
+  assert.match(await line(page), /background\(/)
+  assert.equal(await page.evaluate(() => String(getSelection())), 'background')
+})
+
+test('holds the Tab key for nobody: it leaves the editor', async () => {
+  await page.locator('.cm-content').focus()
+  await page.keyboard.press('Tab')
+  assert.equal(await text(page), still('#ff8040'))
+  assert.equal(await page.evaluate(() => Boolean(document.activeElement.closest('.editor'))), false)
+})
+
+test('says that there is no picture to save, where nothing was ever drawn', async () => {
+  const other = await openPage(context, 'about:blank')
+  const { fragmentOf } = await import('../../web/playground/link.js')
+  const wrong = { text: still('#ff8040', 'nothing'), host: 'p5', chosen: [] }
+  await other.page.goto(page.url().replace(/#.*/, '') + (await fragmentOf(wrong)))
+  await settled(other.page)
+  assert.match(await other.page.locator('.mistake').textContent(), /^Line 5 .*nothing/)
+  await other.page.getByText('Save', { exact: true }).click()
+  await other.page.getByRole('button', { name: 'Picture (PNG)' }).click()
+  await other.page.getByText('There is no picture to save yet.').waitFor()
+  await other.page.close()
+})
+
+test('has printed nothing of its own', () => assert.deepEqual(messages, []))
