@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { desktop, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { keepFrames } from './support/frames.js'
+import { fewFrames, keepFrames, rough } from './support/frames.js'
 import { settled } from './support/playground.js'
 import { calm, serveSite, withoutWorker } from './support/site.js'
 
@@ -77,18 +77,19 @@ test('the first page’s ball swells towards the pointer, and draws only while i
   assert.ok(right.right > left.right + 0.04, JSON.stringify(seen))
 
   await page.evaluate(() => scrollTo({ top: document.body.scrollHeight, behavior: 'instant' }))
-  await page.waitForTimeout(300)
+  // What is under way ends first.
+  for (let i = 0; i < 20 && (await drawsIn(page, 300)); i++);
   assert.equal(await drawsIn(page, 500), 0)
   await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }))
-  await page.waitForTimeout(300)
-  assert.ok((await drawsIn(page, 500)) > 2)
+  const from = await page.evaluate(() => window.draws)
+  await page.waitForFunction((from) => window.draws > from + 2, from, patience)
   await context.close()
   assert.deepEqual(messages, [])
 })
 
 test('an example runs only while it is seen', async () => {
   const context = await browser.newContext({ viewport: { width: 700, height: 500 } })
-  await context.addInitScript(withoutWorker)
+  for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
   const { page, messages } = await openPage(context, `${url}gallery/deformer-shear/index.html`)
   await page.locator('.stage').evaluate((stage) => stage.scrollIntoView())
   await page.waitForSelector('iframe.shown', patience)
@@ -103,7 +104,7 @@ test('an example runs only while it is seen', async () => {
 
 test('the full page of an example says what it is, fills the window, and leads back', async () => {
   const context = await browser.newContext(desktop)
-  await context.addInitScript(withoutWorker)
+  for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
   const { page, messages } = await openPage(context, `${url}gallery/deformer-shear/index.html`)
   await page.getByRole('link', { name: 'Full page' }).click()
   await page.waitForSelector('iframe.shown', patience)
