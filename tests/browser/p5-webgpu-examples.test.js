@@ -7,6 +7,7 @@ import { sections } from '../../web/catalogue.js'
 import { converted } from '../../web/playground/convert.js'
 import { launchBrowserWithWebGPU, leavePage, openPage } from './support/browser.js'
 import { config, path } from './support/bench.js'
+import { coarse } from './support/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from './support/pixels.js'
 
 const screenshots = path('.build/screenshots/webgpu')
@@ -60,7 +61,8 @@ async function openFor(host) {
   const context = await browser.newContext()
   await context.route('**/examples/*/sketch.js', async (route) => {
     const response = await route.fetch()
-    await route.fulfill({ response, body: converted(await response.text(), host) + still })
+    const sketch = converted(await response.text(), host)
+    await route.fulfill({ response, body: `${sketch}${still}{${coarse}}` })
   })
   const withWebGPU = async (route) => {
     const response = await route.fetch()

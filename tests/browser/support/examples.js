@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict'
 
 /**
- * Sketches other than `exceptions` are drawn with a sixteenth of their pixels, and p5's shapes with a tenth of their triangles:
- * without a GPU these are what takes long, lit triangles smaller than a pixel most of all.
+ * Sketches other than `exceptions` are drawn with a sixteenth of their pixels and coarse shapes: without a GPU these are what
+ * takes long, lit triangles smaller than a pixel most of all.
  */
 export const lower = (context, { exceptions = [], before = '' } = {}) =>
   context.route('**/examples/*/sketch.js', async (route) => {
@@ -28,6 +28,12 @@ export const lower = (context, { exceptions = [], before = '' } = {}) =>
   p5.prototype.pixelDensity = function (density) {
     return pixelDensity.call(this, density && density / 4)
   }
+${coarse}}`
+    await route.fulfill({ response, body })
+  })
+
+/** p5's shapes with a tenth of their triangles, as text for a sketch. */
+export const coarse = `
   // Where the numbers for detail begin among those that a shape takes.
   const shapes = { plane: 2, sphere: 1, ellipsoid: 3, cylinder: 2, cone: 2, torus: 2 }
   for (const [name, first] of Object.entries(shapes)) {
@@ -37,9 +43,7 @@ export const lower = (context, { exceptions = [], before = '' } = {}) =>
       return shape.apply(this, sizes.map((size, i) => (isDetail(size, i) ? Math.min(size, 48) : size)))
     }
   }
-}`
-    await route.fulfill({ response, body })
-  })
+`
 
 /** A sketch of three.js likewise; without a GPU its thousands of instances are what takes longest. */
 const smaller = async (response) =>
