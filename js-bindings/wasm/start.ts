@@ -4,10 +4,10 @@ import { WarpError } from '../checks/errors.js'
 
 /** By .scripts/lib/inline.mjs: frequent bytes are a letter each, the others two, which gzip packs as well as bytes. */
 export interface Inlined {
-  letters: string
-  /** All bytes, the most frequent one first, each as two hexadecimal digits. */
-  order: string
   text: string
+  letters: string
+  /** The bytes that are a letter each; these and the others stand in their own order. */
+  frequent: readonly number[]
 }
 
 /**
@@ -76,12 +76,15 @@ function refusal(cause: unknown): string | undefined {
   }
 }
 
-function decode({ letters, order, text }: Inlined): Uint8Array<ArrayBuffer> {
+function decode({ text, letters, frequent }: Inlined): Uint8Array<ArrayBuffer> {
   const ranks = new Uint8Array(128)
   for (let i = 0; i < letters.length; i++) ranks[letters.charCodeAt(i)] = i
-  const ordered = Uint8Array.from(order.match(/../g)!, (digits) => parseInt(digits, 16))
   const count = letters.length
-  const single = count - 2
+  const single = frequent.length
+  const others = Array.from({ length: 256 }, (_, byte) => byte).filter(
+    (byte) => !frequent.includes(byte),
+  )
+  const ordered = Uint8Array.of(...frequent, ...others)
   // In place, for there are no more bytes than letters; typed arrays take half as long as the text and an array would.
   const bytes = new TextEncoder().encode(text)
   let size = 0
