@@ -1,7 +1,7 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
 import { WarpError, describe } from '../checks/errors.js'
 import { boundProgram } from '../wasm/evaluation.js'
-import type { Stream } from '../wasm/machine-code.js'
+import type { Sink, Stream } from '../wasm/machine-code.js'
 import { runProgram } from '../wasm/run-program.js'
 import { type VertexInput, variationInputs, vertexInputs } from '../inputs/inputs.js'
 import type { Program } from '../module/kept-module.js'
@@ -128,6 +128,26 @@ const numbersOf = {
 
 type Result = keyof typeof numbersOf
 
+const wants = <Name extends Result>(...names: Name[]) => ({
+  names,
+  numbers: names.flatMap((name) => numbersOf[name]),
+  /** Where evaluateAt has them for a moment. */
+  point: names.map((name) => {
+    const results = numbersOf[name]
+    return { values: new Float32Array(results.length), results }
+  }),
+})
+
+/** Made once, since what is known of a program is found by them. */
+const wanted = {
+  place: wants('positions'),
+  surface: wants('positions', 'normals'),
+  frame: wants('positions', 'normals', 'tangents'),
+}
+
+/** Of the program of directions: the position, and what becomes of the direction. */
+const positionAndDirection = [0, 1, 2, 3, 4, 5]
+
 const pointOptions = [
   ...Object.keys(vertexInputs).filter((name) => name !== 'position'),
   'uniforms',
@@ -140,55 +160,56 @@ const unitVectors: readonly Triple[] = [
 ]
 
 export function createCpuWarp(warp: WarpProgram): CpuWarp {
-  function run<Name extends Result>(
+  /** Into sinks of the results that are wanted. */
+  function run(
     method: string,
     mesh: Vertices,
     vertices: number,
     uniforms: Uniforms | undefined,
-    wanted: readonly Name[],
-    out: Partial<Record<Name, Float32Array>> = {},
-  ): Record<Name, Float32Array> {
+    numbers: readonly number[],
+    sinks: readonly Sink[],
+  ) {
     const program = programOf(method, warp)
-    const numbers = wanted.flatMap((name) => numbersOf[name])
-    const streams = originsOf(method, warp, program, numbers, uniforms).map((origin): Stream => {
-      const { input, isRead, values: shared } = origin
-      const common = { values: shared, size: shared.length, isUniform: true }
-      if (!input || !isRead) return common
+    const origins = originsOf(method, warp, program, numbers, uniforms)
+    const streams = origins.map((origin): Stream => {
+      const { input, isRead } = origin
+      if (!input || !isRead) return origin
       const values = mesh[arrayNames[input]]
       if (values) return { values, size: vertexInputs[input], isUniform: false }
       if (input in variationInputs) {
         if (!warp.isAccepted) noteApproximation(method, 'surfaceVariation(mesh) of warpjet/mesh')
-        return common
+        return origin
       }
       const name = method === 'evaluateAt' ? input : arrayNames[input]
       throw new WarpError(
         `${method}: the warp reads the ${input} of each vertex, but no "${name}" came.`,
       )
     })
-    const sinks = wanted.map((name) => ({
-      values: arrayFor(method, name, vertices * numbersOf[name].length, out[name]),
-      results: numbersOf[name],
-    }))
-    if (vertices > 0) runProgram(program, vertices, streams, sinks)
-    for (const { values } of sinks) noteChecked(values)
-    return Object.fromEntries(wanted.map((name, i) => [name, sinks[i]!.values])) as never
+    if (vertices > 0) runProgram(program, numbers, vertices, streams, sinks)
   }
 
-  function turned(mesh: Vertices): Result[] {
-    if (!warp.hasNormals || !mesh?.normals) return ['positions']
-    return mesh.tangents ? ['positions', 'normals', 'tangents'] : ['positions', 'normals']
+  function turned(mesh: Vertices) {
+    if (!warp.hasNormals || !mesh.normals) return wanted.place
+    return mesh.tangents ? wanted.frame : wanted.surface
   }
 
   return {
     [warpProgram]: warp,
 
     evaluate(mesh, options) {
-      const { out, ...rest } = options ?? {}
-      checkOptions('evaluate: out', out, ['positions', 'normals', 'tangents'])
-      const uniforms = uniformsOf('evaluate', options && rest)
-      const given = out as Partial<WarpedVertices>
+      const uniforms = uniformsOf('evaluate', options, ['uniforms', 'out'])
+      const out = options?.out
+      checkOptions('evaluate: out', out, wanted.frame.names)
       const vertices = checkVertices('evaluate', mesh)
-      return run('evaluate', mesh, vertices, uniforms, turned(mesh), given)
+      const { names, numbers } = turned(mesh)
+      const sinks = names.map((name) => {
+        const results = numbersOf[name]
+        return { values: arrayFor(name, vertices * results.length, out?.[name]), results }
+      })
+      run('evaluate', mesh, vertices, uniforms, numbers, sinks)
+      const warped: Partial<WarpedVertices> = {}
+      names.forEach((name, i) => noteChecked((warped[name] = sinks[i]!.values)))
+      return warped as WarpedVertices
     },
 
     evaluateAt(position, inputs = {}) {
@@ -200,17 +221,13 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
         if (key === 'uniforms' || value === undefined) continue
         vertex[arrayNames[name]] = readNumbers(`evaluateAt: the ${key}`, value, vertexInputs[name])
       }
-      const { positions, normals, tangents } = run(
-        'evaluateAt',
-        vertex,
-        1,
-        inputs.uniforms,
-        turned(vertex),
-      ) as WarpedVertices
+      const { numbers, point } = turned(vertex)
+      run('evaluateAt', vertex, 1, inputs.uniforms, numbers, point)
+      const [positions, normals, tangents] = point
       return {
-        position: [...positions],
-        ...(normals && { normal: [...normals] }),
-        ...(tangents && { tangent: [...tangents] }),
+        position: Array.from(positions!.values),
+        ...(normals && { normal: Array.from(normals.values) }),
+        ...(tangents && { tangent: Array.from(tangents.values) }),
       }
     },
 
@@ -220,7 +237,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       const near = readNumbers('inverseAt: near', options.near ?? target, 3) as Triple
       refuseWithoutNormals('inverseAt', warp)
       const program = programOf('inverseAt', warp, warp.directionProgram)
-      const origins = originsOf('inverseAt', warp, program, [0, 1, 2, 3, 4, 5], options.uniforms)
+      const origins = originsOf('inverseAt', warp, program, positionAndDirection, options.uniforms)
       const shared = origins.map(({ input, isRead, values }) => {
         if (!input || !isRead || input === 'position' || input === 'tangent') return values
         if (input in variationInputs) return values
@@ -269,20 +286,22 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       const uniforms = uniformsOf('foldover', options)
       refuseWithoutNormals('foldover', warp)
       const vertices = checkVertices('foldover', mesh)
-      const { determinant } = run('foldover', mesh, vertices, uniforms, ['determinant'])
-      const mask = Uint8Array.from(determinant, (value) => Number(!(value > 0)))
+      const values = new Float32Array(vertices)
+      const sinks = [{ values, results: numbersOf.determinant }]
+      run('foldover', mesh, vertices, uniforms, numbersOf.determinant, sinks)
+      const mask = Uint8Array.from(values, (value) => Number(!(value > 0)))
       return { mask, count: mask.reduce((sum, folded) => sum + folded, 0) }
     },
   }
 }
 
 /** Where so many numbers of a result go: into the caller's array, if one came. */
-function arrayFor(method: string, name: string, length: number, given: unknown): Float32Array {
+function arrayFor(name: string, length: number, given: unknown): Float32Array {
   if (given === undefined) return new Float32Array(length)
   if (given instanceof Float32Array && given.length >= length) return given
   const came = given instanceof Float32Array ? `has only ${given.length}` : `is ${describe(given)}`
   throw new WarpError(
-    `${method}: out.${name} must be a Float32Array of at least ${length} numbers, but ${came}.`,
+    `evaluate: out.${name} must be a Float32Array of at least ${length} numbers, but ${came}.`,
   )
 }
 

@@ -4,7 +4,7 @@ import { WarpError, describe } from '../checks/errors.js'
 import type { Expression } from '../expression/expression.js'
 import { inputSizes, markWhole } from './inputs.js'
 import { isCallable, isList, own } from '../checks/options.js'
-import { type Shape, type Variable, imageShape, typeOf } from '../expression/shapes.js'
+import { type Shape, imageShape, typeOf } from '../expression/shapes.js'
 import type { ImageLike, OffsetFunction, UniformValue, WarpInputs } from '../types/types.js'
 
 type Given = UniformValue | (() => UniformValue)
@@ -251,15 +251,14 @@ function expressions(
   })
 }
 
-/** For the CPU: what is given, and for the rest of what is declared its present value, as far as `parameters` has it. */
+/** For the CPU: what is given, and for the rest of what is declared its present value, as far as it is `read`. */
 export function withDeclared(
   method: string,
   declared: DeclaredUniforms,
   given: Readonly<Record<string, unknown>> = {},
-  parameters: readonly Variable[],
+  read: ReadonlySet<string>,
 ): Record<string, unknown> {
   const all = Object.assign(Object.create(null), given) as Record<string, unknown>
-  const read = new Set(parameters.map(({ name }) => name))
   for (const [name, uniform] of declared) {
     const value = own(given, name)
     const isRead = read.has(name)

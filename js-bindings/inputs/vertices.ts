@@ -50,6 +50,11 @@ export const arrayNames: Record<VertexInput, keyof Vertices> = {
   vGradient: 'vGradients',
 }
 
+const sizes = Object.entries(arrayNames).map(([input, name]) => ({
+  name,
+  size: vertexInputs[input as VertexInput],
+}))
+
 /** Arrays that held finite numbers when they were checked, or that a warp wrote; others of the same kind can get longer. */
 const checked = new WeakSet<Float32Array>()
 
@@ -69,8 +74,7 @@ export function checkVertices(method: string, mesh: unknown): number {
     )
   const arrays = mesh as Record<string, unknown>
   let vertices = 0
-  for (const [input, name] of Object.entries(arrayNames)) {
-    const size = vertexInputs[input as VertexInput]
+  for (const { name, size } of sizes) {
     const numbers = arrays[name]
     if (numbers === undefined && name !== 'positions') continue
     if (!isList(numbers))
@@ -98,16 +102,19 @@ export function checkVertices(method: string, mesh: unknown): number {
   return vertices
 }
 
-/** Of options that hold nothing else. */
-export function uniformsOf(method: string, options: unknown): Uniforms | undefined {
+/** Of options that hold nothing else than what is `known`. */
+export function uniformsOf(
+  method: string,
+  options: unknown,
+  known: readonly string[] = ['uniforms'],
+): Uniforms | undefined {
   if (typeof options === 'object' && options !== null && !isList(options)) {
-    const other = Object.keys(options).find((name) => name !== 'uniforms')
-    if (other !== undefined)
-      throw new WarpError(
-        `${method}: there is no option "${other}"; if it is a uniform, write { uniforms: { ${other}: … } }.`,
-      )
-  }
-  checkOptions(method, options, ['uniforms'])
+    for (const name of Object.keys(options))
+      if (!known.includes(name))
+        throw new WarpError(
+          `${method}: there is no option "${name}"; if it is a uniform, write { uniforms: { ${name}: … } }.`,
+        )
+  } else checkOptions(method, options, known)
   return (options as { uniforms?: Uniforms } | undefined)?.uniforms
 }
 

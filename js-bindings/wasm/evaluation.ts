@@ -99,19 +99,8 @@ const tooLarge = 'There is not enough memory to run so large a warp on the CPU.'
  */
 export const evaluationMemoryInUse = (): number => getEvaluation()._memoryInUse()
 
-/** Found before, by program and wanted results. */
-const knownReads = new WeakMap<Program, Map<string, boolean[]>>()
-
 /** Which of the program's inputs the wanted results depend on. */
-export function inputsRead(program: Program, wanted: readonly number[]): boolean[] {
-  if (!knownReads.has(program)) knownReads.set(program, new Map())
-  const known = knownReads.get(program)!
-  const key = wanted.join()
-  if (!known.has(key)) known.set(key, findInputsRead(program, wanted))
-  return known.get(key)!
-}
-
-const findInputsRead = (program: Program, wanted: readonly number[]): boolean[] =>
+export const inputsRead = (program: Program, wanted: readonly number[]): boolean[] =>
   withMemory((core, memory) => {
     const sizes = program.inputs.map(({ shape: [columns, rows] }) => columns * rows)
     const total = sizes.reduce((sum, size) => sum + size, 0)

@@ -42,6 +42,7 @@ export class MachineCode {
   /** Null if the program is too long; throws where the engine compiles nothing. */
   static of(
     program: Program,
+    wanted: readonly number[],
     core: Evaluation,
     memory: Memory,
     inputs: readonly Stream[],
@@ -55,7 +56,7 @@ export class MachineCode {
     const resultsAt = sinks.map(({ results }) => place(results.length * verticesAtOnce))
     const made = core._makeMachineCode(
       ...memory.program(program),
-      ...memory.list(sinks.flatMap(({ results }) => results)),
+      ...memory.list(wanted),
       memory.table(inputs, inputsAt),
       inputs.length,
       memory.table(sinks.map(sizeOf), resultsAt),
@@ -84,24 +85,27 @@ export class MachineCode {
   }
 
   run(memory: Memory, vertices: number, inputs: readonly Stream[], sinks: readonly Sink[]) {
-    const { core, inputsAt, resultsAt, shared, sharedAt } = this
+    const { core, code, inputsAt, resultsAt, shared, sharedAt } = this
     const at = memory.allocate(sharedAt + shared.byteLength)
     const floats = core.HEAPF32
     core.HEAPU32.set(shared, (at + sharedAt) / 4)
-    inputs.forEach(({ values, size, isUniform }, i) => {
-      if (isUniform) copy(floats, (at + inputsAt[i]!) / 4, values, 0, size)
-    })
-    this.code.start(at, 0)
+    for (let i = 0; i < inputs.length; i++) {
+      const { values, isUniform } = inputs[i]!
+      if (isUniform) floats.set(values, (at + inputsAt[i]!) / 4)
+    }
+    code.start(at, 0)
     for (let first = 0; first < vertices; first += verticesAtOnce) {
       const now = Math.min(verticesAtOnce, vertices - first)
-      inputs.forEach(({ values, size, isUniform }, i) => {
+      for (let i = 0; i < inputs.length; i++) {
+        const { values, size, isUniform } = inputs[i]!
         if (!isUniform) copyFours(floats, (at + inputsAt[i]!) / 4, values, first, now, size)
-      })
-      this.code.run(at, 16 * Math.ceil(now / 4))
-      sinks.forEach(({ values, results: { length: size } }, i) => {
-        const from = (at + resultsAt[i]!) / 4
-        values.set(floats.subarray(from, from + now * size), first * size)
-      })
+      }
+      code.run(at, 16 * Math.ceil(now / 4))
+      for (let i = 0; i < sinks.length; i++) {
+        const { values, results } = sinks[i]!
+        const size = results.length
+        copy(values, first * size, floats, (at + resultsAt[i]!) / 4, now * size)
+      }
     }
   }
 }
@@ -119,6 +123,9 @@ function copyFours(
   for (let i = vertices * size; i % (4 * size); i++) to[at + i] = to[at + i - size]!
 }
 
+/** Fewer are copied one by one: for `set` of a part there must be a view of it, which is an object. */
+const worthAView = 256
+
 export function copy(
   to: Float32Array,
   at: number,
@@ -126,6 +133,8 @@ export function copy(
   first: number,
   count: number,
 ) {
-  if (from instanceof Float32Array) to.set(from.subarray(first, first + count), at)
-  else for (let i = 0; i < count; i++) to[at + i] = from[first + i]!
+  // Each loop sees arrays of one kind: where kinds mix, engines make an object of each number.
+  if (!(from instanceof Float32Array)) for (let i = 0; i < count; i++) to[at + i] = from[first + i]!
+  else if (count < worthAView) for (let i = 0; i < count; i++) to[at + i] = from[first + i]!
+  else to.set(from.subarray(first, first + count), at)
 }

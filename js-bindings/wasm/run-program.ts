@@ -12,17 +12,21 @@ import {
   verticesAtOnce,
 } from './machine-code.js'
 
-/** Runs `program` on so many vertices; `inputs` has all of its inputs in order. */
+/**
+ * Runs `program` on so many vertices; `inputs` has all of its inputs in order, and `wanted` are the results that the sinks
+ * take, always in the same array for the same ones: the machine code is found by it.
+ */
 export function runProgram(
   program: Program,
+  wanted: readonly number[],
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
 ) {
   withMemory((core, memory) => {
-    const code = machineCodeOf(core, memory, program, vertices, inputs, sinks)
+    const code = machineCodeOf(core, memory, program, wanted, vertices, inputs, sinks)
     if (code) code.run(memory, vertices, inputs, sinks)
-    else interpret(core, memory, program, vertices, inputs, sinks)
+    else interpret(core, memory, program, wanted, vertices, inputs, sinks)
   })
 }
 
@@ -32,8 +36,16 @@ export function runProgram(
  */
 const worthwhile = 30_000
 
-/** By program, and by what is uniform and wanted: null if it is too long, and nothing after it was run once. */
-const codes = new WeakMap<Program, Map<string, MachineCode | null | undefined>>()
+/** What is known of a program for some results and inputs of one kind. */
+interface Known {
+  wanted: readonly number[]
+  isUniform: readonly boolean[]
+  /** Null if the program is too long, and nothing after it was run once. */
+  code?: MachineCode | null
+}
+
+/** Of each program a few, which are compared: a key would be text that is made at each call. */
+const knowns = new WeakMap<Program, Known[]>()
 
 /** Where a Content-Security-Policy or the engine itself compiled nothing more. */
 let isForbidden = false
@@ -42,35 +54,38 @@ function machineCodeOf(
   core: Evaluation,
   memory: Memory,
   program: Program,
+  wanted: readonly number[],
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
 ): MachineCode | null | undefined {
   if (isForbidden) return undefined
-  let known = codes.get(program)
-  if (!known) codes.set(program, (known = new Map<string, MachineCode | null | undefined>()))
-  let key = ''
-  for (const { isUniform } of inputs) key += isUniform ? 'u' : 'v'
-  for (const { results } of sinks) key += `${results.join()};`
-  let code = known.get(key)
-  if (code === null || code?.core === core) return code
-  if (!known.has(key) && vertices < worthwhile) known.set(key, undefined)
-  else {
-    try {
-      code = MachineCode.of(program, core, memory, inputs, sinks)
-      known.set(key, code)
-    } catch (error) {
-      if (error instanceof WarpError || error instanceof WebAssembly.RuntimeError) throw error
-      isForbidden = true
-    }
+  let all = knowns.get(program)
+  if (!all) knowns.set(program, (all = []))
+  let known = all.find(
+    (each) =>
+      each.wanted === wanted && inputs.every((input, i) => input.isUniform === each.isUniform[i]),
+  )
+  if (!known) {
+    all.push((known = { wanted, isUniform: inputs.map(({ isUniform }) => isUniform) }))
+    if (vertices < worthwhile) return undefined
   }
-  return code
+  const { code } = known
+  if (code === null || code?.core === core) return code
+  try {
+    return (known.code = MachineCode.of(program, wanted, core, memory, inputs, sinks))
+  } catch (error) {
+    if (error instanceof WarpError || error instanceof WebAssembly.RuntimeError) throw error
+    isForbidden = true
+    return undefined
+  }
 }
 
 function interpret(
   core: Evaluation,
   memory: Memory,
   program: Program,
+  wanted: readonly number[],
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
@@ -82,14 +97,13 @@ function interpret(
   const results = sinks.map((sink) => memory.floats(sink.results.length * atOnce))
   const streamTable = memory.table(inputs, streams)
   const resultTable = memory.table(sinks.map(sizeOf), results)
-  const wanted = memory.list(sinks.flatMap((sink) => sink.results))
   inputs.forEach(({ values, isUniform }, i) => {
     if (isUniform) core.HEAPF32.set(values, streams[i]! / 4)
   })
 
   const evaluator = core._openEvaluator(
     ...memory.program(program),
-    ...wanted,
+    ...memory.list(wanted),
     streamTable,
     inputs.length,
   )
