@@ -43,11 +43,11 @@ function draw() {
   specularMaterial(40)
   shininess(20)
 
-  translate(0, 30)
+  translate(0, -30)
   rotateX(1.05)
   rotateZ(0.4)
   terrain()
   fill('#8a9a5b')
-  scale(1, 1, 460)
-  plane(460, 460, 220, 220)
+  scale(1, 1, 380)
+  plane(380, 380, 220, 220)
 }

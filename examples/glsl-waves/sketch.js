@@ -42,11 +42,11 @@ function draw() {
   specularMaterial(200)
   shininess(25)
 
-  translate(0, 40)
+  translate(0, -20)
   rotateX(1.1)
   rotateZ(0.5)
   waves()
   fill('#2f9bbf')
-  scale(1, 1, 460)
-  plane(460, 460, 220, 220)
+  scale(1, 1, 380)
+  plane(380, 380, 220, 220)
 }

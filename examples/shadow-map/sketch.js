@@ -4,7 +4,7 @@ let nearest, eye, far, lit, farTower, litTower
 
 function setup() {
   createCanvas(640, 480, WEBGL)
-  camera(-430, -330, 330, 0, -60, 0)
+  camera(-645, -465, 495, 0, -60, 0)
   nearest = createFramebuffer({ width: 1024, height: 1024, density: 1, format: FLOAT })
   eye = nearest.createCamera()
   eye.ortho(-350, 350, -350, 350, 0, 2000)
