@@ -68,7 +68,7 @@ describe('the gallery of npm start', () => {
       await lower(context, { before: still })
       // The first frame is that of one moment: on a busy machine it comes late, and may show a thin side.
       await context.addInitScript('let now = 0; performance.now = () => (now += 100)')
-      for (const script of [keepFrames, rough]) await context.addInitScript(script)
+      await context.addInitScript(keepFrames)
       // One page for all, which compiles p5 once.
       ;({ page, messages } = await openPage(context, `${url}recorder.js`))
     })
@@ -93,7 +93,7 @@ describe('the gallery of npm start', () => {
     before(async () => {
       const context = await browser.newContext(desktop)
       await lower(context, { exceptions: [asItIs], before: plain })
-      for (const script of [stopWhenTimed, keepFrames, rough, fewFrames])
+      for (const script of [stopWhenTimed, keepFrames, fewFrames])
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
     })

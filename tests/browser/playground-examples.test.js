@@ -6,7 +6,7 @@ import { sections } from '../../web/catalogue.js'
 import { config, desktop } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import { assertPicture, lower, statistics, still } from './support/examples.js'
-import { keepFrames, rough } from './support/frames.js'
+import { keepFrames } from './support/frames.js'
 import { settled, shown } from './support/playground.js'
 
 let browser, server, page, messages
@@ -16,7 +16,7 @@ before(async () => {
   await server.listen()
   const context = await browser.newContext(desktop)
   await lower(context, { before: still })
-  for (const script of [keepFrames, rough]) await context.addInitScript(script)
+  await context.addInitScript(keepFrames)
   const [url] = server.resolvedUrls.local
   ;({ page, messages } = await openPage(context, `${url}playground/index.html`))
   await settled(page)

@@ -138,6 +138,7 @@ describe('the playground', () => {
     await write(page, sketch)
     const before = await canvasPixels(page)
     await page.getByRole('button', { name: 'Copy link' }).click()
+    await page.getByRole('button', { name: 'Copied' }).waitFor()
     const link = await page.evaluate(() => navigator.clipboard.readText())
     assert.ok(link.length < 800, `${link.length} characters`)
     const other = await openPage(context, link)

@@ -88,8 +88,7 @@ export const statistics = (frame) =>
     return { colors: counts.size, covered: 1 - (4 * background) / data.length }
   })
 
-/** Without smooth edges, which blend, what is not lit has two colours. */
 export function assertPicture({ colors, covered }) {
-  assert.ok(colors >= 16, `only ${colors} colours`)
+  assert.ok(colors >= 30, `only ${colors} colours`)
   assert.ok(covered >= 0.03 && covered <= 0.9, `${(100 * covered).toFixed()}% are not background`)
 }
