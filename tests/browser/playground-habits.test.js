@@ -2,14 +2,13 @@
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, test } from 'node:test'
-import { pathToFileURL } from 'node:url'
 import { difference, path, pixels } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import {
   canvasPixels,
   line,
+  openFromDisk,
   openPlayground,
-  saved,
   settled,
   shown,
   still,
@@ -134,10 +133,7 @@ test('a picture that is dropped is the sketch’s to load, and goes into the pag
   const before = await canvasPixels(page)
   const middle = 4 * (120 * 45 + 60)
   assert.deepEqual([...before.subarray(middle, middle + 3)], [255, 0, 0])
-  const file = `${folder}/textured.html`
-  await (await saved(page, 'Page that opens anywhere')).saveAs(file)
-  const other = await openPage(context, pathToFileURL(file).href)
-  await other.page.waitForFunction(() => window.frameCount > 1, null, { timeout: 120_000 })
+  const other = await openFromDisk(page, `${folder}/textured.html`)
   assert.equal(difference(before, await pixels(other.page)), 0)
   assert.deepEqual(other.messages, [])
   await other.page.close()

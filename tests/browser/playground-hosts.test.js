@@ -2,14 +2,13 @@
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, test } from 'node:test'
-import { pathToFileURL } from 'node:url'
 import { difference, path } from './support/bench.js'
-import { launchBrowserWithWebGPU, openPage } from './support/browser.js'
+import { launchBrowserWithWebGPU } from './support/browser.js'
 import { keepFrames } from './support/frames.js'
 import {
   canvasPixels,
+  openFromDisk,
   openPlayground,
-  saved,
   settled,
   shown,
   still,
@@ -39,10 +38,7 @@ const run = async (name) => {
 
 /** Opens what is downloaded as a file → what it draws. */
 async function drawnFromDisk(name, isReady) {
-  const file = `${folder}/${name}.html`
-  await (await saved(page, 'Page that opens anywhere')).saveAs(file)
-  const other = await openPage(context, pathToFileURL(file).href)
-  await other.page.waitForFunction(isReady, null, { timeout: 120_000 })
+  const other = await openFromDisk(page, `${folder}/${name}.html`, isReady)
   const picture = await canvasPixels(other.page)
   const version = await other.page.evaluate(
     () => window.p5?.VERSION ?? window.p5?.prototype.VERSION,

@@ -2,16 +2,16 @@
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
-import { pathToFileURL } from 'node:url'
 import { createServer } from 'vite'
 import { config, desktop, difference, path, phone } from './support/bench.js'
 import { loadMesh } from '../../dist/mesh.js'
 import { bytesOf, launchBrowser, openPage } from './support/browser.js'
-import { fewFrames, rough } from './support/frames.js'
+import { drawLittle } from './support/frames.js'
 import {
   canvasPixels,
   dragNumber,
   line,
+  openFromDisk,
   saved,
   settled,
   shown,
@@ -51,7 +51,7 @@ describe('the playground', () => {
   let page, messages, context
   before(async () => {
     context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })
-    for (const script of [rough, fewFrames]) await context.addInitScript(script)
+    await drawLittle(context)
     await context.grantPermissions(['clipboard-read', 'clipboard-write'])
     ;({ page, messages } = await openPage(context, url))
     await settled(page)
@@ -261,11 +261,7 @@ ${still('#40ff40')
     assert.equal(await page.locator('.mistake').textContent(), '')
     assert.equal(await (await shown(page)).evaluate('typeof bunny'), 'object')
     const before = await canvasPixels(page)
-    const download = await saved(page, 'Page that opens anywhere')
-    const file = `${screenshots}/warp.html`
-    await download.saveAs(file)
-    const other = await openPage(context, pathToFileURL(file).href)
-    await other.page.waitForFunction(() => window.frameCount > 1, null, { timeout: 120_000 })
+    const other = await openFromDisk(page, `${screenshots}/warp.html`)
     assert.equal(difference(before, await canvasPixels(other.page)), 0)
     assert.deepEqual(other.messages, [])
     await other.page.close()

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { desktop, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { fewFrames, keepFrames, rough } from './support/frames.js'
+import { drawLittle, keepFrames } from './support/frames.js'
 import { settled } from './support/playground.js'
 import { calm, serveSite, withoutWorker } from './support/site.js'
 
@@ -89,7 +89,8 @@ test('the first page’s ball swells towards the pointer, and draws only while i
 
 test('an example runs only while it is seen', async () => {
   const context = await browser.newContext({ viewport: { width: 700, height: 500 } })
-  for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
   const { page, messages } = await openPage(context, `${url}gallery/deformer-shear/index.html`)
   await page.locator('.stage').evaluate((stage) => stage.scrollIntoView())
   await page.waitForSelector('iframe.shown', patience)
@@ -104,7 +105,8 @@ test('an example runs only while it is seen', async () => {
 
 test('the full page of an example says what it is, fills the window, and leads back', async () => {
   const context = await browser.newContext(desktop)
-  for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
   const { page, messages } = await openPage(context, `${url}gallery/deformer-shear/index.html`)
   await page.getByRole('link', { name: 'Full page' }).click()
   await page.waitForSelector('iframe.shown', patience)

@@ -9,7 +9,7 @@ import { checkSite } from '../../.scripts/lib/site-budget.mjs'
 import { folder } from '../../.scripts/site.mjs'
 import { desktop, path, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { fewFrames, rough } from './support/frames.js'
+import { drawLittle } from './support/frames.js'
 import { settled, shown } from './support/playground.js'
 import { calm, serveSite, withoutWorker } from './support/site.js'
 
@@ -79,7 +79,8 @@ for (const [name, size, colorScheme] of [
 ])
   test(`on ${name} every page has nothing that axe finds, shows where the focus is, prints nothing, and fits`, async () => {
     const context = await browser.newContext({ ...calm(size), colorScheme })
-    for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
+    await context.addInitScript(withoutWorker)
+    await drawLittle(context)
     await context.addInitScript(axe)
     const { page, messages } = await openPage(context, url)
     const wrong = []
@@ -108,7 +109,8 @@ for (const file of [
 ])
   test(`the Tab key goes through ${file}, stops at all that can be used, and leaves it`, async () => {
     const context = await browser.newContext(calm(desktop))
-    for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
+    await context.addInitScript(withoutWorker)
+    await drawLittle(context)
     const { page } = await openPage(context, url + file)
     if (file.startsWith('playground')) await settled(page)
     const wanted = await page.evaluate(() => {
@@ -146,7 +148,8 @@ describe('the first page', () => {
   let context, page, messages
   before(async () => {
     context = await browser.newContext({ ...desktop })
-    for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
+    await context.addInitScript(withoutWorker)
+    await drawLittle(context)
     ;({ page, messages } = await openPage(context, url))
   })
   after(() => context.close())
@@ -213,7 +216,8 @@ describe('the first page', () => {
 
 test('a slider changes the sketch, and the picture follows', async () => {
   const context = await browser.newContext({ ...desktop })
-  for (const script of [withoutWorker, rough, fewFrames]) await context.addInitScript(script)
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
   const { page, messages } = await openPage(context, `${url}gallery/deformer-twist/index.html`)
   const frame = await page.waitForSelector('iframe.shown', patience)
   await page.getByLabel('Angle').fill('0')
@@ -227,7 +231,7 @@ test('a slider changes the sketch, and the picture follows', async () => {
 
 test('once seen, all of it is there without a network', async () => {
   const context = await browser.newContext(desktop)
-  for (const script of [rough, fewFrames]) await context.addInitScript(script)
+  await drawLittle(context)
   const { page, messages } = await openPage(context, url)
   // It takes over once it has kept all files.
   await page.waitForFunction(() => navigator.serviceWorker.controller, null, patience)

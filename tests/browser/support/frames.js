@@ -1,4 +1,5 @@
-// What pages of the tests draw, without a GPU: less of it, and so that it can be looked at. All are for `addInitScript`.
+// What pages of the tests draw, without a GPU: less of it, and so that it can be looked at. All but `drawLittle` are for
+// `addInitScript`.
 
 /** Three.js leaves its canvas empty once a frame is shown: so it stays until somebody has looked. */
 export function keepFrames() {
@@ -35,4 +36,8 @@ export function fewFrames() {
   // What was asked for by a timer has a number below zero.
   window.cancelAnimationFrame = (request) =>
     request < 0 ? clearTimeout(-request) : cancelAnimationFrame.call(window, request)
+}
+
+export async function drawLittle(context) {
+  for (const script of [rough, fewFrames]) await context.addInitScript(script)
 }

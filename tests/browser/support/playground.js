@@ -1,8 +1,9 @@
 // What the tests of the playground do with it.
+import { pathToFileURL } from 'node:url'
 import { createServer } from 'vite'
 import { config, desktop, pixels } from './bench.js'
 import { openPage } from './browser.js'
-import { fewFrames, rough } from './frames.js'
+import { drawLittle } from './frames.js'
 
 const patience = { timeout: 120_000 }
 
@@ -81,12 +82,20 @@ export async function saved(page, title) {
   return download
 }
 
+/** Saves the page that opens anywhere as `file`, and opens that from the disk → { page, messages }. */
+export async function openFromDisk(page, file, isReady = () => window.frameCount > 1) {
+  await (await saved(page, 'Page that opens anywhere')).saveAs(file)
+  const opened = await openPage(page.context(), pathToFileURL(file).href)
+  await opened.page.waitForFunction(isReady, null, patience)
+  return opened
+}
+
 /** A playground of its own server, open and at rest → { page, messages, context, close }. */
 export async function openPlayground(port, browser) {
   const server = await createServer({ ...config, server: { port, watch: null } })
   await server.listen()
   const context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })
-  for (const script of [rough, fewFrames]) await context.addInitScript(script)
+  await drawLittle(context)
   const [url] = server.resolvedUrls.local
   const { page, messages } = await openPage(context, `${url}playground/index.html`)
   await settled(page)
