@@ -53,4 +53,31 @@ std::vector<NodeId> closeFold(Graph& graph, const OpenFold& open, std::span<cons
   return outcomes;
 }
 
+namespace {
+
+std::vector<NodeId> nodesOf(const Numbers& numbers) {
+  std::vector<NodeId> nodes;
+  for (const Expression x : numbers) nodes.push_back(x.id);
+  return nodes;
+}
+
+Numbers numbersOf(Graph& graph, std::span<const NodeId> nodes) {
+  Numbers numbers;
+  for (const NodeId id : nodes) numbers.push_back({&graph, id});
+  return numbers;
+}
+
+}  // namespace
+
+OpenFold openFold(std::uint32_t steps, const Numbers& start) {
+  return openFold(*start[0].graph, steps, nodesOf(start));
+}
+
+Numbers statesOf(const OpenFold& open) { return numbersOf(*open.step.graph, open.states); }
+
+Numbers closeFold(const OpenFold& open, const Numbers& next) {
+  Graph& graph = *open.step.graph;
+  return numbersOf(graph, closeFold(graph, open, nodesOf(next)));
+}
+
 }  // namespace warpjet

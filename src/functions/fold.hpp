@@ -27,19 +27,16 @@ OpenFold openFold(Graph& graph, std::uint32_t steps, std::span<const NodeId> sta
 // states that it needs are in its fold.
 std::vector<NodeId> closeFold(Graph& graph, const OpenFold& open, std::span<const NodeId> next);
 
+// The same of few states.
+OpenFold openFold(std::uint32_t steps, const Numbers& start);
+Numbers statesOf(const OpenFold& open);
+Numbers closeFold(const OpenFold& open, const Numbers& next);
+
 // The same in one: `body(states, step)` gives what each step makes of them.
 template <class Body>
 Numbers fold(std::uint32_t steps, const Numbers& start, Body body) {
-  Graph& graph = *start[0].graph;
-  std::vector<NodeId> nodes;
-  for (const Expression x : start) nodes.push_back(x.id);
-  const OpenFold open = openFold(graph, steps, nodes);
-  Numbers states, results;
-  for (const NodeId id : open.states) states.push_back({&graph, id});
-  nodes.clear();
-  for (const Expression x : body(states, open.step)) nodes.push_back(x.id);
-  for (const NodeId id : closeFold(graph, open, nodes)) results.push_back({&graph, id});
-  return results;
+  const OpenFold open = openFold(steps, start);
+  return closeFold(open, body(statesOf(open), open.step));
 }
 
 }  // namespace warpjet

@@ -25,7 +25,7 @@ Expression gradientNoise(Library& library, const Point& p, Expression seed);
 double steepestGradientNoise(int dimensions);
 
 // A random number at each corner, blended alike; from -1 to 1.
-Expression valueNoise(const Point& p, Expression seed);
+Expression valueNoise(Library& library, const Point& p, Expression seed);
 double steepestValueNoise();
 
 // Simplex noise (Perlin, "Noise hardware", 2001; Gustavson, "Simplex noise demystified", 2005) with

@@ -42,7 +42,9 @@ inline constexpr std::array noises{
              },
              [](int dimensions) { return slack * steepestSimplexNoise(dimensions); }},
     NoiseRow{"valueNoise", NoiseUse::Base, 1, -1, 1, 1, 4, "",
-             [](auto&, auto&, auto& p, auto* x) { return Numbers{valueNoise(p, x[0])}; },
+             [](auto& library, auto&, auto& p, auto* x) {
+               return Numbers{valueNoise(library, p, x[0])};
+             },
              [](int) { return slack * steepestValueNoise(); }},
     NoiseRow{"worley", NoiseUse::Plain, 2, -unbounded, unbounded, 1, 3,
              "a number, a vec2 or a vec3",

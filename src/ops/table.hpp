@@ -58,7 +58,9 @@ using enum Language;
 using enum Trait;
 
 // hashOf of scalar.hpp; in whole numbers where the language has them. 4091 * 262144 keeps a
-// negative `i` above zero, where GLSL's % is defined.
+// negative `i` above zero, where GLSL's % is defined. Where all is float, a quotient rounded to a
+// whole number leaves a remainder that lies up to 5 beyond 0 or 4091. Products of two such, at most
+// 2^24, are exact as well, so only the last one is put right.
 inline constexpr Helpers hashHelpers{
     R"(highp float warpjetHash(highp float h, highp float i) {
   highp uint n = (1597u * (uint(h) + uint(int(floor(i)) + 1072431104) % 4091u) + 823u) % 4091u;
@@ -66,12 +68,12 @@ inline constexpr Helpers hashHelpers{
 }
 )",
     R"(highp float warpjetRemainder(highp float x) {
-  highp float r = x - 4091.0 * floor(x / 4091.0);
-  return r < 0.0 ? r + 4091.0 : r < 4091.0 ? r : r - 4091.0;
+  return x - 4091.0 * floor(x / 4091.0);
 }
 highp float warpjetHash(highp float h, highp float i) {
   highp float n = warpjetRemainder(1597.0 * (floor(h) + warpjetRemainder(floor(i))) + 823.0);
-  return warpjetRemainder(warpjetRemainder(n * n) * n);
+  highp float r = warpjetRemainder(warpjetRemainder(n * n) * n);
+  return r < 0.0 ? r + 4091.0 : r < 4091.0 ? r : r - 4091.0;
 }
 )",
     R"(fn warpjetHash(h: f32, i: f32) -> f32 {

@@ -1,10 +1,10 @@
 highp float warpjetRemainder(highp float x) {
-  highp float r = x - 4091.0 * floor(x / 4091.0);
-  return r < 0.0 ? r + 4091.0 : r < 4091.0 ? r : r - 4091.0;
+  return x - 4091.0 * floor(x / 4091.0);
 }
 highp float warpjetHash(highp float h, highp float i) {
   highp float n = warpjetRemainder(1597.0 * (floor(h) + warpjetRemainder(floor(i))) + 823.0);
-  return warpjetRemainder(warpjetRemainder(n * n) * n);
+  highp float r = warpjetRemainder(warpjetRemainder(n * n) * n);
+  return r < 0.0 ? r + 4091.0 : r < 4091.0 ? r : r - 4091.0;
 }
 vec2 warpjetDirection2(float seed) {
 vec2 result;
