@@ -68,6 +68,14 @@ class Lattice {
   Numbers cell_, offset_, blend_;
 };
 
+Expression ramp(Library& library, Expression cellHash, const Numbers& offset) {
+  return dot(randomDirection(library, cellHash, static_cast<int>(offset.size())), offset);
+}
+
+Expression level(Library&, Expression cellHash, const Numbers&) {
+  return cellHash * (2 / (ops::hashPrime - 1)) - 1.0;
+}
+
 // The largest derivative of the blend, in the middle.
 constexpr double steepestFade = 15.0 / 8;
 
@@ -91,19 +99,13 @@ double steepestGradientNoise(int dimensions) {
 double steepestValueNoise() { return steepestFade * 2; }
 
 Expression gradientNoise(Library& library, const Point& p, Expression seed) {
-  const Corner corner = [](Library& library, Expression cellHash, const Numbers& offset) {
-    return dot(randomDirection(library, cellHash, static_cast<int>(offset.size())), offset);
-  };
   // In the middle of a cell, where all directions may point to it, lies the largest value.
   const double scale = 2 / std::sqrt(static_cast<double>(p.size()));
-  return Lattice(library, p, corner).blended(seed) * scale;
+  return Lattice(library, p, ramp).blended(seed) * scale;
 }
 
 Expression valueNoise(Library& library, const Point& p, Expression seed) {
-  const Corner corner = [](Library&, Expression cellHash, const Numbers&) {
-    return cellHash * (2 / (ops::hashPrime - 1)) - 1.0;
-  };
-  return Lattice(library, p, corner).blended(seed);
+  return Lattice(library, p, level).blended(seed);
 }
 
 }  // namespace warpjet
