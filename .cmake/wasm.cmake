@@ -7,7 +7,7 @@
 # What runs per vertex is compiled for speed, and the core for size, but for what runs several times per node: -O2 in
 # eight files more saves a fifth of the time, for 9 KB gzipped. It is linked at -O3, which puts together what is called per node: at
 # -Oz a warp of 3,000 nodes takes 2.7 times as long.
-set(fast_sources src/graph/simplify.cpp src/graph/graph.cpp src/diff/differentiator.cpp)
+set(fast_sources src/graph/simplify.cpp src/graph/graph.cpp)
 set(fast_evaluation_sources
   src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp)
 list(TRANSFORM fast_sources PREPEND "${PROJECT_SOURCE_DIR}/")

@@ -6,6 +6,7 @@
 
 #include "emit/names.hpp"
 #include "emit/packs.hpp"
+#include "emit/products.hpp"
 #include "emit/statements.hpp"
 #include "emit/sums.hpp"
 #include "emit/writer.hpp"
@@ -30,7 +31,9 @@ class Emitter {
         comments_(comments),
         inputs_(inputs),
         nodes_(reachable(graph, roots())),
-        packs_(graph, dialect),
+        products_(
+            findProducts(graph, std::span(nodes_).first(options.vectors ? nodes_.size() : 0))),
+        packs_(graph, dialect, products_.all),
         writer_(graph, dialect, packs_) {
     if (graph.has(foldOp)) loops_.emplace(graph, nodes_);
   }
@@ -135,7 +138,8 @@ class Emitter {
   }
 
   void writeStatements() {
-    all_ = makeStatements(graph_, nodes_, loops_ ? &*loops_ : nullptr, outputs_, sums_, options_);
+    all_ = makeStatements(graph_, nodes_, loops_ ? &*loops_ : nullptr, outputs_, sums_, products_,
+                          options_);
     packStatements(graph_, packs_, all_, options_);
     writeBody(all_[0]);
   }
@@ -304,6 +308,7 @@ class Emitter {
   std::span<const std::string> inputs_;
   std::vector<NodeId> nodes_;
   std::optional<Loops> loops_;
+  MatrixProducts products_;
   Packs packs_;
   Writer writer_;
   Temporaries temporaries_;

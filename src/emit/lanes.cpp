@@ -169,6 +169,14 @@ std::optional<Packs::Turn> Packs::turnOf(const Lanes& lanes) const {
   return turn;
 }
 
+const MatrixProduct* Packs::productOf(const Lanes& lanes) const {
+  if (lanes.count != 3) return nullptr;
+  const auto found = std::find_if(products_.begin(), products_.end(), [&](const auto& product) {
+    return std::equal(lanes.begin(), lanes.end(), product.sums.begin());
+  });
+  return found == products_.end() ? nullptr : &*found;
+}
+
 // A sine or cosine that has a name.
 bool Packs::isNamedSineOrCosine(NodeId id) const {
   return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
@@ -206,6 +214,7 @@ Packs::Written Packs::written(const Lanes& lanes, As as, int levels) const {
   int row = rowStart + (lanes.count - 1) * separator;
   for (const NodeId id : lanes)
     row += as == As::Operand ? length(id, levels) : operationLength(Lanes({&id, 1}), levels);
+  if (isInPlace && productOf(lanes)) return {Form::Operation, rowStart};
   if (levels > 0 && isInPlace) {
     if (const auto turn = turnOf(lanes)) {
       const int together = turnStart + written(turn->point, As::Operand, levels - 1).length;

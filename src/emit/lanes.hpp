@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "emit/dialect.hpp"
+#include "emit/products.hpp"
 #include "graph/graph.hpp"
 
 namespace warpjet {
@@ -41,9 +42,10 @@ class Packs {
   // Whether lanes are read, or are what a statement computes.
   enum class As : std::uint8_t { Operand, Statement };
 
-  Packs(const Graph& graph, const Dialect& dialect)
+  Packs(const Graph& graph, const Dialect& dialect, std::span<const MatrixProduct> products)
       : graph_(graph),
         language_(dialect.language),
+        products_(products),
         numbers_(graph.size(), none),
         places_(graph.size(), none) {}
 
@@ -104,6 +106,8 @@ class Packs {
     Matrix matrix;
   };
   std::optional<Turn> turnOf(const Lanes& lanes) const;
+  // The vector times a matrix that three lanes are, or null.
+  const MatrixProduct* productOf(const Lanes& lanes) const;
   // Whether all could share a statement that none of them shares.
   bool isHope(const Lanes& lanes) const;
 
@@ -126,6 +130,7 @@ class Packs {
 
   const Graph& graph_;
   ops::Language language_;
+  std::span<const MatrixProduct> products_;
   bool hopes_ = false;
   std::vector<std::uint32_t> numbers_;  // by node, of its statement
   std::vector<std::uint32_t> places_;   // by node, which lane it is

@@ -96,7 +96,7 @@ class Packer {
   // What an operation on vectors reads that could be a vector.
   void packParts(const Lanes& lanes, As as) {
     if (lanes.count < 2 || (as == As::Operand && pack(lanes))) return;
-    if (packs_.written(lanes, as).form != Form::Operation) return;
+    if (packs_.written(lanes, as).form != Form::Operation || packs_.productOf(lanes)) return;
     if (const auto turn = packs_.turnOf(lanes)) return packParts(turn->point, As::Operand);
     for (int i = 0; i < graph_.arity(lanes[0]); ++i)
       packParts(packs_.operandsOf(lanes, i), As::Operand);
@@ -226,7 +226,8 @@ class Packer {
     const bool isOne = std::all_of(readers.begin(), readers.end(), [&](std::uint32_t other) {
       return packOf(body_.all[other]) == pack;
     });
-    if (!isOne || readers.size() != statements || packs_.turnOf(lanes)) return false;
+    if (!isOne || readers.size() != statements) return false;
+    if (packs_.turnOf(lanes) || packs_.productOf(lanes)) return false;
     if (packs_.written(lanes, isResult ? As::Operand : As::Statement).form != Form::Operation)
       return false;
     int times = 0;

@@ -22,11 +22,12 @@ namespace {
 class Maker {
  public:
   Maker(const Graph& graph, const Loops* loops, std::span<const Output> outputs,
-        std::span<const std::optional<Sum>> sums, const EmitOptions& options)
+        std::span<const std::optional<Sum>> sums, const Flags& whole, const EmitOptions& options)
       : graph_(graph),
         loops_(loops),
         outputs_(outputs),
         sums_(sums),
+        whole_(whole),
         options_(options),
         states_(graph.size()),
         all_(loops ? graph.loopCount() + 1 : 1) {}
@@ -127,7 +128,8 @@ class Maker {
     if (graph_.isFold(id)) return visitFold(id);
     State& it = state(id);
     it.reads = readsOfOperands(id);
-    if (!graph_.isList(id) && it.reads.count > options_.maxReads) it.reads = readFewer(id);
+    const bool canBeCut = !graph_.isList(id) && !whole_[index(id)];
+    if (canBeCut && it.reads.count > options_.maxReads) it.reads = readFewer(id);
 
     for (int i = 0; i < graph_.arity(id); ++i) {
       const State& operand = state(graph_.operand(id, i));
@@ -137,7 +139,7 @@ class Maker {
     if (graph_.isOurCall(id)) return makeStatement(id);
     ++it.depth;
     const bool isShared = (it.uses > 1 || it.isForced) && !isCheap(id);
-    if (isShared || it.output || it.depth >= options_.maxDepth) makeStatement(id);
+    if (isShared || it.output || (canBeCut && it.depth >= options_.maxDepth)) makeStatement(id);
   }
 
   // Not worth a temporary: a known int, the negative of a variable, and one of several results.
@@ -211,6 +213,8 @@ class Maker {
   const Loops* loops_;
   std::span<const Output> outputs_;
   std::span<const std::optional<Sum>> sums_;
+  const Flags&
+      whole_;  // by node, whether it is not cut, however much it reads and however deep it is
   const EmitOptions& options_;
   std::vector<State> states_;                  // by node
   std::vector<std::uint32_t> assigned_;        // by output, its statement
@@ -226,8 +230,8 @@ class Maker {
 std::vector<Statements> makeStatements(const Graph& graph, std::span<const NodeId> nodes,
                                        const Loops* loops, std::span<const Output> outputs,
                                        std::span<const std::optional<Sum>> sums,
-                                       const EmitOptions& options) {
-  return Maker(graph, loops, outputs, sums, options).run(nodes);
+                                       const MatrixProducts& products, const EmitOptions& options) {
+  return Maker(graph, loops, outputs, sums, products.terms, options).run(nodes);
 }
 
 }  // namespace warpjet

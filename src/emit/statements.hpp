@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "emit/emit.hpp"
+#include "emit/products.hpp"
 #include "emit/sums.hpp"
 #include "graph/folds.hpp"
 #include "graph/schedule.hpp"
@@ -39,10 +40,10 @@ struct Statements {
 
 // Those outside of all loops, then those of the body of each loop. `nodes` are all that the outputs
 // need, ascending, and `loops` what they are in, unless there are none; `sums` says which of the
-// outputs are sums.
+// outputs are sums, and `products` what stays whole.
 std::vector<Statements> makeStatements(const Graph& graph, std::span<const NodeId> nodes,
                                        const Loops* loops, std::span<const Output> outputs,
                                        std::span<const std::optional<Sum>> sums,
-                                       const EmitOptions& options);
+                                       const MatrixProducts& products, const EmitOptions& options);
 
 }  // namespace warpjet

@@ -84,6 +84,7 @@ class Writer {
   void writePart(std::string& text, const Lanes& lanes);
   void writeTurn(std::string& text, const Packs::Turn& turn, ops::Precedence loosest);
   void writeProduct(std::string& text, std::string_view name, const Packs::Factors& factors);
+  void writeProduct(std::string& text, const MatrixProduct& product);
 
   const Graph& graph_;
   const Dialect& dialect_;

@@ -35,6 +35,7 @@ void Writer::writeRow(std::string& text, Shape shape, std::span<const NodeId> al
 }
 
 void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Precedence loosest) {
+  if (const MatrixProduct* product = packs_.productOf(lanes)) return writeProduct(text, *product);
   if (const auto factors = packs_.crossedBy(lanes)) return writeProduct(text, "cross(", *factors);
   if (const auto turn = packs_.turnOf(lanes)) return writeTurn(text, *turn, loosest);
   const ops::Spelling& spelling = spellingOf(lanes[0]);
@@ -135,6 +136,19 @@ void Writer::writeProduct(std::string& text, std::string_view name, const Packs:
   text += ", ";
   writePart(text, factors.b);
   text += ')';
+}
+
+// It is a statement, so nothing around it binds tighter.
+void Writer::writeProduct(std::string& text, const MatrixProduct& product) {
+  std::string entries;
+  for (const auto& [factor, isMinus] : product.entries) {
+    if (!entries.empty()) entries += ", ";
+    if (isMinus) entries += '-';
+    open(entries, factor, isMinus ? ops::Precedence::Unary : ops::Precedence::Ternary);
+    finish(entries);
+  }
+  text += inputNames_[product.vector] + " * ";
+  fill(text, dialect_.construction, {dialect_.typeName(ops::Type::Float, matrixOf(3, 3)), entries});
 }
 
 }  // namespace warpjet

@@ -1,0 +1,107 @@
+#include "emit/products.hpp"
+
+namespace warpjet {
+
+namespace {
+
+constexpr Op add = ops::find("add"), sub = ops::find("sub"), mult = ops::find("mult"),
+             neg = ops::find("neg"), inversesqrt = ops::find("inversesqrt");
+
+class Finder {
+ public:
+  Finder(const Graph& graph, std::span<const NodeId> nodes)
+      : graph_(graph), uses_(graph.size()), isMinus_(graph.size()) {
+    for (const NodeId id : nodes) {
+      for (int i = 0; i < graph_.arity(id); ++i) ++uses_[index(graph_.operand(id, i))];
+    }
+  }
+
+  MatrixProducts run(std::span<const NodeId> nodes) {
+    MatrixProducts products;
+    products.terms.resize(graph_.size());
+    for (const NodeId id : nodes) {
+      if (!findSums(id) || !findEntries()) continue;
+      products.all.push_back(product_);
+      for (const NodeId term : terms_) products.terms[index(term)] = true;
+    }
+    return products;
+  }
+
+ private:
+  // The vector of whose length this is the inverse.
+  bool findSums(NodeId inverse) {
+    if (!graph_.is(inverse, inversesqrt)) return false;
+    NodeId rest = graph_.operand(inverse, 0);
+    for (int column = 2; column >= 0; --column) {
+      if (column > 0 && !graph_.is(rest, add)) return false;
+      const NodeId square = column > 0 ? graph_.operand(rest, 1) : rest;
+      if (!graph_.is(square, mult) || graph_.operand(square, 0) != graph_.operand(square, 1))
+        return false;
+      product_.sums[column] = graph_.operand(square, 0);
+      rest = graph_.operand(rest, 0);
+    }
+    return true;
+  }
+
+  // Each term stands behind what it is a term of.
+  bool findEntries() {
+    product_.vector = none;
+    terms_.clear();
+    found_ = differences_ = 0;
+    for (unsigned column = 0; column < 3; ++column) {
+      const std::size_t first = terms_.size();
+      terms_.push_back(product_.sums[column]);
+      isMinus_[index(product_.sums[column])] = false;
+      for (std::size_t next = first; next < terms_.size(); ++next) {
+        const NodeId id = terms_[next];
+        if (next != first && uses_[index(id)] > 1) return false;
+        const bool isSum = graph_.is(id, add), isDifference = graph_.is(id, sub);
+        if (!isSum && !isDifference && !graph_.is(id, neg)) {
+          if (!addEntry(column, id)) return false;
+          continue;
+        }
+        for (int i = 0; i < graph_.arity(id); ++i) {
+          const NodeId term = graph_.operand(id, i);
+          const bool isTurned = !isSum && i == isDifference;
+          isMinus_[index(term)] = isMinus_[index(id)] != isTurned;
+          terms_.push_back(term);
+        }
+      }
+    }
+    return found_ == (1U << 9) - 1 && differences_ < 9;
+  }
+
+  // A component times its factor.
+  bool addEntry(unsigned column, NodeId term) {
+    if (!graph_.is(term, mult)) return false;
+    const int which = graph_.isInput(graph_.operand(term, 1));
+    const NodeId component = graph_.operand(term, which), factor = graph_.operand(term, 1 - which);
+    if (!graph_.isInput(component)) return false;
+    const auto [vector, row, unused] = graph_.node(component).operands;
+    if (product_.vector == none) product_.vector = vector;
+    if (vector != product_.vector || graph_.input(vector).shape != vectorOf(3)) return false;
+    const unsigned place = 3 * column + row;
+    if (found_ >> place & 1) return false;
+    found_ |= 1U << place;
+    differences_ += graph_.is(factor, sub);
+    product_.entries[place] = {factor, isMinus_[index(term)] != 0};
+    return true;
+  }
+
+  const Graph& graph_;
+  std::vector<std::uint32_t> uses_;  // by node
+  Flags isMinus_;                    // by node, if it is a term
+  // Of the one that is looked at: its places that have an entry, and how many of those are
+  // differences.
+  MatrixProduct product_{};
+  std::vector<NodeId> terms_;
+  unsigned found_ = 0, differences_ = 0;
+};
+
+}  // namespace
+
+MatrixProducts findProducts(const Graph& graph, std::span<const NodeId> nodes) {
+  return Finder(graph, nodes).run(nodes);
+}
+
+}  // namespace warpjet
