@@ -17,10 +17,6 @@ const notDrawn = {
   // modify() with hooks in GLSL, of which p5 makes WGSL as they stand.
   'sine-sphere': /^Error while parsing WGSL/,
   'tangent-plane': /^Error while parsing WGSL/,
-  'domain-warping-2d': /^Error while parsing WGSL/,
-  'domain-warping-colours': /^Error while parsing WGSL/,
-  'domain-warping-lit': /^Error while parsing WGSL/,
-  'marbled-paper': /^Error while parsing WGSL/,
   // The same, which createWarp refuses before, given such a shader.
   'shadow-map': /the option "shader" has the hook getWorldInputs in GLSL/,
   // createShader() with GLSL.
