@@ -14,11 +14,6 @@ const screenshots = path('.build/screenshots/webgpu')
 
 /** Those that cannot be drawn there, each with why, and what its page says first. */
 const notDrawn = {
-  // modify() with hooks in GLSL, of which p5 makes WGSL as they stand.
-  'sine-sphere': /^Error while parsing WGSL/,
-  'tangent-plane': /^Error while parsing WGSL/,
-  // The same, which createWarp refuses before, given such a shader.
-  'shadow-map': /the option "shader" has the hook getWorldInputs in GLSL/,
   // createShader() with GLSL.
   'displaced-plane': /Can't find `fn main` in vertex shader source/,
   // The same, and it measures time by WebGL's readPixels.
