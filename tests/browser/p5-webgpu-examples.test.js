@@ -14,8 +14,6 @@ const screenshots = path('.build/screenshots/webgpu')
 
 /** Those that cannot be drawn there, each with why, and what its page says first. */
 const notDrawn = {
-  // createShader() with GLSL.
-  'displaced-plane': /Can't find `fn main` in vertex shader source/,
   // The same, and it measures time by WebGL's readPixels.
   'ray-marched-field': /drawingContext\.readPixels is not a function/,
   // exactNormals reads GLSL, and p5 has made WGSL of these strands.
