@@ -14,8 +14,6 @@ const screenshots = path('.build/screenshots/webgpu')
 
 /** Those that cannot be drawn there, each with why, and what its page says first. */
 const notDrawn = {
-  // The same, and it measures time by WebGL's readPixels.
-  'ray-marched-field': /drawingContext\.readPixels is not a function/,
   // exactNormals reads GLSL, and p5 has made WGSL of these strands.
   'strands-exact-normals':
     /^exactNormals: the shader stays as it is\. On a WEBGPU canvas its hooks are WGSL/,
