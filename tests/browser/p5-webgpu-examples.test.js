@@ -5,19 +5,12 @@ import { after, before, test } from 'node:test'
 import { createServer } from 'vite'
 import { sections } from '../../web/catalogue.js'
 import { converted } from '../../web/playground/convert.js'
-import { launchBrowserWithWebGPU, leavePage, openPage } from './support/browser.js'
+import { launchBrowserWithWebGPU, openPage } from './support/browser.js'
 import { config, path } from './support/bench.js'
 import { coarse } from './support/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from './support/pixels.js'
 
 const screenshots = path('.build/screenshots/webgpu')
-
-/** Those that cannot be drawn there, each with why, and what its page says first. */
-const notDrawn = {
-  // exactNormals reads GLSL, and p5 has made WGSL of these strands.
-  'strands-exact-normals':
-    /^exactNormals: the shader stays as it is\. On a WEBGPU canvas its hooks are WGSL/,
-}
 
 const examples = sections
   .flatMap((section) => section.examples.map(({ name }) => name))
@@ -109,20 +102,11 @@ async function pictureOf(name, host) {
   return image
 }
 
-for (const name of examples.filter((name) => !(name in notDrawn)))
+for (const name of examples)
   test(name, async () => {
     const [webgl, webgpu] = [await pictureOf(name, hosts[0]), await pictureOf(name, hosts[1])]
     const lit = litPixels(webgl).length
     assert.ok(lit > 1000, `${lit} pixels are lit`)
     const beyond = beyondEdges(webgpu, webgl, 12)
     assert.ok(beyond <= 0.01 * lit, `${beyond} of ${lit} pixels differ`)
-  })
-
-for (const [name, why] of Object.entries(notDrawn))
-  test(`${name} is not drawn`, async () => {
-    const context = pages['p5-webgpu'].page.context()
-    const { page, messages } = await openPage(context, `${url}examples/${name}/gallery.html`)
-    for (let i = 0; i < 400 && messages.length === 0; i++) await page.waitForTimeout(50)
-    await leavePage(page)
-    assert.match(messages[0] ?? 'nothing', why)
   })
