@@ -59,25 +59,13 @@ const still = `
   let seed = 1
   Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
   p5.prototype.millis = () => 1700
-  // On WEBGPU p5 itself takes the first directional light alone, its highlights are others, and ortho() loses what is nearer than
-  // the middle of its depths: p5-webgpu.test.js shows each without a warp.
-  const { directionalLight, ortho } = p5.prototype
+  // On WEBGPU p5 itself takes the first directional light alone, and its highlights are others: p5-webgpu.test.js shows each without a warp.
+  const { directionalLight } = p5.prototype
   let lit = -1
   p5.prototype.directionalLight = function (...light) {
     if (lit < this.frameCount) directionalLight.apply(this, light)
     lit = this.frameCount
     return this
-  }
-  p5.prototype.ortho = function () {
-    const [x, y, far] = [this.width / 2, this.height / 2, Math.max(this.width, this.height) + 800]
-    return ortho.call(this, -x, x, -y, y, -far, far)
-  }
-  // Models of text have no uvs, and p5 has no buffer for none on WEBGPU.
-  const { textToModel } = p5.Font.prototype
-  p5.Font.prototype.textToModel = function (...text) {
-    const model = textToModel.apply(this, text)
-    model.uvs = model.vertices.flatMap(() => [0, 0])
-    return model
   }
   // The warp draws no edges, and p5 takes seconds to work out those of a model.
   p5.Geometry.prototype._edgesToVertices = function () { return this }
