@@ -7,7 +7,7 @@ async function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
   // WEBGPU shows the farther half of these depths.
-  ortho(-width / 2, width / 2, -height / 2, height / 2, -2000, 2000)
+  ortho(-320, 320, -240, 240, -2000, 2000)
 
   const bumps = ({ normal, position, millis }) => {
     const wave = (x) => x.mult(0.1).add(millis.div(900)).sin()
