@@ -6,7 +6,8 @@ let ring, rough, exact
 async function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  ortho()
+  // WEBGPU shows the farther half of these depths.
+  ortho(-320, 320, -240, 240, -2000, 2000)
 
   const bumps = ({ normal, position, millis }) => {
     const wave = (x) => x.mult(0.1).add(millis.div(900)).sin()

@@ -9,6 +9,8 @@ async function setup() {
   textSize(200)
   textAlign(CENTER, CENTER)
   word = font.textToModel('lean', 0, -20, { extrude: 60, sampleFactor: 1 })
+  // WEBGPU asks for texture coordinates, which text does not bring.
+  word.uvs = word.vertices.flatMap(() => [0, 0])
 
   shear = createWarp(
     warpjet.shear({

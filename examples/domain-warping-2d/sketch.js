@@ -17,25 +17,32 @@ function warped({ vec2, fbm }, p, level) {
   return f(p.add(r.mult(4)), 0, 0)
 }
 
+function pictureOf(glsl, level) {
+  const uv = glsl.vec2Param('inputs.texCoord')
+  const p = uv.mult(glsl.vec2(1.6, 3.6)).add(glsl.param('time').mult(0.03))
+  const value = warped(glsl, p, level)
+  const dark = glsl.vec3(0.05, 0.04, 0.1)
+  const warm = glsl.vec3(0.85, 0.3, 0.16)
+  const light = glsl.vec3(1, 0.9, 0.72)
+  const shade = dark.mix(warm, glsl.smoothstep(0.3, 0.55, value))
+  return { value, shade: shade.mix(light, glsl.smoothstep(0.48, 0.72, value)) }
+}
+
 function setup() {
   createCanvas(640, 480, WEBGL)
   pixelDensity(1)
   noStroke()
+  // Hooks are in GLSL, and on WEBGPU in WGSL.
+  const [target, time, begin] =
+    webglVersion === WEBGL2
+      ? ['glsl300', 'float time', '(Inputs inputs) {']
+      : ['wgsl', 'time: f32', '(given: Inputs) { var inputs = given; let time = hooks.time;']
   panels = [0, 1, 2].map((level) => {
-    const { code, declarations } = warpjet.compile((glsl) => {
-      const p = glsl.vec2Param('p')
-      const value = warped(glsl, p, level)
-      const dark = glsl.vec3(0.05, 0.04, 0.1)
-      const warm = glsl.vec3(0.85, 0.3, 0.16)
-      const light = glsl.vec3(1, 0.9, 0.72)
-      const shade = dark.mix(warm, glsl.smoothstep(0.3, 0.55, value))
-      return { value, shade: shade.mix(light, glsl.smoothstep(0.48, 0.72, value)) }
-    })
+    const { code, declarations } = warpjet.compile((glsl) => pictureOf(glsl, level), { target })
     return baseMaterialShader().modify({
-      uniforms: { 'float time': () => millis() / 1000 },
+      uniforms: { [time]: () => millis() / 1000 },
       fragmentDeclarations: declarations,
-      'Inputs getPixelInputs': `(Inputs inputs) {
-        vec2 p = inputs.texCoord * vec2(1.0, 2.25) * 1.6 + 0.03 * time;
+      'Inputs getPixelInputs': `${begin}
         ${code}
         inputs.color = vec4(shade, 1.0);
         return inputs;

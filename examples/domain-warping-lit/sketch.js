@@ -3,31 +3,38 @@
 // After Inigo Quilez, Domain warping, 2002.
 let relief
 
+function surface(glsl) {
+  const { vec2, vec3, smoothstep } = glsl
+  const [uv, size] = [glsl.vec2Param('inputs.texCoord'), vec2(2, 1.5)]
+  const [p, time] = [uv.mult(size), glsl.param('time')]
+  const f = (at, x, y) =>
+    glsl
+      .fbm(at.add(vec2(x, y)), { octaves: 3 })
+      .mult(0.5)
+      .add(0.5)
+  const q = vec2(f(p, 0, time.mult(0.04)), f(p, 5.2, 1.3))
+  const at = p.add(q.mult(4))
+  const r = vec2(f(at, time.mult(0.06).add(1.7), 9.2), f(at, 8.3, 2.8))
+  const value = f(p.add(r.mult(4)), 0, 0)
+  const bronze = vec3(0.2, 0.06, 0.06).mix(vec3(0.95, 0.5, 0.22), smoothstep(0.3, 0.7, value))
+  const shade = bronze.mix(vec3(0.1, 0.3, 0.36), smoothstep(0.5, 0.75, r.y()))
+  return { value, shade, slope: glsl.gradient(value, uv).div(size) }
+}
+
 function setup() {
   createCanvas(640, 480, WEBGL)
   pixelDensity(1)
   noStroke()
-  const { code, declarations } = warpjet.compile((glsl) => {
-    const { vec2, vec3, smoothstep } = glsl
-    const [p, time] = [glsl.vec2Param('p'), glsl.param('time')]
-    const f = (at, x, y) =>
-      glsl
-        .fbm(at.add(vec2(x, y)), { octaves: 3 })
-        .mult(0.5)
-        .add(0.5)
-    const q = vec2(f(p, 0, time.mult(0.04)), f(p, 5.2, 1.3))
-    const at = p.add(q.mult(4))
-    const r = vec2(f(at, time.mult(0.06).add(1.7), 9.2), f(at, 8.3, 2.8))
-    const value = f(p.add(r.mult(4)), 0, 0)
-    const bronze = vec3(0.2, 0.06, 0.06).mix(vec3(0.95, 0.5, 0.22), smoothstep(0.3, 0.7, value))
-    const shade = bronze.mix(vec3(0.1, 0.3, 0.36), smoothstep(0.5, 0.75, r.y()))
-    return { value, shade, slope: glsl.gradient(value, p) }
-  })
+  // Hooks are in GLSL, and on WEBGPU in WGSL.
+  const [target, time, begin] =
+    webglVersion === WEBGL2
+      ? ['glsl300', 'float time', '(Inputs inputs) {']
+      : ['wgsl', 'time: f32', '(given: Inputs) { var inputs = given; let time = hooks.time;']
+  const { code, declarations } = warpjet.compile(surface, { target })
   relief = baseMaterialShader().modify({
-    uniforms: { 'float time': () => millis() / 1000 },
+    uniforms: { [time]: () => millis() / 1000 },
     fragmentDeclarations: declarations,
-    'Inputs getPixelInputs': `(Inputs inputs) {
-      vec2 p = inputs.texCoord * vec2(4.0, 3.0) * 0.5;
+    'Inputs getPixelInputs': `${begin}
       ${code}
       inputs.normal = normalize(vec3(-0.4 * slope, 1.0));
       inputs.color = vec4(shade, 1.0);

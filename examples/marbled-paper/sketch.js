@@ -1,31 +1,41 @@
 // Marbled paper: every pixel looks up the paint at a place that noise has moved, twice.
 // The paint is a p5.Graphics; beyond its edges comes its mirror image.
 // After Inigo Quilez, Domain warping, 2002.
-let paper
+let paint, paper
+
+function marble(glsl) {
+  const [uv, time] = [glsl.vec2Param('inputs.texCoord'), glsl.param('time')]
+  const drift = (point, x, y) =>
+    glsl.vec2(
+      point.add(glsl.vec2(x, time.mult(0.06))).fbm({ octaves: 3 }),
+      point.add(glsl.vec2(time.mult(-0.05), y)).fbm({ octaves: 3, seed: 1 }),
+    )
+  const q = drift(uv.mult(2), 0, 5.2)
+  const r = drift(uv.mult(2).add(q), 1.7, 9.2)
+  // What the sketch gives to texture().
+  const color = glsl.texture('uSampler', uv.add(r.mult(0.45)), {
+    filter: 'bicubic',
+    wrap: 'mirror',
+  })
+  // Where the noise presses the paint together, it lies darker.
+  return { color: color.mult(r.length().mult(-0.5).add(1.1)) }
+}
 
 function setup() {
   createCanvas(640, 480, WEBGL)
   pixelDensity(1)
   noStroke()
-  const paint = paintStripes()
-  const { code, declarations } = warpjet.compile((glsl) => {
-    const [uv, time] = [glsl.vec2Param('uv'), glsl.param('time')]
-    const drift = (point, x, y) =>
-      glsl.vec2(
-        point.add(glsl.vec2(x, time.mult(0.06))).fbm({ octaves: 3 }),
-        point.add(glsl.vec2(time.mult(-0.05), y)).fbm({ octaves: 3, seed: 1 }),
-      )
-    const q = drift(uv.mult(2), 0, 5.2)
-    const r = drift(uv.mult(2).add(q), 1.7, 9.2)
-    const color = glsl.texture('paint', uv.add(r.mult(0.45)), { filter: 'bicubic', wrap: 'mirror' })
-    // Where the noise presses the paint together, it lies darker.
-    return { color: color.mult(r.length().mult(-0.5).add(1.1)) }
-  })
+  paint = paintStripes()
+  // Hooks are in GLSL, and on WEBGPU in WGSL.
+  const [target, time, begin] =
+    webglVersion === WEBGL2
+      ? ['glsl300', 'float time', '(Inputs inputs) {']
+      : ['wgsl', 'time: f32', '(given: Inputs) { var inputs = given; let time = hooks.time;']
+  const { code, declarations } = warpjet.compile(marble, { target })
   paper = baseMaterialShader().modify({
-    uniforms: { 'float time': () => millis() / 1000, 'sampler2D paint': () => paint },
+    uniforms: { [time]: () => millis() / 1000 },
     fragmentDeclarations: declarations,
-    'Inputs getPixelInputs': `(Inputs inputs) {
-      vec2 uv = inputs.texCoord;
+    'Inputs getPixelInputs': `${begin}
       ${code}
       inputs.color = vec4(color.rgb, 1.0);
       return inputs;
@@ -53,5 +63,6 @@ function paintStripes() {
 function draw() {
   background('#151823')
   shader(paper)
+  texture(paint)
   plane(600, 440)
 }

@@ -5,28 +5,32 @@ let nearest, eye, far, lit, farTower, litTower
 function setup() {
   createCanvas(640, 480, WEBGL)
   camera(-645, -465, 495, 0, -60, 0)
-  nearest = createFramebuffer({ width: 1024, height: 1024, density: 1, format: FLOAT })
+  nearest = createFramebuffer({ width: 1024, height: 1024, density: 1, format: HALF_FLOAT })
   eye = nearest.createCamera()
-  eye.ortho(-350, 350, -350, 350, 0, 2000)
+  // WEBGPU shows the farther half of these depths.
+  eye.ortho(-350, 350, -350, 350, -2000, 2000)
   eye.camera(360, -800, 480, 0, 0, 0, 0, 1, 0)
-  const nearness = 'float nearness() { return 1000.0 + dot(world, vec3(0.36, -0.8, 0.48)); }'
-  const seen = {
-    vertexDeclarations: 'out vec3 world;',
-    'Vertex getWorldInputs': '(Vertex inputs) { world = inputs.position; return inputs; }',
-    fragmentDeclarations: `in vec3 world; ${nearness}`,
-  }
-  far = baseColorShader().modify({
-    ...seen,
-    'vec4 getFinalColor': '(vec4 color, vec2 uv) { return vec4(nearness(), 0.0, 0.0, 1.0); }',
+  far = baseColorShader().modify(() => {
+    const world = sharedVec3()
+    getWorldInputs((inputs) => {
+      world = inputs.position
+      return inputs
+    })
+    getFinalColor(() => [1000 + dot(world, [0.36, -0.8, 0.48]), 0, 0, 1])
   })
-  lit = baseMaterialShader().modify({
-    ...seen,
-    uniforms: { 'sampler2D nearest': () => nearest },
-    'vec4 getFinalColor': `(vec4 color, vec2 uv) {
-      vec2 at = vec2(dot(world, vec3(0.8, 0.0, -0.6)), dot(world, vec3(0.48, 0.6, 0.64)));
-      bool isDark = nearness() < texture(nearest, at / 700.0 + 0.5).r - 12.0;
-      return vec4(isDark ? 0.5 * color.rgb : color.rgb, color.a);
-    }`,
+  lit = baseMaterialShader().modify(() => {
+    const world = sharedVec3()
+    const depths = uniformTexture(() => nearest)
+    getWorldInputs((inputs) => {
+      world = inputs.position
+      return inputs
+    })
+    getFinalColor((color) => {
+      const at = [dot(world, [0.8, 0, -0.6]), dot(world, [0.48, 0.6, 0.64])]
+      const nearness = 1000 + dot(world, [0.36, -0.8, 0.48])
+      const shade = nearness < getTexture(depths, at / 700 + 0.5).r - 12 ? 0.5 : 1
+      return [color.rgb * shade, color.a]
+    })
   })
   const sway = ({ glsl, position, millis }) => {
     const angle = position.y().mult(5).add(millis.div(700))

@@ -15,28 +15,45 @@ function setup() {
   noStroke()
   warp = createWarp(sines)
 
-  // For b and c the same code without normals, by hand in a hook of p5.
+  // For b and c the same code without normals, by hand in hooks of p5: these are in
+  // GLSL, and on WEBGPU in WGSL, where y points down.
+  const { target, time, seen, begin, facet } = webglVersion === WEBGL2 ? inGLSL : inWGSL
   const { code } = warpjet.compileWarp(sines, {
+    target,
     names: { position: 'inputs.position', millis: 'time' },
     normals: false,
   })
-  const moved = {
-    uniforms: { 'float time': () => millis() },
-    'Vertex getObjectInputs': `(Vertex inputs) {
+  onlyPositions = baseMaterialShader().modify({
+    uniforms: { [time]: () => millis() },
+    'Vertex getObjectInputs': `${begin('Vertex')}
       ${code}
       inputs.position = warpedPosition;
       return inputs;
     }`,
-  }
-  onlyPositions = baseMaterialShader().modify(moved)
-  facets = baseMaterialShader().modify({
-    ...moved,
-    'Inputs getPixelInputs': `(Inputs inputs) {
-      vec3 right = dFdx(vViewPosition), up = dFdy(vViewPosition);
-      inputs.normal = normalize(cross(up, right));
+  })
+  facets = onlyPositions.modify({
+    varyingVariables: [seen],
+    'Vertex getCameraInputs': `${begin('Vertex')} seen = inputs.position; return inputs; }`,
+    'Inputs getPixelInputs': `${begin('Inputs')}
+      inputs.normal = normalize(${facet});
       return inputs;
     }`,
   })
+}
+
+const inGLSL = {
+  target: 'glsl300',
+  time: 'float time',
+  seen: 'vec3 seen',
+  begin: (type) => `(${type} inputs) {`,
+  facet: 'cross(dFdy(seen), dFdx(seen))',
+}
+const inWGSL = {
+  target: 'wgsl',
+  time: 'time: f32',
+  seen: 'seen: vec3<f32>',
+  begin: (type) => `(given: ${type}) { var inputs = given; let time = hooks.time;`,
+  facet: 'cross(dpdx(seen), dpdy(seen))',
 }
 
 function draw() {

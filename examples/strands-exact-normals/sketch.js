@@ -28,17 +28,17 @@ function setup() {
 
 function draw() {
   background('#151823')
+  ambientLight(60)
+  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
+  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  specularMaterial(140)
+  shininess(40)
   panel(-150, '#e9c46a', before)
   panel(150, '#43c6ac', after)
 }
 
 function panel(x, color, material) {
   push()
-  ambientLight(60)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
-  specularMaterial(140)
-  shininess(40)
   translate(x, 0)
   rotateX(0.4)
   shader(material)

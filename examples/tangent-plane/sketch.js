@@ -10,30 +10,43 @@ const sines = ({ glsl, position, millis }) => {
   return glsl.vec3(wave(y), wave(z), wave(x))
 }
 
+// The older way.
+function tangentPlane(glsl) {
+  const [position, normal] = ['position', 'normal'].map((name) => glsl.vec3Param(`inputs.${name}`))
+  const move = (p) => p.add(sines({ glsl, position: p, millis: glsl.param('time') }))
+  const [x, y, z] = [normal.x(), normal.y(), normal.z()]
+  const across = glsl.vec3(y.mult(-1), x, 0)
+  const axis = across.div(across.length())
+  // The x and y axes after that rotation, by Rodrigues' formula.
+  const turn = z.mult(-1).add(1)
+  const u = glsl.vec3(z, 0, x.mult(-1)).add(axis.mult(axis.x()).mult(turn))
+  const v = glsl.vec3(0, z, y.mult(-1)).add(axis.mult(axis.y()).mult(turn))
+  const here = move(position)
+  const beside = (way) => move(position.add(way.mult(0.1))).sub(here)
+  const normalThere = beside(u).cross(beside(v))
+  // Without an axis the normal is no number, which WebGL alone draws black.
+  return { here, normalThere, hasAxis: glsl.step(0.001, across.length()) }
+}
+
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
   cube = denseCube(150, 30)
   exact = createWarp(sines)
 
-  const { code } = warpjet.compileWarp(sines, { normals: false })
+  // Hooks are in GLSL, and on WEBGPU in WGSL.
+  const [target, time, begin] =
+    webglVersion === WEBGL2
+      ? ['glsl300', 'float time', '(Vertex inputs) {']
+      : ['wgsl', 'time: f32', '(given: Vertex) { var inputs = given; let time = hooks.time;']
+  const { code } = warpjet.compile(tangentPlane, { target })
   byNeighbours = baseMaterialShader().modify({
-    uniforms: { 'float millis': () => millis() },
-    vertexDeclarations: `vec3 move(vec3 position) {
+    uniforms: { [time]: () => millis() },
+    'Vertex getObjectInputs': `${begin}
       ${code}
-      return warpedPosition;
-    }`,
-    'Vertex getObjectInputs': `(Vertex inputs) {
-      vec3 n = inputs.normal;
-      vec3 axis = normalize(vec3(-n.y, n.x, 0.0));
-      // The x and y axes after that rotation, by Rodrigues' formula.
-      vec3 u = vec3(n.z, 0.0, -n.x) + axis * axis.x * (1.0 - n.z);
-      vec3 v = vec3(0.0, n.z, -n.y) + axis * axis.y * (1.0 - n.z);
-      vec3 here = move(inputs.position);
-      vec3 besideU = move(inputs.position + 0.1 * u);
-      vec3 besideV = move(inputs.position + 0.1 * v);
       inputs.position = here;
-      inputs.normal = normalize(cross(besideU - here, besideV - here));
+      inputs.normal = normalize(normalThere);
+      inputs.color = vec4(hasAxis * inputs.color.rgb, 1.0);
       return inputs;
     }`,
   })

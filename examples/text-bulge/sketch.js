@@ -10,6 +10,8 @@ async function setup() {
   textAlign(CENTER, CENTER)
   const detail = { extrude: 50, sampleFactor: 1 }
   word = font.textToModel('warp!', 0, -20, detail)
+  // WEBGPU asks for texture coordinates, which text does not bring.
+  word.uvs = word.vertices.flatMap(() => [0, 0])
 
   bulge = createWarp(
     ({ glsl, position, mouse, size, millis }) => {

@@ -5,32 +5,12 @@ import { after, before, test } from 'node:test'
 import { createServer } from 'vite'
 import { sections } from '../../web/catalogue.js'
 import { converted } from '../../web/playground/convert.js'
-import { launchBrowserWithWebGPU, leavePage, openPage } from './support/browser.js'
+import { launchBrowserWithWebGPU, openPage } from './support/browser.js'
 import { config, path } from './support/bench.js'
 import { coarse } from './support/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from './support/pixels.js'
 
 const screenshots = path('.build/screenshots/webgpu')
-
-/** Those that cannot be drawn there, each with why, and what its page says first. */
-const notDrawn = {
-  // modify() with hooks in GLSL, of which p5 makes WGSL as they stand.
-  'sine-sphere': /^Error while parsing WGSL/,
-  'tangent-plane': /^Error while parsing WGSL/,
-  'domain-warping-2d': /^Error while parsing WGSL/,
-  'domain-warping-colours': /^Error while parsing WGSL/,
-  'domain-warping-lit': /^Error while parsing WGSL/,
-  'marbled-paper': /^Error while parsing WGSL/,
-  // The same, which createWarp refuses before, given such a shader.
-  'shadow-map': /the option "shader" has the hook getWorldInputs in GLSL/,
-  // createShader() with GLSL.
-  'displaced-plane': /Can't find `fn main` in vertex shader source/,
-  // The same, and it measures time by WebGL's readPixels.
-  'ray-marched-field': /drawingContext\.readPixels is not a function/,
-  // exactNormals reads GLSL, and p5 has made WGSL of these strands.
-  'strands-exact-normals':
-    /^exactNormals: the shader stays as it is\. On a WEBGPU canvas its hooks are WGSL/,
-}
 
 const examples = sections
   .flatMap((section) => section.examples.map(({ name }) => name))
@@ -79,25 +59,13 @@ const still = `
   let seed = 1
   Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
   p5.prototype.millis = () => 1700
-  // On WEBGPU p5 itself takes the first directional light alone, its highlights are others, and ortho() loses what is nearer than
-  // the middle of its depths: p5-webgpu.test.js shows each without a warp.
-  const { directionalLight, ortho } = p5.prototype
+  // On WEBGPU p5 itself takes the first directional light alone, and its highlights are others: p5-webgpu.test.js shows each without a warp.
+  const { directionalLight } = p5.prototype
   let lit = -1
   p5.prototype.directionalLight = function (...light) {
     if (lit < this.frameCount) directionalLight.apply(this, light)
     lit = this.frameCount
     return this
-  }
-  p5.prototype.ortho = function () {
-    const [x, y, far] = [this.width / 2, this.height / 2, Math.max(this.width, this.height) + 800]
-    return ortho.call(this, -x, x, -y, y, -far, far)
-  }
-  // Models of text have no uvs, and p5 has no buffer for none on WEBGPU.
-  const { textToModel } = p5.Font.prototype
-  p5.Font.prototype.textToModel = function (...text) {
-    const model = textToModel.apply(this, text)
-    model.uvs = model.vertices.flatMap(() => [0, 0])
-    return model
   }
   // The warp draws no edges, and p5 takes seconds to work out those of a model.
   p5.Geometry.prototype._edgesToVertices = function () { return this }
@@ -122,20 +90,11 @@ async function pictureOf(name, host) {
   return image
 }
 
-for (const name of examples.filter((name) => !(name in notDrawn)))
+for (const name of examples)
   test(name, async () => {
     const [webgl, webgpu] = [await pictureOf(name, hosts[0]), await pictureOf(name, hosts[1])]
     const lit = litPixels(webgl).length
     assert.ok(lit > 1000, `${lit} pixels are lit`)
     const beyond = beyondEdges(webgpu, webgl, 12)
     assert.ok(beyond <= 0.01 * lit, `${beyond} of ${lit} pixels differ`)
-  })
-
-for (const [name, why] of Object.entries(notDrawn))
-  test(`${name} is not drawn`, async () => {
-    const context = pages['p5-webgpu'].page.context()
-    const { page, messages } = await openPage(context, `${url}examples/${name}/gallery.html`)
-    for (let i = 0; i < 400 && messages.length === 0; i++) await page.waitForTimeout(50)
-    await leavePage(page)
-    assert.match(messages[0] ?? 'nothing', why)
   })

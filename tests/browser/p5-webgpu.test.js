@@ -346,19 +346,17 @@ test('what p5 itself draws otherwise on WEBGPU, or not at all, it does without a
   assert.deepEqual(differing, ['ortho()', 'two lights', 'highlights'])
 })
 
-test('exactNormals says that it reads no WGSL; GLSL and models of text fail in p5 itself', async () => {
+test('GLSL and models of text fail in p5 itself', async () => {
   const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
   const { page, messages } = await runSketch(
     browser,
     server,
-    [p5, p5WebGPU, ...scripts, '/dist/warpjet.glsl.min.js'],
+    [p5, p5WebGPU],
     `const told = {}
     const attempt = (name, draw) => { try { draw(); told[name] = 'drawn' } catch ({ message }) { told[name] = message } }
     async function setup() {
       await createCanvas(100, 100, WEBGPU)
       noLoop()
-      const own = baseMaterialShader().modify(() => { getObjectInputs((inputs) => { inputs.position.x += 0.1; return inputs }) })
-      if (exactNormals(own) !== own) throw new Error('another one came')
       const old = createShader('#version 300 es\\nvoid main() {}', '#version 300 es\\nvoid main() {}')
       attempt('GLSL', () => { shader(old); sphere(10) })
       const word = (await loadFont('${font}')).textToModel('w', 0, 0, { extrude: 5, sampleFactor: 1 })
@@ -375,12 +373,30 @@ test('exactNormals says that it reads no WGSL; GLSL and models of text fail in p
   assert.match(told.GLSL ?? messages.join('\n'), /main/)
   assert.match(told['without uvs'], /flat is not a function/)
   assert.equal(told['with uvs'], 'drawn')
-  assert.match(
-    messages[0],
-    /^exactNormals: the shader stays as it is\. On a WEBGPU canvas its hooks are WGSL/,
-  )
   assert.ok(
-    messages.slice(1).every((message) => /WGSL|#version/.test(message)),
+    messages.every((message) => /WGSL|#version/.test(message)),
     messages.join('\n'),
   )
+})
+
+test('p5 itself draws in a framebuffer of HALF_FLOAT, and not in one of FLOAT', async () => {
+  const heard = {}
+  for (const format of ['HALF_FLOAT', 'FLOAT']) {
+    const { page, messages } = await runSketch(
+      browser,
+      server,
+      [p5, p5WebGPU],
+      `async function setup() {
+        await createCanvas(100, 100, WEBGPU)
+        noLoop()
+        createFramebuffer({ format: ${format} }).draw(() => sphere(10))
+        await get(0, 0)
+        done = true
+      }`,
+    )
+    await leavePage(page)
+    heard[format] = messages.join('\n')
+  }
+  assert.equal(heard.HALF_FLOAT, '')
+  assert.match(heard.FLOAT, /RGBA32Float\) does not support multisampling/)
 })

@@ -1,22 +1,18 @@
 // exactNormals on p5.strands in all its ways of writing, each beside the same warp by createWarp.
 import assert from 'node:assert/strict'
-import { after, before, test } from 'node:test'
-import { launchBrowser } from './support/browser.js'
+import { test } from 'node:test'
+import { leavePage } from './support/browser.js'
 import { differingPixels, litPixels } from './support/pixels.js'
-import { servePages } from './support/server.js'
-import { drawScenes, p5Versions } from './support/sketch.js'
+import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from './support/sketch.js'
 
-const scripts = [p5Versions['2.x'], '/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js']
+const hosts = p5HostsInThisRun
+  .filter(([version]) => version === '2.x')
+  .map(([, renderer, scripts]) => [
+    renderer,
+    [...scripts, '/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js'],
+  ])
 
-let browser, server
-before(async () => {
-  server = await servePages()
-  browser = await launchBrowser()
-})
-after(async () => {
-  await browser.close()
-  await server.close()
-})
+const { browsers, server } = await openHosts(p5HostsInThisRun)
 
 const scene = (shading, shape = 'sphere(60, 48, 32)') =>
   `noStroke(); ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1); ${shading}; fill('coral'); rotateX(0.4); ${shape}`
@@ -72,21 +68,44 @@ const sketches = {
       return glsl.vec3(0, 0, near.mult(far.mult(0.0625).cos().mult(25)))
     }, { space: 'camera' })`,
   },
-  'a ternary, min, max, abs, pow, mod and clamp': {
+  'a ternary, min, max, abs, pow, atan and clamp': {
     strands: `baseMaterialShader().modify(() => {
       getObjectInputs((inputs) => {
         const p = inputs.position
         const a = p.x > 0 ? pow(abs(p.x) + 0.25, 2) : 0.0625
         const b = max(min(p.y, 0.5), -0.25) * 0.5 + clamp(p.z, -0.5, 0.75) * 0.25
-        inputs.position += [a * 0.5, 0, b + mod(p.y * 4 + 8, 16) * 0.0625]
+        inputs.position += [a * 0.5, 0, b + atan(p.y, 2) * 0.25]
         return inputs
       })
     })`,
     byHand: `createWarp(({ glsl, position: { x, y, z } }) => {
       const a = x.gt(0).ifElse(x.abs().add(0.25).pow(2), 0.0625)
       const b = y.min(0.5).max(-0.25).mult(0.5).add(z.clamp(-0.5, 0.75).mult(0.25))
-      return glsl.vec3(a.mult(0.5), 0, b.add(y.mult(4).add(8).mod(16).mult(0.0625)))
+      return glsl.vec3(a.mult(0.5), 0, b.add(y.atan2(2).mult(0.25)))
     })`,
+  },
+  'mod, which on WEBGPU is an operator': {
+    isGLSL: true,
+    strands: `baseMaterialShader().modify(() => {
+      getObjectInputs((inputs) => {
+        inputs.position.z += mod(inputs.position.y * 4 + 8, 16) * 0.0625
+        return inputs
+      })
+    })`,
+    byHand: `createWarp(({ glsl, position: { y } }) =>
+      glsl.vec3(0, 0, y.mult(4).add(8).mod(16).mult(0.0625)))`,
+  },
+  'a varying that another hook reads': {
+    strands: `baseMaterialShader().modify(() => {
+      const lift = sharedFloat()
+      getObjectInputs((inputs) => {
+        lift = sin(inputs.position.x * 4) * 0.25
+        inputs.position.y += lift
+        return inputs
+      })
+      getFinalColor((color) => color * (lift > 9 ? 0.5 : 1))
+    })`,
+    byHand: `createWarp(({ glsl, position: { x } }) => glsl.vec3(0, x.mult(4).sin().mult(0.25), 0))`,
   },
   'a uniform by its name and one that a function of the sketch reads': {
     strands: `baseMaterialShader().modify(() => {
@@ -101,6 +120,7 @@ const sketches = {
       glsl.vec3(0, 1, 0.5).mult(position.x.mult(4).sin().mult(0.25)))`,
   },
   'hooks in GLSL, with uniforms that are called as inputs of a warp are': {
+    isGLSL: true,
     strands: `baseMaterialShader().modify({
       uniforms: { 'float millis': () => 0.25, 'vec2 size': () => [4, 0.5], 'float instance': () => 0.125 },
       'Vertex getObjectInputs': \`(Vertex inputs) {
@@ -126,10 +146,14 @@ const sketches = {
   },
 }
 
-test('each way of writing p5.strands: the picture of the same warp by createWarp, and not that of the sketch alone', async () => {
-  const entries = Object.entries(sketches)
-  const images = await drawScenes(browser, server, scripts, {
-    setup: `p5.prototype.millis = () => 1700
+for (const [renderer, scripts] of hosts)
+  test(`each way of writing p5.strands, ${renderer}: the picture of the same warp by createWarp, and not that of the sketch alone`, async () => {
+    const entries = Object.entries(sketches).filter(
+      ([, { isGLSL }]) => renderer === 'WEBGL' || !isGLSL,
+    )
+    const images = await drawScenes(browsers[renderer], server, scripts, {
+      renderer,
+      setup: `p5.prototype.millis = () => 1700
       window.ball = buildGeometry(() => sphere(28, 24, 16))
       ${entries
         .map(
@@ -137,25 +161,25 @@ test('each way of writing p5.strands: the picture of the same warp by createWarp
             `warps.plain${i} = ${strands}\nwarps.own${i} = exactNormals(warps.plain${i})\nwarps.byHand${i} = ${byHand}`,
         )
         .join('\n')}`,
-    scenes: Object.fromEntries(
-      entries.flatMap(([name, { shape }], i) => [
-        [name, scene(`shader(warps.own${i})`, shape)],
-        [`${name}, plain`, scene(`shader(warps.plain${i})`, shape)],
-        [`${name}, by hand`, scene(`warps.byHand${i}()`, shape)],
-      ]),
-    ),
+      scenes: Object.fromEntries(
+        entries.flatMap(([name, { shape }], i) => [
+          [name, scene(`shader(warps.own${i})`, shape)],
+          [`${name}, plain`, scene(`shader(warps.plain${i})`, shape)],
+          [`${name}, by hand`, scene(`warps.byHand${i}()`, shape)],
+        ]),
+      ),
+    })
+    const problems = entries.flatMap(([name]) => {
+      const byHand = images[`${name}, by hand`]
+      const differing = differingPixels(images[name], byHand, 2)
+      const plain = differingPixels(images[`${name}, plain`], byHand, 8)
+      const lit = litPixels(images[name]).length
+      return differing < 20 && plain > 500 && lit > 3000
+        ? []
+        : [`${name}: ${differing} pixels differ, ${plain} of the plain ones, ${lit} are lit`]
+    })
+    assert.deepEqual(problems, [])
   })
-  const problems = entries.flatMap(([name]) => {
-    const byHand = images[`${name}, by hand`]
-    const differing = differingPixels(images[name], byHand, 2)
-    const plain = differingPixels(images[`${name}, plain`], byHand, 8)
-    const lit = litPixels(images[name]).length
-    return differing < 20 && plain > 500 && lit > 3000
-      ? []
-      : [`${name}: ${differing} pixels differ, ${plain} of the plain ones, ${lit} are lit`]
-  })
-  assert.deepEqual(problems, [])
-})
 
 test('noise() of p5.strands: the picture of the same sketch with its normals by differences', async () => {
   // Of p + e f(p) with the gradient g of f, normals turn by (1 + g·e) n - g (e·n).
@@ -175,7 +199,7 @@ test('noise() of p5.strands: the picture of the same sketch with its normals by 
     const gz = (lift(p.x, p.y, p.z + h) - lift(p.x, p.y, p.z - h)) / (2 * h)
     const n = inputs.normal
     inputs.normal = normalize([(1 + gy) * n.x - gx * n.y, n.y, (1 + gy) * n.z - gz * n.y])`
-  const images = await drawScenes(browser, server, scripts, {
+  const images = await drawScenes(browsers.WEBGL, server, hosts[0][1], {
     setup: `
       warps.plain = ${sketch('')}
       warps.own = exactNormals(warps.plain)
@@ -191,3 +215,38 @@ test('noise() of p5.strands: the picture of the same sketch with its normals by 
   const differing = differingPixels(images.own, images.byDifferences, 8)
   assert.ok(differing < plain / 100, `${differing} pixels differ, ${plain} of the plain ones`)
 })
+
+const gpu = hosts.find(([renderer]) => renderer === 'WEBGPU')
+if (gpu)
+  test('what is not read on WEBGPU is said in a sentence, and the shader comes back as it was', async () => {
+    const motions = ['noise(p.x)', 'mod(p.x, 2)', 'p.x % 2', 'random()']
+    const { page, messages } = await runSketch(
+      browsers.WEBGPU,
+      server,
+      gpu[1],
+      `async function setup() {
+        await createCanvas(60, 60, WEBGPU)
+        ${motions
+          .map(
+            (motion) => `{
+          const given = baseMaterialShader().modify(() => {
+            objectInputs.begin()
+            const p = objectInputs.position
+            objectInputs.position.y += ${motion}
+            objectInputs.end()
+          })
+          if (exactNormals(given) !== given) throw new Error('it is another')
+        }`,
+          )
+          .join('\n')}
+        window.done = true
+      }`,
+    )
+    await leavePage(page)
+    assert.equal(messages.length, motions.length)
+    for (const message of messages)
+      assert.match(
+        message,
+        /^exactNormals: the shader stays as it is. On a WEBGPU canvas only p5.strands is read, without/,
+      )
+  })
