@@ -196,6 +196,8 @@ export async function churn(times, { isBeside = false } = {}) {
     beside.castShadow = beside.receiveShadow = true
     scene.add(beside)
   }
+  // The programs of shadows in a scene's first frame know nothing of its lights, and would be like no others.
+  renderer.render(scene, scenes.camera())
   const kept = beside && warp(beside, scenes.offset, { uniforms: scenes.uniforms() })
   const once = () => {
     const warped = warp(object, scenes.offset, { uniforms: scenes.uniforms() })
