@@ -33,7 +33,8 @@ before(async () => {
   server = await serveSite(5350)
   url = `${server.resolvedUrls.local[0]}playground/index.html`
   const context = await browser.newContext(desktop)
-  for (const script of [withoutWorker, keepFrames, rough, coarse]) await context.addInitScript(script)
+  for (const script of [withoutWorker, keepFrames, rough, coarse])
+    await context.addInitScript(script)
   ;({ page, messages } = await openPage(context, url))
   await settled(page)
 })
