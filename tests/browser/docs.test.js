@@ -7,7 +7,7 @@ import { blocksOf } from '../../web/site/markdown.js'
 import { linkTo } from '../../web/site/runnable.js'
 import { desktop, path } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { keepFrames, rough } from './support/frames.js'
+import { coarse, keepFrames, rough } from './support/frames.js'
 import { settled, shown, text } from './support/playground.js'
 import { serveSite, withoutWorker } from './support/site.js'
 
@@ -18,14 +18,8 @@ const blocks = walk('web/docs', /\.md$/).flatMap((file) =>
     .map((block) => ({ ...block, place: `${file}:${block.line}` })),
 )
 
-/**
- * With a sixteenth of the pixels, a thirtieth of the usual sphere's triangles, and no more frames than it takes to be shown:
- * without a GPU they are what takes long.
- */
-const quick = ({ host, text }) =>
-  text
-    .replaceAll(/createCanvas\(.*\)/g, '$&; pixelDensity(0.25)')
-    .replaceAll('sphere(150, 160, 120)', 'sphere(150, 30, 22)') + (host === 'p5' ? stopped : '')
+/** With no more frames than it takes to be shown: without a GPU they are what takes long. */
+const quick = ({ host, text }) => text + (host === 'p5' ? stopped : '')
 const stopped = `
 {
   const { draw } = window
@@ -39,7 +33,8 @@ before(async () => {
   server = await serveSite(5350)
   url = `${server.resolvedUrls.local[0]}playground/index.html`
   const context = await browser.newContext(desktop)
-  for (const script of [withoutWorker, keepFrames, rough]) await context.addInitScript(script)
+  for (const script of [withoutWorker, keepFrames, rough, coarse])
+    await context.addInitScript(script)
   ;({ page, messages } = await openPage(context, url))
   await settled(page)
 })

@@ -6,13 +6,14 @@ import { createServer } from 'vite'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
 import { config, desktop, difference, path, patience, pixels } from './support/bench.js'
 import { bytesOf, launchBrowser, openPage } from './support/browser.js'
+import { rough } from './support/frames.js'
 import { sphereMesh } from './support/mesh.js'
 import { png } from './support/png.js'
 import { serveSite } from './support/site.js'
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }
-/** Time stands still at first, so that nothing moves but by the test. */
-const still = { ...desktop, reducedMotion: 'reduce' }
+/** Time stands still at first, so that nothing moves but by the test; with a quarter of the pixels. */
+const still = { ...desktop, deviceScaleFactor: 0.5, reducedMotion: 'reduce' }
 const screenshots = path('.build/screenshots')
 
 // Far from the origin and small, as files may be; of one green.
@@ -55,7 +56,9 @@ const settled = (page) =>
   page.waitForFunction(() => document.querySelector('main').ariaBusy === 'false', null, patience)
 
 async function open(options = still) {
-  const opened = await openPage(await browser.newContext(options), url)
+  const context = await browser.newContext(options)
+  await context.addInitScript(rough)
+  const opened = await openPage(context, url)
   await settled(opened.page)
   return opened
 }

@@ -180,28 +180,22 @@ function firstSeen(triangles) {
   const first = new Int32Array(size * size).fill(-1)
   const nearest = new Float64Array(size * size)
   triangles.forEach((places, id) => {
-    const [a, b, c] = places.map(toScreen)
-    const area = (p, q, r) => (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-    const whole = area(a, b, c)
+    const [[ax, ay], [bx, by], [cx, cy]] = places.map(toScreen)
+    const whole = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     if (Math.abs(whole) < 1e-9) return
-    const span = (k) => {
-      const ends = [a[k], b[k], c[k]]
-      return [
-        Math.max(0, Math.floor(Math.min(...ends))),
-        Math.min(size, Math.ceil(Math.max(...ends))),
-      ]
-    }
-    const [[left, right], [top, bottom]] = [span(0), span(1)]
+    // What goes by straight lines over the screen.
+    const [nearA, nearB, nearC] = places.map(([, , z]) => 1 / (distance - z))
+    const [left, right] = pixelsAcross(ax, bx, cx)
+    const [top, bottom] = pixelsAcross(ay, by, cy)
+    // Without lists: these are 20 million pixels.
     for (let y = top; y < bottom; y++)
       for (let x = left; x < right; x++) {
-        const at = [x + 0.5, y + 0.5]
-        const weights = [area(b, c, at), area(c, a, at), area(a, b, at)].map((part) => part / whole)
-        if (Math.min(...weights) < 0) continue
-        // What goes by straight lines over the screen.
-        const near = mixed(
-          weights,
-          places.map(([, , z]) => [1 / (distance - z)]),
-        )[0]
+        const [px, py] = [x + 0.5, y + 0.5]
+        const a = ((cx - bx) * (py - by) - (cy - by) * (px - bx)) / whole
+        const b = ((ax - cx) * (py - cy) - (ay - cy) * (px - cx)) / whole
+        const c = ((bx - ax) * (py - ay) - (by - ay) * (px - ax)) / whole
+        if (a < 0 || b < 0 || c < 0) continue
+        const near = a * nearA + b * nearB + c * nearC
         if (near <= nearest[y * size + x]) continue
         nearest[y * size + x] = near
         first[y * size + x] = id
@@ -209,6 +203,11 @@ function firstSeen(triangles) {
   })
   return first
 }
+
+const pixelsAcross = (...ends) => [
+  Math.max(0, Math.floor(Math.min(...ends))),
+  Math.min(size, Math.ceil(Math.max(...ends))),
+]
 
 /**
  * Places near each corner of each triangle that a picture from `[x, y]` shows, where all around is the same smooth

@@ -401,6 +401,7 @@ ${still('#40ff40')
 
 test('fits a phone, and opens an example of the gallery', async () => {
   const context = await browser.newContext({ ...phone, reducedMotion: 'reduce' })
+  await drawLittle(context)
   const { page, messages } = await openPage(context, `${url}#example=deformer-bend`)
   await settled(page)
   assert.match(await text(page), /warpjet\.bend/)

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { desktop, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { drawLittle, keepFrames } from './support/frames.js'
+import { drawLittle, keepFrames, rough } from './support/frames.js'
 import { settled } from './support/playground.js'
 import { calm, serveSite, withoutWorker } from './support/site.js'
 
@@ -57,8 +57,10 @@ const drawsIn = async (page, milliseconds) => {
 }
 
 test('the first page’s ball swells towards the pointer, and draws only while it is seen', async () => {
-  const context = await browser.newContext(desktop)
-  for (const script of [withoutWorker, keepFrames, standStill]) await context.addInitScript(script)
+  // A sixteenth of the pixels.
+  const context = await browser.newContext({ ...desktop, deviceScaleFactor: 0.25 })
+  for (const script of [withoutWorker, keepFrames, rough, standStill])
+    await context.addInitScript(script)
   const { page, messages } = await openPage(context, url)
   await page.waitForSelector('.hero canvas', patience)
   const { x, y, width, height } = await page.locator('.hero .picture').boundingBox()

@@ -38,6 +38,53 @@ export function fewFrames() {
     request < 0 ? clearTimeout(-request) : cancelAnimationFrame.call(window, request)
 }
 
+/**
+ * Of p5's canvases the large ones get a sixteenth of their pixels, and its shapes no more than 32 by 32 rectangles. What is asked
+ * of a picture pixel by pixel is drawn small by its sketch.
+ */
+export function coarse() {
+  // Where the numbers for detail begin among those that a shape takes.
+  const shapes = { plane: 2, sphere: 1, ellipsoid: 3, cylinder: 2, cone: 2, torus: 2 }
+
+  function coarsen(methods) {
+    const { createCanvas, pixelDensity } = methods
+    const isLarge = ({ width, height }) => width * height > 160 * 160
+    methods.createCanvas = function (...how) {
+      const canvas = createCanvas.apply(this, how)
+      // It comes with the density of the screen, whatever was asked for before.
+      if (isLarge(this)) this.pixelDensity(1)
+      return canvas
+    }
+    methods.pixelDensity = function (density) {
+      return pixelDensity.call(this, density && isLarge(this) ? density / 4 : density)
+    }
+    for (const [name, first] of Object.entries(shapes)) {
+      const shape = methods[name]
+      methods[name] = function (...sizes) {
+        const isDetail = (size, i) => i >= first && typeof size === 'number'
+        return shape.apply(
+          this,
+          sizes.map((size, i) => (isDetail(size, i) ? Math.min(size, 32) : size)),
+        )
+      }
+    }
+  }
+
+  const known = new WeakSet()
+  let p5
+  Object.defineProperty(window, 'p5', {
+    configurable: true,
+    get: () => p5,
+    set(given) {
+      p5 = given
+      const methods = given?.prototype
+      if (!methods?.createCanvas || known.has(methods)) return
+      known.add(methods)
+      coarsen(methods)
+    },
+  })
+}
+
 export async function drawLittle(context) {
-  for (const script of [rough, fewFrames]) await context.addInitScript(script)
+  for (const script of [rough, fewFrames, coarse]) await context.addInitScript(script)
 }

@@ -19,7 +19,8 @@ const oblique = [1, -1.1, 1.2]
  * `middle` is f(p).
  */
 function slope(f, p, direction, h, middle) {
-  const at = (step) => f(p.map((x, k) => x + step * direction[k]))
+  const [x, y, z] = direction
+  const at = (step) => f([p[0] + step * x, p[1] + step * y, p[2] + step * z])
   const steps = [h, h / 2, h / 4]
   const pairs = steps.map((step) => [at(step), at(-step)])
   const slopes = []

@@ -72,16 +72,20 @@ export function differingPixels(a, b, tolerance) {
 /** The pixels of `image` that are nowhere between the neighbours of the same pixel of `other`, within `tolerance`. */
 export function beyondEdges(image, other, tolerance) {
   const { width, height, data } = image
+  const isBeyond = (x, y, channel) => {
+    let [least, most] = [255, 0]
+    for (let j = y - 1; j <= y + 1; j++)
+      for (let i = x - 1; i <= x + 1; i++) {
+        const value = other.data[4 * (j * width + i) + channel]
+        if (value < least) least = value
+        if (value > most) most = value
+      }
+    const value = data[4 * (y * width + x) + channel]
+    return value < least - tolerance || value > most + tolerance
+  }
   let count = 0
   for (let y = 1; y < height - 1; y++)
-    for (let x = 1; x < width - 1; x++) {
-      const isBeyond = [0, 1, 2].some((channel) => {
-        const at = (i, j) => other.data[4 * (j * width + i) + channel]
-        const around = [-1, 0, 1].flatMap((j) => [-1, 0, 1].map((i) => at(x + i, y + j)))
-        const value = data[4 * (y * width + x) + channel]
-        return value < Math.min(...around) - tolerance || value > Math.max(...around) + tolerance
-      })
-      count += isBeyond
-    }
+    for (let x = 1; x < width - 1; x++)
+      if (isBeyond(x, y, 0) || isBeyond(x, y, 1) || isBeyond(x, y, 2)) count++
   return count
 }
