@@ -76,11 +76,8 @@ vec3 offset, warpedPosition, warpedNormal;
   float t72 = t61 * t66 - t57 * t54;
   float t73 = t71 + position.z * t66 - t54;
   float t74 = -position.z * t64 - t72;
-  float t75 = (t74 * t57 - t73 * t56) * normal.x;
-  vec3 t76 = vec3(t13 * t74 - t70 * t53, t70 * t73 - t68 * t74, t68 * t53 - t13 * t73) * normal.z;
-  float t77 = (t56 * t68 - t57 * t70) * normal.y;
-  vec3 t78 = vec3(t53 * t56 * normal.x - t56 * t13 * normal.y, t75 + t77, t57 * t13 * normal.y - t53 * t57 * normal.x) + t76;
-  float t79 = dot(t78, t78);
-  warpedNormal = t78 * (t79 > 0.0 ? inversesqrt(t79) : 0.0);
+  vec3 t75 = normal * mat3(t53 * t56, -(t56 * t13), t13 * t74 - t70 * t53, t74 * t57 - t73 * t56, t56 * t68 - t57 * t70, t70 * t73 - t68 * t74, -(t53 * t57), t57 * t13, t68 * t53 - t13 * t73);
+  float t76 = dot(t75, t75);
+  warpedNormal = t75 * (t76 > 0.0 ? inversesqrt(t76) : 0.0);
   warpedPosition = position + offset;
 }

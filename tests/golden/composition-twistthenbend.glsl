@@ -70,14 +70,8 @@ vec3 offset, warpedPosition, warpedNormal;
   float t66 = t35 - (t35 - t32 * t35);
   float t67 = t34 - (t34 - t32 * t34);
   float t68 = t12 * t35;
-  float t69 = (t34 * t67 + t66 * t35) * normal.y;
-  vec3 t70 = vec3(t65 * t53 + t35 * t64, -t35 * t63 - t67 * t53, t67 * t64 - t65 * t63) * normal.z;
-  float t71 = (t66 * t65 - t68 * t67) * normal.y;
-  float t72 = (t64 * t34 - t53 * t68) * normal.x;
-  float t73 = (t53 * t66 - t63 * t34) * normal.x;
-  float t74 = (t63 * t68 - t64 * t66) * normal.x;
-  vec3 t75 = vec3(t72 - t12 * normal.y, t73 + t69, t74 + t71) + t70;
-  float t76 = dot(t75, t75);
-  warpedNormal = t75 * (t76 > 0.0 ? inversesqrt(t76) : 0.0);
+  vec3 t69 = normal * mat3(t64 * t34 - t53 * t68, -t12, t65 * t53 + t35 * t64, t53 * t66 - t63 * t34, t34 * t67 + t66 * t35, -t35 * t63 - t67 * t53, t63 * t68 - t64 * t66, t66 * t65 - t68 * t67, t67 * t64 - t65 * t63);
+  float t70 = dot(t69, t69);
+  warpedNormal = t69 * (t70 > 0.0 ? inversesqrt(t70) : 0.0);
   warpedPosition = position + offset;
 }

@@ -36,10 +36,8 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(t3, t29.x, t29.y - 500.0) - position;
   float t33 = t30.x - t29.y * t21;
   float t34 = t30.y + t29.x * t21;
-  float t35 = (t33 * t31.y - t34 * t31.x) * normal.x;
-  vec2 t36 = vec2(t31.x * t32.y - t31.y * t32.x, t32.x * t34 - t32.y * t33) * normal.yz;
-  vec3 t37 = vec3(t35 + t36.x + t36.y, t31.y * normal.y - t4 * t31.y * normal.x + (t32.y * t4 - t34) * normal.z, t4 * t31.x * normal.x - t31.x * normal.y + (t33 - t32.x * t4) * normal.z);
-  float t38 = dot(t37, t37);
-  warpedNormal = t37 * (t38 > 0.0 ? inversesqrt(t38) : 0.0);
+  vec3 t35 = normal * mat3(t33 * t31.y - t34 * t31.x, t31.x * t32.y - t31.y * t32.x, t32.x * t34 - t32.y * t33, -(t4 * t31.y), t31.y, t32.y * t4 - t34, t4 * t31.x, -t31.x, t33 - t32.x * t4);
+  float t36 = dot(t35, t35);
+  warpedNormal = t35 * (t36 > 0.0 ? inversesqrt(t36) : 0.0);
   warpedPosition = position + offset;
 }
