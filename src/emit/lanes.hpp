@@ -3,7 +3,8 @@
 // Lanes are up to four nodes. They are one number for all, a part of a vector that there is, one
 // operation on vectors (a cross product and a turn by a mat2 among them), or a row of numbers,
 // whichever is shortest. All is computed component by component, so every component has the bits of
-// its own scalar text, but in dot products and turns, which a language may add up in any order.
+// its own scalar text, but in dot products, turns and products with a matrix, which a language may
+// add up in any order.
 #pragma once
 
 #include <array>

@@ -18,8 +18,8 @@
 // A pair that is turned by an angle is a matrix times a vector, and a number that only one vector
 // reads stands beside it without a name.
 //
-// Every component keeps the bits of its own scalar text, but for dot products and those matrices,
-// which a language may add up in any order.
+// Every component keeps the bits of its own scalar text, but for dot products, those matrices and
+// those of products.hpp, which a language may add up in any order.
 #pragma once
 
 #include <vector>

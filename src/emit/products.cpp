@@ -71,21 +71,21 @@ class Finder {
     return found_ == (1U << 9) - 1 && differences_ < 9;
   }
 
-  // A component times its factor.
+  // A component times its factor, or the other way round.
   bool addEntry(unsigned column, NodeId term) {
-    if (!graph_.is(term, mult)) return false;
-    const int which = graph_.isInput(graph_.operand(term, 1));
-    const NodeId component = graph_.operand(term, which), factor = graph_.operand(term, 1 - which);
-    if (!graph_.isInput(component)) return false;
-    const auto [vector, row, unused] = graph_.node(component).operands;
-    if (product_.vector == none) product_.vector = vector;
-    if (vector != product_.vector || graph_.input(vector).shape != vectorOf(3)) return false;
-    const unsigned place = 3 * column + row;
-    if (found_ >> place & 1) return false;
-    found_ |= 1U << place;
-    differences_ += graph_.is(factor, sub);
-    product_.entries[place] = {factor, isMinus_[index(term)] != 0};
-    return true;
+    for (int i = 0; graph_.is(term, mult) && i < 2; ++i) {
+      const NodeId component = graph_.operand(term, i), factor = graph_.operand(term, 1 - i);
+      const auto [vector, row, unused] = graph_.node(component).operands;
+      if (!graph_.isInput(component) || graph_.input(vector).shape != vectorOf(3)) continue;
+      if (product_.vector == none) product_.vector = vector;
+      const unsigned place = 3 * column + row;
+      if (vector != product_.vector || (found_ >> place & 1) != 0) continue;
+      found_ |= 1U << place;
+      differences_ += graph_.is(factor, sub);
+      product_.entries[place] = {factor, isMinus_[index(term)] != 0};
+      return true;
+    }
+    return false;
   }
 
   const Graph& graph_;

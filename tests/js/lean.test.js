@@ -36,9 +36,6 @@ test('300 stacked sines, 1,500 operations of a sketch, are at most 40,000 charac
   assert.ok(code.length <= 40_000, `${code.length} characters`)
 })
 
-/** Of what is written by hand, by row of the benchmark; the others are held to 1.1. */
-const most = { wobble: 1.15 }
-
 for (const workload of workloads)
   test(`${workload.name}: not much longer than by hand`, () => {
     const length = (name) => {
@@ -48,7 +45,7 @@ for (const workload of workloads)
       return declarations.length + body.length
     }
     const ratio = length('warpjet') / length('by hand')
-    assert.ok(ratio <= (most[workload.name] ?? 1.1), `${ratio} times the characters`)
+    assert.ok(ratio <= 1.1, `${ratio} times the characters`)
   })
 
 test('the normal of a rotation has no square of a sine or a cosine', () => {
