@@ -5,8 +5,8 @@
 #   glsl        shader text as a list of the core's operations
 
 # What runs per vertex is compiled for speed, and the core for size, but for the graph, which runs several times per node:
-# -O2 in the differentiator too saves a tenth of the time, for 1 KB gzipped, and in eight files more a fifth, for 9. It is linked
-# at -O3, which puts together what is called per node: at -Oz a warp of 3,000 nodes takes 2.7 times as long.
+# -O2 in the differentiator too would save a tenth of the time, for 1 KB gzipped, in eight files more a fifth, for 9 KB. It is
+# linked at -O3, which puts together what is called per node: at -Oz a warp of 3,000 nodes takes 2.7 times as long.
 set(fast_sources src/graph/graph.cpp)
 set(fast_evaluation_sources
   src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp)

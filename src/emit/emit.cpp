@@ -31,8 +31,9 @@ class Emitter {
         comments_(comments),
         inputs_(inputs),
         nodes_(reachable(graph, roots())),
+        uses_(countUses()),
         products_(
-            findProducts(graph, std::span(nodes_).first(options.vectors ? nodes_.size() : 0))),
+            findProducts(graph, std::span(nodes_).first(hasProducts() ? nodes_.size() : 0), uses_)),
         packs_(graph, dialect, products_.all),
         writer_(graph, dialect, packs_) {
     if (graph.has(foldOp)) loops_.emplace(graph, nodes_);
@@ -54,6 +55,8 @@ class Emitter {
   }
 
  private:
+  // A loop may compute before it what a sum within it has as a term.
+  bool hasProducts() const { return options_.vectors && !graph_.has(foldOp); }
   bool computes(NodeId id) const { return graph_.isOperation(id) || graph_.isCall(id); }
 
   std::vector<NodeId> roots() const {
@@ -63,6 +66,16 @@ class Emitter {
       if (!sums_[i]) roots.insert(roots.end(), components.begin(), components.end());
     }
     return roots;
+  }
+
+  // How often each node is read.
+  std::vector<std::uint32_t> countUses() const {
+    std::vector<std::uint32_t> uses(graph_.size());
+    for (const NodeId id : roots()) ++uses[index(id)];
+    for (const NodeId id : nodes_) {
+      for (int i = 0; i < graph_.arity(id); ++i) ++uses[index(graph_.operand(id, i))];
+    }
+    return uses;
   }
 
   // How many derivatives each call of a function of ours has to give.
@@ -138,8 +151,8 @@ class Emitter {
   }
 
   void writeStatements() {
-    all_ = makeStatements(graph_, nodes_, loops_ ? &*loops_ : nullptr, outputs_, sums_, products_,
-                          options_);
+    all_ = makeStatements(graph_, nodes_, uses_, loops_ ? &*loops_ : nullptr, outputs_, sums_,
+                          products_, options_);
     packStatements(graph_, packs_, all_, options_);
     writeBody(all_[0]);
   }
@@ -307,6 +320,7 @@ class Emitter {
   const Comments& comments_;
   std::span<const std::string> inputs_;
   std::vector<NodeId> nodes_;
+  std::vector<std::uint32_t> uses_;  // by node
   std::optional<Loops> loops_;
   MatrixProducts products_;
   Packs packs_;

@@ -214,7 +214,8 @@ Packs::Written Packs::written(const Lanes& lanes, As as, int levels) const {
   int row = rowStart + (lanes.count - 1) * separator;
   for (const NodeId id : lanes)
     row += as == As::Operand ? length(id, levels) : operationLength(Lanes({&id, 1}), levels);
-  if (isInPlace && productOf(lanes)) return {Form::Operation, rowStart};
+  // Found because it pays.
+  if (isInPlace && productOf(lanes)) return {Form::Operation, 0};
   if (levels > 0 && isInPlace) {
     if (const auto turn = turnOf(lanes)) {
       const int together = turnStart + written(turn->point, As::Operand, levels - 1).length;

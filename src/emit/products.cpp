@@ -9,12 +9,8 @@ constexpr Op add = ops::find("add"), sub = ops::find("sub"), mult = ops::find("m
 
 class Finder {
  public:
-  Finder(const Graph& graph, std::span<const NodeId> nodes)
-      : graph_(graph), uses_(graph.size()), isMinus_(graph.size()) {
-    for (const NodeId id : nodes) {
-      for (int i = 0; i < graph_.arity(id); ++i) ++uses_[index(graph_.operand(id, i))];
-    }
-  }
+  Finder(const Graph& graph, std::span<const std::uint32_t> uses)
+      : graph_(graph), uses_(uses), isMinus_(graph.size()) {}
 
   MatrixProducts run(std::span<const NodeId> nodes) {
     MatrixProducts products;
@@ -62,7 +58,7 @@ class Finder {
         }
         for (int i = 0; i < graph_.arity(id); ++i) {
           const NodeId term = graph_.operand(id, i);
-          const bool isTurned = !isSum && i == isDifference;
+          const bool isTurned = isDifference ? i == 1 : !isSum;
           isMinus_[index(term)] = isMinus_[index(id)] != isTurned;
           terms_.push_back(term);
         }
@@ -89,8 +85,8 @@ class Finder {
   }
 
   const Graph& graph_;
-  std::vector<std::uint32_t> uses_;  // by node
-  Flags isMinus_;                    // by node, if it is a term
+  std::span<const std::uint32_t> uses_;
+  Flags isMinus_;  // by node, if it is a term
   // Of the one that is looked at: its places that have an entry, and how many of those are
   // differences.
   MatrixProduct product_{};
@@ -100,8 +96,9 @@ class Finder {
 
 }  // namespace
 
-MatrixProducts findProducts(const Graph& graph, std::span<const NodeId> nodes) {
-  return Finder(graph, nodes).run(nodes);
+MatrixProducts findProducts(const Graph& graph, std::span<const NodeId> nodes,
+                            std::span<const std::uint32_t> uses) {
+  return Finder(graph, uses).run(nodes);
 }
 
 }  // namespace warpjet

@@ -28,9 +28,11 @@ struct MatrixProducts {
   Flags terms;  // by node, whether it is one of their sums or in one, but for factors
 };
 
-// Those of `nodes` that are made a unit vector. It has to pay: where all entries are differences,
-// as the cofactors of a full matrix are, cross products are shorter, and where some are 0 or 1,
-// sums are.
-MatrixProducts findProducts(const Graph& graph, std::span<const NodeId> nodes);
+// Looked for where `nodes` make a vector a unit one; `uses` says how often each node is read. All
+// nine factors must be there, since with 0 or 1 among them the sums are shorter, and not all may be
+// differences, as cofactors are: those make cross products. Sums stay sums if something else reads
+// a term of theirs.
+MatrixProducts findProducts(const Graph& graph, std::span<const NodeId> nodes,
+                            std::span<const std::uint32_t> uses);
 
 }  // namespace warpjet

@@ -21,19 +21,20 @@ namespace {
 
 class Maker {
  public:
-  Maker(const Graph& graph, const Loops* loops, std::span<const Output> outputs,
-        std::span<const std::optional<Sum>> sums, const Flags& whole, const EmitOptions& options)
+  Maker(const Graph& graph, std::span<const std::uint32_t> uses, const Loops* loops,
+        std::span<const Output> outputs, std::span<const std::optional<Sum>> sums,
+        const Flags& uncut, const EmitOptions& options)
       : graph_(graph),
+        uses_(uses),
         loops_(loops),
         outputs_(outputs),
         sums_(sums),
-        whole_(whole),
+        uncut_(uncut),
         options_(options),
         states_(graph.size()),
         all_(loops ? graph.loopCount() + 1 : 1) {}
 
   std::vector<Statements> run(std::span<const NodeId> nodes) {
-    countUses(nodes);
     findScalarOutputs();
     if (loops_) findCaptured();
     for (const NodeId id : loops_ ? std::span(loops_->order()) : nodes) {
@@ -48,7 +49,6 @@ class Maker {
   using Set = Statements::Set;
 
   struct State {
-    std::uint32_t uses = 0;
     std::uint32_t statement = none;
     int depth = 0;  // of the operations in its text
     Set reads;      // of its text
@@ -57,16 +57,6 @@ class Maker {
   };
 
   State& state(NodeId id) { return states_[index(id)]; }
-
-  void countUses(std::span<const NodeId> nodes) {
-    for (const NodeId id : nodes) {
-      for (int i = 0; i < graph_.arity(id); ++i) ++state(graph_.operand(id, i)).uses;
-    }
-    for (std::size_t i = 0; i < outputs_.size(); ++i) {
-      if (sums_[i]) continue;
-      for (const NodeId id : outputs_[i].components) ++state(id).uses;
-    }
-  }
 
   // A scalar result is its own temporary.
   void findScalarOutputs() {
@@ -128,7 +118,7 @@ class Maker {
     if (graph_.isFold(id)) return visitFold(id);
     State& it = state(id);
     it.reads = readsOfOperands(id);
-    const bool canBeCut = !graph_.isList(id) && !whole_[index(id)];
+    const bool canBeCut = !graph_.isList(id) && !uncut_[index(id)];
     if (canBeCut && it.reads.count > options_.maxReads) it.reads = readFewer(id);
 
     for (int i = 0; i < graph_.arity(id); ++i) {
@@ -138,7 +128,7 @@ class Maker {
     if (graph_.isList(id)) return;
     if (graph_.isOurCall(id)) return makeStatement(id);
     ++it.depth;
-    const bool isShared = (it.uses > 1 || it.isForced) && !isCheap(id);
+    const bool isShared = (uses_[index(id)] > 1 || it.isForced) && !isCheap(id);
     if (isShared || it.output || (canBeCut && it.depth >= options_.maxDepth)) makeStatement(id);
   }
 
@@ -210,11 +200,11 @@ class Maker {
   }
 
   const Graph& graph_;
+  std::span<const std::uint32_t> uses_;  // by node
   const Loops* loops_;
   std::span<const Output> outputs_;
   std::span<const std::optional<Sum>> sums_;
-  const Flags&
-      whole_;  // by node, whether it is not cut, however much it reads and however deep it is
+  const Flags& uncut_;  // by node; it may read much and be deep
   const EmitOptions& options_;
   std::vector<State> states_;                  // by node
   std::vector<std::uint32_t> assigned_;        // by output, its statement
@@ -228,10 +218,11 @@ class Maker {
 }  // namespace
 
 std::vector<Statements> makeStatements(const Graph& graph, std::span<const NodeId> nodes,
-                                       const Loops* loops, std::span<const Output> outputs,
+                                       std::span<const std::uint32_t> uses, const Loops* loops,
+                                       std::span<const Output> outputs,
                                        std::span<const std::optional<Sum>> sums,
                                        const MatrixProducts& products, const EmitOptions& options) {
-  return Maker(graph, loops, outputs, sums, products.terms, options).run(nodes);
+  return Maker(graph, uses, loops, outputs, sums, products.terms, options).run(nodes);
 }
 
 }  // namespace warpjet

@@ -39,10 +39,11 @@ struct Statements {
 };
 
 // Those outside of all loops, then those of the body of each loop. `nodes` are all that the outputs
-// need, ascending, and `loops` what they are in, unless there are none; `sums` says which of the
-// outputs are sums, and `products` what stays whole.
+// need, ascending, `uses` how often each is read, and `loops` what they are in, unless there are
+// none; `sums` says which of the outputs are sums, and `products` what stays whole.
 std::vector<Statements> makeStatements(const Graph& graph, std::span<const NodeId> nodes,
-                                       const Loops* loops, std::span<const Output> outputs,
+                                       std::span<const std::uint32_t> uses, const Loops* loops,
+                                       std::span<const Output> outputs,
                                        std::span<const std::optional<Sum>> sums,
                                        const MatrixProducts& products, const EmitOptions& options);
 

@@ -138,7 +138,7 @@ void Writer::writeProduct(std::string& text, std::string_view name, const Packs:
   text += ')';
 }
 
-// It is a statement, so nothing around it binds tighter.
+// Each sum is squared, so it is read twice and has a statement: nothing around it binds tighter.
 void Writer::writeProduct(std::string& text, const MatrixProduct& product) {
   std::string entries;
   for (const auto& [factor, isMinus] : product.entries) {

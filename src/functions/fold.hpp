@@ -27,12 +27,12 @@ OpenFold openFold(Graph& graph, std::uint32_t steps, std::span<const NodeId> sta
 // states that it needs are in its fold.
 std::vector<NodeId> closeFold(Graph& graph, const OpenFold& open, std::span<const NodeId> next);
 
-// The same of few states.
+// With numbers in the place of nodes, for what follows.
 OpenFold openFold(std::uint32_t steps, const Numbers& start);
 Numbers statesOf(const OpenFold& open);
 Numbers closeFold(const OpenFold& open, const Numbers& next);
 
-// The same in one: `body(states, step)` gives what each step makes of them.
+// A whole fold: `body(states, step)` gives what each step makes of them.
 template <class Body>
 Numbers fold(std::uint32_t steps, const Numbers& start, Body body) {
   const OpenFold open = openFold(steps, start);

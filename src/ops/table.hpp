@@ -59,8 +59,8 @@ using enum Trait;
 
 // hashOf of scalar.hpp; in whole numbers where the language has them. 4091 * 262144 keeps a
 // negative `i` above zero, where GLSL's % is defined. Where all is float, a quotient rounded to a
-// whole number leaves a remainder that lies up to 5 beyond 0 or 4091. Products of two such, at most
-// 2^24, are exact as well, so only the last one is put right.
+// whole number leaves a remainder that lies up to 5 beyond 0 or 4091, if division is right to 2.5
+// ulp. Products of two such, at most 2^24, are exact as well, so only the last one is put right.
 inline constexpr Helpers hashHelpers{
     R"(highp float warpjetHash(highp float h, highp float i) {
   highp uint n = (1597u * (uint(h) + uint(int(floor(i)) + 1072431104) % 4091u) + 823u) % 4091u;

@@ -72,11 +72,13 @@ TEST_F(ProductsTest, AreOfOneVectorAndNoMore) {
   EXPECT_FALSE(isProduct(constant));
 }
 
-// What another statement reads has a name, which the matrix would not read.
+// What another statement reads, or a result, has a name, which the matrix would not read.
 TEST_F(ProductsTest, ShareNoTerm) {
   const Value v = times({a, b, c, b, c, a * b, c, a, b * c});
   const Value shared = normalize(v) + a * p[0];
   EXPECT_FALSE(has(emit(graph, glsl300, std::vector{result("y", shared)}).code, "mat3("));
+  const std::vector results{result("y", normalize(v)), result("term", Value(a * p[0]))};
+  EXPECT_FALSE(has(emit(graph, glsl300, results).code, "mat3("));
 }
 
 }  // namespace
