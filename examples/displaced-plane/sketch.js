@@ -9,10 +9,10 @@ function surface(ad) {
   const ripples = radius.mult(26).sub(time.mult(3)).sin().div(fade)
   const swell = x.mult(5).add(time).sin().mult(y.mult(4).cos())
 
-  const surface = ripples.mult(0.06).add(swell.mult(0.05))
-  surface.output('height')
-  surface.outputDeriv('slopeX', x)
-  surface.outputDeriv('slopeY', y)
+  const level = ripples.mult(0.06).add(swell.mult(0.05))
+  level.output('height')
+  level.outputDeriv('slopeX', x)
+  level.outputDeriv('slopeY', y)
 }
 
 function water({ vec3, vec3Param, param }) {
@@ -35,7 +35,7 @@ function setup() {
   waves = createShader(...shaders(heights, code))
 }
 
-const inGLSL = (heights, water) => [
+const inGLSL = (heights, waterCode) => [
   `#version 300 es
   in vec3 aPosition;
   uniform mat4 uModelViewMatrix, uProjectionMatrix;
@@ -56,13 +56,13 @@ const inGLSL = (heights, water) => [
   in float level;
   out vec4 color;
   void main() {
-    ${water}
+    ${waterCode}
     color = vec4(shade, 1.0);
   }`,
 ]
 
 // The same on WEBGPU.
-const inWGSL = (heights, water) => [
+const inWGSL = (heights, waterCode) => [
   `struct Uniforms {
     uModelViewMatrix: mat4x4f,
     uProjectionMatrix: mat4x4f,
@@ -88,7 +88,7 @@ const inWGSL = (heights, water) => [
     return Moved(uniforms.uProjectionMatrix * place, normal, height);
   }`,
   `@fragment fn main(@location(0) normal: vec3f, @location(1) level: f32) -> @location(0) vec4f {
-    ${water}
+    ${waterCode}
     return vec4(shade, 1.0);
   }`,
 ]

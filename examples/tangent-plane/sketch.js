@@ -24,7 +24,8 @@ function tangentPlane(glsl) {
   const here = move(position)
   const beside = (way) => move(position.add(way.mult(0.1))).sub(here)
   const normalThere = beside(u).cross(beside(v))
-  // Without an axis the normal is no number, which WebGL alone draws black.
+  // Where the normal is along z there is no axis and the result is no number. WEBGL
+  // draws that black by itself; `hasAxis` does it on both.
   return { here, normalThere, hasAxis: glsl.step(0.001, across.length()) }
 }
 

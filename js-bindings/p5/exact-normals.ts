@@ -85,7 +85,10 @@ ${code}
   }
 }
 
-/** p5 2 on WEBGPU, where functions stand in any order, and hooks are told the instance. */
+/**
+ * p5 2 on WEBGPU, where functions stand in any order, and hooks are told the instance. What p5 hands on is out of reach there, so
+ * where the surface is collapsed the normal is the one that the sketch's own hook gives.
+ */
 function inWgsl(shader: ModifiedShader): Hooks | undefined {
   const uniforms = Object.keys(shader.hooks.uniforms)
     .filter((uniform) => !uniform.endsWith('sampler2D'))
@@ -97,7 +100,7 @@ function inWgsl(shader: ModifiedShader): Hooks | undefined {
       [name]: `(warpjetInputs: Vertex) {
 ${uniforms.join('')}${code}
   var warpjetResult = ${own}(warpjetInputs, instanceID);
-  warpjetResult.normal = ${turned};
+  if (any(${turned} != vec3<f32>())) { warpjetResult.normal = ${turned}; }
   return warpjetResult;
 }`,
     }),
@@ -108,7 +111,7 @@ ${uniforms.join('')}${code}
       vertexDeclarations: [
         shader.hooks.vertex.declarations ?? '',
         ...moving.declarations,
-        ...moving.texts.map((text) => text.replace(') {', ', instanceID: u32) -> Vertex {')),
+        ...moving.texts.map((text) => text.replace(/\)\s*\{/, ', instanceID: u32) -> Vertex {')),
       ].join('\n'),
     }
   )

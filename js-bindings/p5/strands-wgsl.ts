@@ -17,7 +17,7 @@ const words: readonly (readonly [RegExp, string])[] = [
 export function glslOf(wgsl: string): string {
   if (/%|\b(?:fn|let)\b/.test(wgsl))
     throw new WarpError(
-      'On a WEBGPU canvas only p5.strands is read, without noise(), random(), mod() and %; draw it on a WEBGL canvas, or write the motion for createWarp.',
+      'On a WEBGPU canvas plain WGSL is read, as p5.strands writes it, without noise(), random(), mod() and %; draw it on a WEBGL canvas, or write the motion for createWarp.',
     )
   return words.reduce((text, [word, other]) => text.replace(word, other), wgsl)
 }

@@ -105,7 +105,10 @@ function readable(shader: ModifiedShader, head: string, hook: string): string {
   const above = [
     ...Object.keys(uniforms).map((uniform) => `uniform var ${uniform};`),
     ...varyingVariables.map((varying) => `var ${varying};`),
-    vertex.declarations,
+    // p5 puts its noise() and random() above all hooks, whichever calls them.
+    vertex.declarations?.replace(/^fn (\w+)[^]*?^\}/gm, (text, called) =>
+      hook.includes(`${called}(`) ? text : '',
+    ),
     declarations,
   ].join('\n')
   return `${aboveStrands}\n${glslOf(above)}\n${head}${glslOf(hook)}`

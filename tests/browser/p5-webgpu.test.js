@@ -379,9 +379,13 @@ test('GLSL and models of text fail in p5 itself', async () => {
   )
 })
 
-test('p5 itself draws in a framebuffer of HALF_FLOAT, and not in one of FLOAT', async () => {
+test('p5 itself draws in a framebuffer of HALF_FLOAT, and not in one of FLOAT, with smooth edges or without', async () => {
   const heard = {}
-  for (const format of ['HALF_FLOAT', 'FLOAT']) {
+  for (const options of [
+    'format: HALF_FLOAT',
+    'format: FLOAT',
+    'format: FLOAT, antialias: false',
+  ]) {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -389,14 +393,15 @@ test('p5 itself draws in a framebuffer of HALF_FLOAT, and not in one of FLOAT', 
       `async function setup() {
         await createCanvas(100, 100, WEBGPU)
         noLoop()
-        createFramebuffer({ format: ${format} }).draw(() => sphere(10))
+        createFramebuffer({ ${options} }).draw(() => sphere(10))
         await get(0, 0)
         done = true
       }`,
     )
     await leavePage(page)
-    heard[format] = messages.join('\n')
+    heard[options] = messages.join('\n')
   }
-  assert.equal(heard.HALF_FLOAT, '')
-  assert.match(heard.FLOAT, /RGBA32Float\) does not support multisampling/)
+  assert.equal(heard['format: HALF_FLOAT'], '')
+  assert.match(heard['format: FLOAT'], /RGBA32Float\) does not support multisampling/)
+  assert.match(heard['format: FLOAT, antialias: false'], /RGBA32Float\) is not blendable/)
 })

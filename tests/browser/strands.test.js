@@ -29,6 +29,16 @@ const sketches = {
     byHand: `createWarp(({ glsl, position, millis }) =>
       glsl.vec3(0, millis.mult(0.001).add(position.x.mult(0.05)).sin().mult(20), 0), { space: 'world' })`,
   },
+  'noise() and random() for colours alone': {
+    strands: `baseMaterialShader().modify(() => {
+      getObjectInputs((inputs) => {
+        inputs.position.y += sin(inputs.position.x * 4) * 0.25
+        return inputs
+      })
+      getFinalColor((color) => color * (noise(1.5) + random() > 9 ? 0.5 : 1))
+    })`,
+    byHand: `createWarp(({ glsl, position: { x } }) => glsl.vec3(0, x.mult(4).sin().mult(0.25), 0))`,
+  },
   'begin and end, in object space, with declarations, an if, an else and a for': {
     strands: `baseMaterialShader().modify(() => {
       objectInputs.begin()
@@ -119,6 +129,18 @@ const sketches = {
     byHand: `createWarp(({ glsl, position }) =>
       glsl.vec3(0, 1, 0.5).mult(position.x.mult(4).sin().mult(0.25)))`,
   },
+  'a hook in WGSL with an if of its own, written closely': {
+    isWGSL: true,
+    strands: `baseMaterialShader().modify({
+      'Vertex getObjectInputs': \`(v: Vertex){
+        var m = v;
+        if (m.position.x > 0.0) { m.position.y += sin(m.position.x * 4.0) * 0.25; }
+        return m;
+      }\`,
+    })`,
+    byHand: `createWarp(({ glsl, position: { x } }) =>
+      glsl.vec3(0, x.gt(0).ifElse(x.mult(4).sin().mult(0.25), 0), 0))`,
+  },
   'hooks in GLSL, with uniforms that are called as inputs of a warp are': {
     isGLSL: true,
     strands: `baseMaterialShader().modify({
@@ -149,7 +171,7 @@ const sketches = {
 for (const [renderer, scripts] of hosts)
   test(`each way of writing p5.strands, ${renderer}: the picture of the same warp by createWarp, and not that of the sketch alone`, async () => {
     const entries = Object.entries(sketches).filter(
-      ([, { isGLSL }]) => renderer === 'WEBGL' || !isGLSL,
+      ([, { isGLSL, isWGSL }]) => !(renderer === 'WEBGL' ? isWGSL : isGLSL),
     )
     const images = await drawScenes(browsers[renderer], server, scripts, {
       renderer,
@@ -217,7 +239,29 @@ test('noise() of p5.strands: the picture of the same sketch with its normals by 
 })
 
 const gpu = hosts.find(([renderer]) => renderer === 'WEBGPU')
-if (gpu)
+if (gpu) {
+  test('on WEBGPU a vertex whose surface is collapsed to a point has the normal that its hook gives', async () => {
+    const images = await drawScenes(browsers.WEBGPU, server, gpu[1], {
+      renderer: 'WEBGPU',
+      setup: `warps.plain = baseMaterialShader().modify(() => {
+        getObjectInputs((inputs) => {
+          if (inputs.position.y < -0.5) { inputs.position = [0, -0.5, 0] }
+          return inputs
+        })
+      })
+      warps.own = exactNormals(warps.plain)
+      if (warps.own === warps.plain) throw new Error('it is not another')`,
+      scenes: Object.fromEntries(
+        ['plain', 'own'].map((name) => [
+          name,
+          scene(`shader(warps.${name})`, 'rotateX(-0.8); sphere(60, 48, 32)'),
+        ]),
+      ),
+    })
+    assert.ok(litPixels(images.plain).length > 3000)
+    assert.equal(differingPixels(images.own, images.plain, 2), 0)
+  })
+
   test('what is not read on WEBGPU is said in a sentence, and the shader comes back as it was', async () => {
     const motions = ['noise(p.x)', 'mod(p.x, 2)', 'p.x % 2', 'random()']
     const { page, messages } = await runSketch(
@@ -247,6 +291,7 @@ if (gpu)
     for (const message of messages)
       assert.match(
         message,
-        /^exactNormals: the shader stays as it is. On a WEBGPU canvas only p5.strands is read, without/,
+        /^exactNormals: the shader stays as it is. On a WEBGPU canvas plain WGSL is read, as p5.strands writes it, without/,
       )
   })
+}
