@@ -1,7 +1,7 @@
 // Runs in an example's page before its sketch, in the gallery only. Keeps the shader text of each warp for the page
 // around it; the callback is compiled a second time for that, with plain input names, which read better than p5's.
-// And it leaves the mouse wheel and vertical swipes to that page, so that nobody gets stuck in a sketch, unless the sketch
-// has the page for itself.
+// And it leaves the mouse wheel and vertical swipes to that page, so that nobody gets stuck in a sketch. One that has the page
+// for itself keeps them, and its picture is as large as fits.
 {
   const recorded = (window.recordedCode = [])
   const { compile, compileWarp, gen } = warpjet
@@ -57,18 +57,28 @@
       return turned
     }
 
-  if (!frameElement?.ownerDocument.body.matches('.full')) {
+  const style = (textContent) =>
+    document.head.append(Object.assign(document.createElement('style'), { textContent }))
+  if (frameElement?.ownerDocument.body.matches('.full')) {
+    const { createCanvas } = p5.prototype
+    p5.prototype.createCanvas = function (...how) {
+      const canvas = createCanvas.apply(this, how)
+      const { width, height } = this
+      const fitting = `min(100vw, 100vh * ${width} / ${height})`
+      style(`.p5Canvas { height: auto !important; width: ${fitting} !important }`)
+      // As sharp as the screen is.
+      const scale = Math.min(innerWidth / width, innerHeight / height)
+      this.pixelDensity(scale * devicePixelRatio)
+      return canvas
+    }
+  } else {
     const { orbitControl } = p5.prototype
     p5.prototype.orbitControl = function () {
       // p5's own mark that it has taken the wheel.
       this.wheelDefaultDisabled = true
       return orbitControl.call(this, 1, 1, 0)
     }
-    document.head.append(
-      Object.assign(document.createElement('style'), {
-        // Half a pixel too much would make the frame scroll, in place of the page.
-        textContent: 'canvas { touch-action: pan-y !important } html { overflow: hidden }',
-      }),
-    )
+    // Half a pixel too much would make the frame scroll, in place of the page.
+    style('canvas { touch-action: pan-y !important } html { overflow: hidden }')
   }
 }

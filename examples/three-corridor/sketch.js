@@ -178,6 +178,7 @@ const before = new THREE.Vector3()
 const middle = () => here.copy(figure.boundingSphere.center).applyMatrix4(figure.matrixWorld)
 
 const panel = new GUI({ title: 'Corridor' })
+if (innerWidth < 480) panel.close()
 panel.add(settings, 'bend', 0, 1.6)
 panel.add(settings, 'roll', 0, 0.6)
 panel.add(settings, 'steps', 0, 2)

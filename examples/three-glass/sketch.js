@@ -138,6 +138,7 @@ const warped = warp(
 )
 
 const panel = new GUI({ title: 'Glass' })
+if (innerWidth < 480) panel.close()
 panel.add(settings, 'twist', 0, 2)
 panel.add(settings, 'flutes', 0, 0.2)
 panel.add(settings, 'dents', 0, 1.5)

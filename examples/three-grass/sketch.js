@@ -98,6 +98,7 @@ const warped = warp(
 )
 
 const panel = new GUI({ title: 'Wind' })
+if (innerWidth < 480) panel.close()
 panel.add(settings, 'wind', 0, 1.5)
 panel.add(settings, 'gusts', 0.1, 1.5)
 panel.add(settings, 'direction', -3.14, 3.14)

@@ -95,6 +95,7 @@ scene.add(helper)
 const [frustum, both] = [new THREE.Frustum(), new THREE.Matrix4()]
 
 const panel = new GUI({ title: 'Lanterns' })
+if (innerWidth < 480) panel.close()
 panel.add(settings, 'swell', 0, 2)
 panel.add(settings, 'ripple', 0, 0.6)
 panel.add(settings, 'turn')

@@ -153,6 +153,7 @@ function ride(millis) {
 }
 
 const panel = new GUI({ title: 'Sea' })
+if (innerWidth < 480) panel.close()
 panel.add(settings, 'height', 0, 1.2)
 panel.add(settings, 'speed', 0, 2)
 panel.add(settings, 'foam', 0, 6).name('foam, seconds')

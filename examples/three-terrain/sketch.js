@@ -105,6 +105,7 @@ renderer.domElement.addEventListener('click', (event) => {
 const middle = () => point({ clientX: innerWidth / 2, clientY: innerHeight / 2 })
 
 const panel = new GUI({ title: 'Terrain' })
+if (innerWidth < 480) panel.close()
 panel.add(settings, 'height', 0, 3)
 panel.add(settings, 'detail', 0.1, 1)
 panel.onChange(paint)

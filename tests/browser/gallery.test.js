@@ -150,6 +150,7 @@ describe('the gallery of npm start', () => {
             true,
             `${name}, ${place === page ? 'its page' : 'the sketch'}`,
           )
+        assert.equal(await frame.locator('.lil-gui.root:not(.closed)').count(), 0, name)
         await page.screenshot({ path: `${screenshots}/phone-${name}.png` })
       }
       await context.close()

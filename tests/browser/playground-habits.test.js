@@ -123,8 +123,19 @@ test('a picture that is dropped is the sketch’s to load, and goes into the pag
     transfer.items.add(new File([await canvas.convertToBlob()], 'red.png'))
     return transfer
   })
+  // What is told for a moment stays for this test.
+  await page.evaluate(() => {
+    const { setTimeout } = window
+    window.setTimeout = (work, ms) => setTimeout(work, ms >= 2000 ? 1e9 : ms)
+    window.again = () => Object.assign(window, { setTimeout })
+  })
   await page.dispatchEvent('body', 'drop', { dataTransfer })
+  await page.evaluate(() => window.again())
   await settled(page)
+  assert.equal(
+    await page.locator('.state').textContent(),
+    '“red.png” is there for the sketch to load',
+  )
   const textured = setup("image = await loadImage('red.png')")
     .replace('function setup', 'let image\nasync function setup')
     .replace("fill('#ff8040')", 'texture(image)')

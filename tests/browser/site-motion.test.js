@@ -117,6 +117,11 @@ test('the full page of an example says what it is, fills the window, and leads b
   assert.match(await page.locator('.text').textContent(), /Points move to the side/)
   const { width, height } = await page.locator('iframe').boundingBox()
   assert.ok(width === desktop.viewport.width && height > 0.7 * desktop.viewport.height)
+  // Its picture is as large as fits, in the middle.
+  const canvas = await page.frameLocator('iframe').locator('.p5Canvas').boundingBox()
+  const fits = Math.min(width, (height * 4) / 3)
+  assert.ok(Math.abs(canvas.width - fits) < 1, `${canvas.width} of ${fits}`)
+  assert.ok(Math.abs((4 / 3) * canvas.height - fits) < 2)
   await page.getByRole('button', { name: 'Pause' }).click()
   assert.equal(await page.locator('iframe').count(), 0)
   await page.getByRole('link', { name: 'Sketch and sliders' }).click()

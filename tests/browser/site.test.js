@@ -214,6 +214,21 @@ describe('the first page', () => {
   test('has printed nothing', () => assert.deepEqual(messages, []))
 })
 
+test('the list beside a page of the docs shows where one is, and the page begins at its top', async () => {
+  const context = await browser.newContext(desktop)
+  await context.addInitScript(withoutWorker)
+  const { page, messages } = await openPage(context, `${url}docs/develop.html`)
+  const seen = await page.evaluate(() => {
+    const box = (selector) => document.querySelector(selector).getBoundingClientRect()
+    const [list, entry] = [box('.contents'), box('.contents [aria-current]')]
+    return entry.top >= list.top && entry.bottom <= Math.min(list.bottom, innerHeight)
+  })
+  assert.ok(seen)
+  assert.equal(await page.evaluate(() => scrollY), 0)
+  await context.close()
+  assert.deepEqual(messages, [])
+})
+
 test('a slider changes the sketch, and the picture follows', async () => {
   const context = await browser.newContext({ ...desktop })
   await context.addInitScript(withoutWorker)

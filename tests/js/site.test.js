@@ -6,7 +6,7 @@ import { before, describe, test } from 'node:test'
 import { viteBuild } from '../../.scripts/lib/vite.mjs'
 import { sections } from '../../web/catalogue.js'
 import { sketchOf } from '../../web/playground/link.js'
-import { blocksOf } from '../../web/site/markdown.js'
+import { blocksOf, makeMarkdown } from '../../web/site/markdown.js'
 import { pages as listed } from '../../web/site/navigation.js'
 import { sitePages } from '../../web/site/pages.js'
 import { makeSearch } from '../../web/site/search.js'
@@ -76,6 +76,16 @@ test('a part of a sketch gets the rest', () => {
   })
   assert.equal(runnable('npm i\n', 'sh'), undefined)
   assert.equal(runnable('createWarp(f)\n', 'js', ' not '), undefined)
+})
+
+test('in a table a figure keeps its unit and its exponent, and only long code breaks', () => {
+  const line =
+    '| `a.b(c)` | 0, 6e-13 | 100 % | `glsl.faceforward(normal, incident, reference)` | 3 of them are long |'
+  const table = makeMarkdown().render(`| a | b | c | d | e |\n| - | - | - | - | - |\n${line}\n`)
+  assert.deepEqual(
+    [...table.matchAll(/<td(?: class="(\w+)")?>/g)].map(([, name]) => name),
+    [undefined, 'number', 'number', 'long', undefined],
+  )
 })
 
 test('no sketch leaves a warp on for what the next frame draws before it', () => {

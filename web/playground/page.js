@@ -26,6 +26,12 @@ const REPORT_EVERY = 500
 
 const find = (selector) => document.querySelector(selector)
 const state = find('.state')
+/** What was done is told for a moment, whatever is being done. */
+const told = { doing: '', done: '' }
+function tell(news) {
+  Object.assign(told, news)
+  state.textContent = told.done || told.doing
+}
 const mistakePlace = find('.mistake')
 
 /** What a warp may read at this moment. */
@@ -74,7 +80,7 @@ function run() {
     find('main').ariaBusy = 'false'
     return keepInAddress(sketch)
   }
-  state.textContent = 'Building…'
+  tell({ doing: 'Building…' })
   output.print()
   stage.run(whole(sketch), {
     clock: time.start(),
@@ -94,7 +100,7 @@ function listen(message) {
   if (message.kind === 'printed') return output.print(message)
   if (!isPending) {
     find('main').ariaBusy = 'false'
-    state.textContent = ''
+    tell({ doing: '' })
   }
   if (message.kind === 'error') return complain(message)
   complain()
@@ -138,9 +144,9 @@ copyLink.addEventListener('click', async () => {
   setTimeout(() => (copyLink.textContent = 'Copy link'), 2000)
 })
 
-const say = (word) => {
-  state.textContent = word
-  setTimeout(() => state.textContent === word && (state.textContent = ''), 2000)
+function say(done) {
+  tell({ done })
+  setTimeout(() => told.done === done && tell({ done: '' }), 3000)
 }
 makeMenu(
   find('.actions'),
@@ -154,8 +160,12 @@ makeMenu(
     'Film of four seconds (WebM)': async () => {
       const inside = stage.inside()
       if (!inside) throw new Error('There is no picture to film yet.')
-      state.textContent = 'Filming…'
-      download(await inside.film(4), 'warp.webm')
+      tell({ doing: 'Filming…' })
+      try {
+        download(await inside.film(4), 'warp.webm')
+      } finally {
+        tell({ doing: '' })
+      }
     },
     'Warped shape (GLB)': async () =>
       download(

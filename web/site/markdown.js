@@ -84,6 +84,14 @@ export function makeMarkdown() {
     '<div class="table" role="group" aria-label="Table" tabindex="0"><table>\n'
   rules.table_close = () => '</table></div>\n'
 
+  // A figure stays in one line with its unit, or with its exponent; code does, too, unless it is long.
+  rules.td_open = (tokens, index, options, env, self) => {
+    const { content } = tokens[index + 1]
+    if (/^-?\d.{0,14}$/.test(content)) tokens[index].attrJoin('class', 'number')
+    if (/^`[^`]{30,}`$/.test(content)) tokens[index].attrJoin('class', 'long')
+    return self.renderToken(tokens, index, options)
+  }
+
   const link =
     rules.link_open ??
     ((tokens, index, options, env, self) => self.renderToken(tokens, index, options))

@@ -19,10 +19,12 @@ document.querySelector('.theme').addEventListener('click', () => {
   }
 })
 
-/* On a narrow page the list of pages is closed until it is wanted. */
+/* On a narrow page the list of pages is closed until it is wanted; beside a wide one it shows the page that is open. */
 
 const contents = document.querySelector('.contents')
+const here = contents?.querySelector('[aria-current]')
 if (contents && matchMedia('(max-width: 59.99rem)').matches) contents.open = false
+else if (here) contents.scrollTop = here.offsetTop - contents.clientHeight / 2
 
 /* Search: what it looks through is fetched when somebody is about to search. */
 
