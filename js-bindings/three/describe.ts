@@ -1,6 +1,6 @@
 // How a sentence names what is of three.js.
 import type { Object3D } from 'three'
-import { describe } from '../checks/errors.js'
+import { WarpError, describe } from '../checks/errors.js'
 
 const flags = ['isObject3D', 'isMaterial', 'isBufferGeometry', 'isTexture']
 
@@ -14,3 +14,8 @@ export function describeOfThree(value: unknown): string {
 /** `the Mesh "boat"`, or `this Mesh`. */
 export const nameOf = ({ name, type }: Object3D) =>
   name ? `the ${type} "${name}"` : `this ${type}`
+
+export const spriteError = (method: string, what: string) =>
+  new WarpError(
+    `${method}: ${what} always faces the camera and has no surface to warp; use a Mesh with a PlaneGeometry.`,
+  )

@@ -9,11 +9,11 @@ import {
 } from 'three'
 import { WarpError, describe } from '../checks/errors.js'
 import { millisUniform } from '../compile/host-names.js'
-import { describeOfThree } from './describe.js'
+import { describeOfThree, spriteError } from './describe.js'
 import { type ThreeWarp, keep } from './kept.js'
 import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
 import type { ThreeUniforms, UniformHandles, ValuesOf } from './uniforms.js'
-import { hasChunks, weave } from './weave.js'
+import { checkChunks, weave } from './weave.js'
 import { fillOf } from './surface.js'
 
 /** What a warped material and a warped object have. */
@@ -89,14 +89,9 @@ export function checkMaterial(method: string, material: unknown): asserts materi
     throw new WarpError(
       `${method}: ${type} is a material of WebGPURenderer; import ${method} from 'warpjet/three/webgpu'.`,
     )
-  if (is.isSpriteMaterial)
-    throw new WarpError(
-      `${method}: a sprite always faces the camera and has no surface to warp; use a Mesh with a PlaneGeometry.`,
-    )
-  if (is.isShaderMaterial && !hasChunks(String(is.vertexShader)))
-    throw new WarpError(
-      `${method}: the vertex shader of this ${type} has no "#include <begin_vertex>" and "#include <project_vertex>", between which a warp goes; write it of three's chunks.`,
-    )
+  if (is.isSpriteMaterial) throw spriteError(method, 'a sprite')
+  if (is.isShaderMaterial)
+    checkChunks(method, `the vertex shader of this ${type}`, String(is.vertexShader))
 }
 
 /** Two warps in one shader would not compile. */

@@ -225,7 +225,7 @@ function inputsFor(
   if (color && [material].flat()[0]?.vertexColors) inputs.warpjetColor = colorOf(color.itemSize)
   for (const name of variationNames) {
     const attribute = variationAttribute(name)
-    inputs[`warpjet_${name}`] =
+    inputs[names[name]!] =
       isLocal && geometry.hasAttribute(attribute)
         ? make.attribute(attribute, 'vec3')
         : make.vec3(0, 0, 0)
@@ -242,7 +242,7 @@ const colorOf = (size: number) => {
   return size === 4 ? color : make.vec4(color, 1)
 }
 
-const names = {
+const names: Record<string, string> = {
   position: 'warpjetPosition',
   normal: 'warpjetNormal',
   uv: 'warpjetUv',
@@ -265,10 +265,10 @@ const wgslTypes: Record<string, string> = {
 function parametersOf(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): [string, string][] {
   const { attributes, frame } = warp.write(isWebGPU ? 'wgsl' : 'glsl300', turned, namesIn(isWebGPU))
   const read = new Set(attributes.map(({ name }) => name))
-  const optional: [string, string, string][] = [
-    ['uv', 'warpjetUv', 'vec2'],
-    ['color', 'warpjetColor', 'vec4'],
-    ...variationNames.map((name): [string, string, string] => [name, `warpjet_${name}`, 'vec3']),
+  const optional: [string, string][] = [
+    ['uv', 'vec2'],
+    ['color', 'vec4'],
+    ...variationNames.map((name): [string, string] => [name, 'vec3']),
   ]
   return [
     ['warpjetPosition', 'vec3'],
@@ -276,7 +276,7 @@ function parametersOf(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): [stri
     ...(turned === 'tangent' ? [['warpjetTangent', 'vec3'] as [string, string]] : []),
     ...optional
       .filter(([name]) => read.has(name))
-      .map(([, name, type]): [string, string] => [name, type]),
+      .map(([name, type]): [string, string] => [names[name]!, type]),
     [millisUniform, 'float'],
     ...frame.map((name): [string, string] => [name, 'vec4']),
     ...warp.uniforms.map(({ label, shape }): [string, string] => [label, typeOf(shape)]),
@@ -285,7 +285,7 @@ function parametersOf(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): [stri
 
 const namesIn = (isWebGPU: boolean) => ({
   ...names,
-  tangent: isWebGPU ? 'vec4f(warpjetTangent, 1.0)' : 'vec4(warpjetTangent, 1.0)',
+  tangent: `${isWebGPU ? 'vec4f' : 'vec4'}(warpjetTangent, 1.0)`,
 })
 
 /** One function, which gives the position, or the columns position, normal and tangent. */

@@ -13,7 +13,7 @@ import {
 import { WarpError } from '../checks/errors.js'
 import { noteApproximation } from '../checks/notes.js'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
-import { describeOfThree, nameOf } from './describe.js'
+import { describeOfThree, nameOf, spriteError } from './describe.js'
 import { type Extent, extentInBatch, extentOf, stateOf } from './extent.js'
 import { type ThreeWarp, keep } from './kept.js'
 import {
@@ -82,10 +82,7 @@ function partsOf({ method }: Settings, object: Object3D): Warpable[] {
   const parts: Warpable[] = []
   object.traverse((part) => {
     const { geometry, material } = part as Mesh
-    if ((part as { isSprite?: boolean }).isSprite)
-      throw new WarpError(
-        `${method}: ${nameOf(part)} always faces the camera and has no surface to warp; use a Mesh with a PlaneGeometry.`,
-      )
+    if ((part as { isSprite?: boolean }).isSprite) throw spriteError(method, nameOf(part))
     if (!geometry || !material) return
     if (warpedNow.has(part))
       throw new WarpError(

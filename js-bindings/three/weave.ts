@@ -26,17 +26,20 @@ const include = (name: string) => `#include <${name}>`
 /** What `#include <…>` of a chunk looks like in the shaders of three.js and of those who write like it. */
 const including = (name: string) => new RegExp(`^[ \\t]*#include +<${name}>`, 'm')
 
-/** Whether a shader is made of the chunks that a warp goes between. */
-export const hasChunks = (vertexShader: string) =>
-  ['begin_vertex', 'project_vertex'].every((name) => including(name).test(vertexShader)) &&
-  /void\s+main\s*\(\s*\)\s*\{/.test(vertexShader)
+/** Throws for a shader, which is called `what`, that is not made of the chunks that a warp goes between. */
+export function checkChunks(method: string, what: string, vertexShader: string) {
+  const hasChunks = ['begin_vertex', 'project_vertex'].every((name) =>
+    including(name).test(vertexShader),
+  )
+  if (!hasChunks || !/void\s+main\s*\(\s*\)\s*\{/.test(vertexShader))
+    throw new WarpError(
+      `${method}: ${what} has no "${include('begin_vertex')}" and "${include('project_vertex')}", between which a warp goes; write it of three's chunks.`,
+    )
+}
 
 /** The vertex shader, warped; `mayHaveTangents` if some of what it draws has tangents that its material reads. */
 export function weave(vertexShader: string, warp: ThreeWarp, mayHaveTangents: boolean): string {
-  if (!hasChunks(vertexShader))
-    throw new WarpError(
-      `${warp.settings.method}: the material's vertex shader has no "${include('begin_vertex')}" and "${include('project_vertex')}", between which a warp goes; write it of three's chunks.`,
-    )
+  checkChunks(warp.settings.method, "the material's vertex shader", vertexShader)
   const isLit = including('defaultnormal_vertex').test(vertexShader)
   const lines = vertexShader.split('\n')
   const start = lines.findIndex((line) => /void\s+main\s*\(/.test(line))

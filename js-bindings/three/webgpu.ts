@@ -2,6 +2,7 @@
 import type { Material } from 'three'
 import type { Node } from 'three/webgpu'
 import { WarpError } from '../checks/errors.js'
+import { spriteError } from './describe.js'
 import { type ThreeWarp, keep } from './kept.js'
 import {
   type Warped,
@@ -34,9 +35,7 @@ function checkMaterial(method: string, material: unknown): asserts material is M
       `${method}: WebGPURenderer does not draw a ${type}; use a material of nodes.`,
     )
   if ((material as { isSpriteNodeMaterial?: boolean }).isSpriteNodeMaterial)
-    throw new WarpError(
-      `${method}: a sprite always faces the camera and has no surface to warp; use a Mesh with a PlaneGeometry.`,
-    )
+    throw spriteError(method, 'a sprite')
   if (vertexNode)
     throw new WarpError(
       `${method}: the material's vertexNode replaces the place of the vertex, so that a warp would do nothing; put it into positionNode.`,
