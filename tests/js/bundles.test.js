@@ -186,7 +186,10 @@ test('warpjet/three adds at most 12 KB to warpjet, and warpjet has nothing of it
   const size = async (name, code) => {
     const text = readFileSync(await bundle(name, code, 'browser'), 'utf8')
     // The WebAssembly as text is in each: with it the difference hangs on where gzip's blocks end.
-    const script = text.split('"').filter((part) => part.length < 50_000).join('"')
+    const script = text
+      .split('"')
+      .filter((part) => part.length < 50_000)
+      .join('"')
     assert.ok(script.length < text.length - 300_000, `${script.length} of ${text.length}`)
     return { text, bytes: gzipSync(script, { level: 9 }).length }
   }
