@@ -4,9 +4,6 @@ namespace warpjet {
 
 namespace {
 
-constexpr Op add = ops::find("add"), sub = ops::find("sub"), mult = ops::find("mult"),
-             neg = ops::find("neg"), inversesqrt = ops::find("inversesqrt");
-
 class Finder {
  public:
   Finder(const Graph& graph, std::span<const std::uint32_t> uses)
@@ -83,6 +80,9 @@ class Finder {
     }
     return false;
   }
+
+  static constexpr Op add = ops::find("add"), sub = ops::find("sub"), mult = ops::find("mult"),
+                      neg = ops::find("neg"), inversesqrt = ops::find("inversesqrt");
 
   const Graph& graph_;
   std::span<const std::uint32_t> uses_;
