@@ -7,7 +7,7 @@ import { sections } from '../../web/catalogue.js'
 import { converted } from '../../web/playground/convert.js'
 import { launchBrowserWithWebGPU, openPage } from './support/browser.js'
 import { config, path } from './support/bench.js'
-import { coarse } from './support/examples.js'
+import { coarseShapes } from './support/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from './support/pixels.js'
 
 const screenshots = path('.build/screenshots/webgpu')
@@ -42,7 +42,7 @@ async function openFor(host) {
   await context.route('**/examples/*/sketch.js', async (route) => {
     const response = await route.fetch()
     const sketch = converted(await response.text(), host)
-    await route.fulfill({ response, body: `${sketch}${still}{${coarse}}` })
+    await route.fulfill({ response, body: `${sketch}${still}{${coarseShapes}}` })
   })
   const withWebGPU = async (route) => {
     const response = await route.fetch()

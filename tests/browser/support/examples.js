@@ -1,5 +1,6 @@
 // The examples without a GPU: with fewer pixels and frames, and what can be said of the picture that they draw.
 import assert from 'node:assert/strict'
+import { coarsenShapes } from './frames.js'
 
 /**
  * Sketches other than `exceptions` are drawn with a sixteenth of their pixels and coarse shapes: without a GPU these are what
@@ -28,21 +29,12 @@ export const lower = (context, { exceptions = [], before = '' } = {}) =>
   p5.prototype.pixelDensity = function (density) {
     return pixelDensity.call(this, density && density / 4)
   }
-${coarse}}`
+${coarseShapes}}`
     await route.fulfill({ response, body })
   })
 
 /** p5's shapes with a tenth of their triangles, as text for a sketch. */
-export const coarse = `
-  // Where the numbers for detail begin among those that a shape takes.
-  const shapes = { plane: 2, sphere: 1, ellipsoid: 3, cylinder: 2, cone: 2, torus: 2 }
-  for (const [name, first] of Object.entries(shapes)) {
-    const shape = p5.prototype[name]
-    p5.prototype[name] = function (...sizes) {
-      const isDetail = (size, i) => i >= first && typeof size === 'number'
-      return shape.apply(this, sizes.map((size, i) => (isDetail(size, i) ? Math.min(size, 48) : size)))
-    }
-  }
+export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 48)
 `
 
 /** A sketch of three.js likewise; without a GPU its thousands of instances are what takes longest. */

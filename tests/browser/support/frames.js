@@ -38,15 +38,25 @@ export function fewFrames() {
     request < 0 ? clearTimeout(-request) : cancelAnimationFrame.call(window, request)
 }
 
-/**
- * Of p5's canvases the large ones get a sixteenth of their pixels, and its shapes no more than 32 by 32 rectangles. What is asked
- * of a picture pixel by pixel is drawn small by its sketch.
- */
-export function coarse() {
+/** p5's shapes get no more than `most` by `most` rectangles; for a page, which has p5's `methods`. */
+export function coarsenShapes(methods, most) {
   // Where the numbers for detail begin among those that a shape takes.
   const shapes = { plane: 2, sphere: 1, ellipsoid: 3, cylinder: 2, cone: 2, torus: 2 }
+  for (const [name, first] of Object.entries(shapes)) {
+    const shape = methods[name]
+    methods[name] = function (...sizes) {
+      const isDetail = (size, i) => i >= first && typeof size === 'number'
+      return shape.apply(
+        this,
+        sizes.map((size, i) => (isDetail(size, i) ? Math.min(size, most) : size)),
+      )
+    }
+  }
+}
 
-  function coarsen(methods) {
+/** Calls `coarsen` with the methods of each p5 that comes, and gives its large canvases a sixteenth of their pixels. */
+function coarsenCanvases(coarsen) {
+  function spare(methods) {
     const { createCanvas, pixelDensity } = methods
     const isLarge = ({ width, height }) => width * height > 160 * 160
     methods.createCanvas = function (...how) {
@@ -58,16 +68,7 @@ export function coarse() {
     methods.pixelDensity = function (density) {
       return pixelDensity.call(this, density && isLarge(this) ? density / 4 : density)
     }
-    for (const [name, first] of Object.entries(shapes)) {
-      const shape = methods[name]
-      methods[name] = function (...sizes) {
-        const isDetail = (size, i) => i >= first && typeof size === 'number'
-        return shape.apply(
-          this,
-          sizes.map((size, i) => (isDetail(size, i) ? Math.min(size, 32) : size)),
-        )
-      }
-    }
+    coarsen(methods, 32)
   }
 
   const known = new WeakSet()
@@ -80,10 +81,16 @@ export function coarse() {
       const methods = given?.prototype
       if (!methods?.createCanvas || known.has(methods)) return
       known.add(methods)
-      coarsen(methods)
+      spare(methods)
     },
   })
 }
+
+/**
+ * Of p5's canvases the large ones get a sixteenth of their pixels, and its shapes no more than 32 by 32 rectangles. What is asked
+ * of a picture pixel by pixel is drawn small by its sketch.
+ */
+export const coarse = { content: `(${coarsenCanvases})(${coarsenShapes})` }
 
 export async function drawLittle(context) {
   for (const script of [rough, fewFrames, coarse]) await context.addInitScript(script)
