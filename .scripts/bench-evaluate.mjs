@@ -1,6 +1,7 @@
 // npm run bench:evaluate: how many vertices a second a warp moves on the CPU, positions and normals, by warp.evaluate, by the
 // interpreter that it has where an engine compiles nothing, by the same function written by hand in JavaScript, and by the same
-// C++ compiled natively with -O3; and how long making the machine code takes.
+// C++ compiled natively with -O3; and how long making the machine code takes. The last two write into arrays that are there, as
+// `evaluate` does with its option `out`; without it, it makes new ones at each call.
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -36,7 +37,7 @@ await main(async () => {
 
   console.log('Millions of vertices a second, positions and normals; medians of rounds in turn.\n')
   console.log(
-    'warp               vertices   evaluate  interpreter    by hand     native   evaluate / by hand   native / evaluate   native / interpreter   largest difference',
+    'warp               vertices   evaluate   into out  interpreter    by hand     native   into out / by hand   native / into out   native / evaluate   native / interpreter   largest difference',
   )
   for (const { name, vertices, rounds } of rows) {
     const { warp: offset, byHand } = warps[name]
@@ -50,17 +51,20 @@ await main(async () => {
     }
     const native = nativeRunner(warp, mesh, 1234)
 
-    const times = { evaluate: [], interpreter: [], byHand: [], native: [] }
+    const out = { positions: results.positions.slice(), normals: results.normals.slice() }
+    const times = { evaluate: [], into: [], interpreter: [], byHand: [], native: [] }
     const warmUps = vertices > 100_000 ? 2 : 20 // until the engine has taken its best compiler
     let moved
     for (let round = -warmUps; round < rounds; round++) {
       const evaluate = seconds(() => (moved = warp.evaluate(mesh, { uniforms })))
+      const into = seconds(() => warp.evaluate(mesh, { uniforms, out }))
       if (round < -1) continue
       const interpreter = seconds(() => plain.evaluate(mesh, { uniforms }))
       const hand = seconds(() => byHand(mesh, 1234, results))
       const compiled = native.seconds()
       if (round < 0) continue
       times.evaluate.push(evaluate)
+      times.into.push(into)
       times.interpreter.push(interpreter)
       times.byHand.push(hand)
       times.native.push(compiled)
@@ -72,10 +76,12 @@ await main(async () => {
       name.padEnd(16),
       vertices.toLocaleString('en').padStart(10),
       speed('evaluate'),
+      speed('into'),
       speed('interpreter').padStart(12),
       speed('byHand'),
       speed('native'),
-      ratio('byHand', 'evaluate').padStart(20),
+      ratio('byHand', 'into').padStart(20),
+      ratio('into', 'native').padStart(19),
       ratio('evaluate', 'native').padStart(19),
       ratio('interpreter', 'native').padStart(22),
       largestDifference(moved, results).toExponential(1).padStart(20),
