@@ -45,13 +45,14 @@ await main(async () => {
     const plain = interpreted.compileWarp(offset)
     const mesh = randomMesh(vertices)
     const uniforms = { millis: 1234 }
-    const results = {
+    const arrays = () => ({
       positions: new Float32Array(3 * vertices),
       normals: new Float32Array(3 * vertices),
-    }
+    })
+    const results = arrays()
+    const out = arrays()
     const native = nativeRunner(warp, mesh, 1234)
 
-    const out = { positions: results.positions.slice(), normals: results.normals.slice() }
     const times = { evaluate: [], into: [], interpreter: [], byHand: [], native: [] }
     const warmUps = vertices > 100_000 ? 2 : 20 // until the engine has taken its best compiler
     let moved
