@@ -20,7 +20,7 @@ const groups = [
     ['to positions', 'firstToPositions', times],
     ['to by hand', 'firstToByHand', times],
   ],
-  ['characters', ['', 'characters', whole], ['to by hand', 'charactersToByHand', times]],
+  ['characters', ['count', 'characters', whole], ['to by hand', 'charactersToByHand', times]],
   ['generation', ['ms', 'generationMs', plain]],
   [
     'normal error, °',
