@@ -45,6 +45,21 @@ export function firstWrong(numbers: ArrayLike<unknown>, kind: Kind) {
 /** A value that is no right number, in a sentence. */
 export const inWords = (value: unknown) => (typeof value === 'number' ? value : describe(value))
 
+/** Puts a number, or as many as there is place for, into `numbers`; false if anything else came, or one is not finite. */
+export function takeNumbers(numbers: number[], value: unknown): boolean {
+  if (typeof value === 'number') {
+    numbers[0] = value
+    return numbers.length === 1 && finiteFloat.isRight(value)
+  }
+  if (!isList(value) || value.length !== numbers.length) return false
+  for (let i = 0; i < numbers.length; i++) {
+    const number = value[i]!
+    if (!finiteFloat.isRight(number)) return false
+    numbers[i] = number
+  }
+  return true
+}
+
 /** `count` finite numbers, as an array; `layout` says more of their order. */
 export function readNumbers(
   place: string,

@@ -7,10 +7,9 @@ export function checkOptions(method: string, options: unknown, known: readonly s
   if (options === undefined) return
   if (typeof options !== 'object' || options === null || Array.isArray(options))
     throw new WarpError(`${method}: the options must be an object, but are ${describe(options)}.`)
-  for (const key of Object.keys(options)) {
-    if (!known.includes(key))
+  for (const key in options)
+    if (Object.hasOwn(options, key) && !known.includes(key))
       throw new WarpError(`${method}: there is no option "${key}"; there are ${known.join(', ')}.`)
-  }
 }
 
 export function checkCallback(method: string, callback: unknown) {

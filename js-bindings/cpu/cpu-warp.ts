@@ -1,7 +1,7 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
 import { WarpError, describe } from '../checks/errors.js'
 import { boundProgram } from '../wasm/evaluation.js'
-import type { Sink, Stream } from '../wasm/machine-code.js'
+import type { Sink } from '../wasm/machine-code.js'
 import { runProgram } from '../wasm/run-program.js'
 import { type VertexInput, variationInputs, vertexInputs } from '../inputs/inputs.js'
 import type { Program } from '../module/kept-module.js'
@@ -21,7 +21,7 @@ import {
   readRanges,
   uniformsOf,
 } from '../inputs/vertices.js'
-import { originsOf } from './origins.js'
+import { type Origin, keep, originsOf, readingOf } from './origins.js'
 import { type WarpProgram, warpProgram } from './warp-program.js'
 
 /** Flat arrays in the order of the vertices that came. */
@@ -41,8 +41,9 @@ export interface EvaluationOptions {
 
 export interface EvaluateOptions extends EvaluationOptions {
   /**
-   * Arrays of yours that the results go into, at least as long as they are, and which come back; what is not given is made.
-   * One of them may be the array that came in.
+   * Arrays of yours that the results go into, at least as long as they are, and which come back, in this object if it holds
+   * just them; what is not given is made. One of them may be the array that came in. Where the same arrays come again and
+   * again, nothing is left for the garbage collector, unless a uniform's function makes something.
    */
   out?: Partial<WarpedVertices> | undefined
 }
@@ -126,9 +127,14 @@ const numbersOf = {
   determinant: [10],
 }
 
-type Result = keyof typeof numbersOf
+interface Wanted {
+  names: readonly (keyof WarpedVertices)[]
+  numbers: readonly number[]
+  point: readonly Sink[]
+  spare: Sink[] | undefined
+}
 
-const wants = <Name extends Result>(...names: Name[]) => ({
+const wants = (...names: (keyof WarpedVertices)[]): Wanted => ({
   names,
   numbers: names.flatMap((name) => numbersOf[name]),
   /** Where evaluateAt has them for a moment. */
@@ -136,7 +142,11 @@ const wants = <Name extends Result>(...names: Name[]) => ({
     const results = numbersOf[name]
     return { values: new Float32Array(results.length), results }
   }),
+  /** Sinks that nobody uses, so that `evaluate` need not make any. */
+  spare: undefined,
 })
+
+const nothing = new Float32Array()
 
 /** Made once, since what is known of a program is found by them. */
 const wanted = {
@@ -152,6 +162,8 @@ const pointOptions = [
   ...Object.keys(vertexInputs).filter((name) => name !== 'position'),
   'uniforms',
 ]
+
+const evaluateOptions = ['uniforms', 'out']
 
 const unitVectors: readonly Triple[] = [
   [1, 0, 0],
@@ -170,22 +182,31 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     sinks: readonly Sink[],
   ) {
     const program = programOf(method, warp)
-    const origins = originsOf(method, warp, program, numbers, uniforms)
-    const streams = origins.map((origin): Stream => {
-      const { input, isRead } = origin
-      if (!input || !isRead) return origin
-      const values = mesh[arrayNames[input]]
-      if (values) return { values, size: vertexInputs[input], isUniform: false }
-      if (input in variationInputs) {
-        if (!warp.isAccepted) noteApproximation(method, 'surfaceVariation(mesh) of warpjet/mesh')
-        return origin
-      }
-      const name = method === 'evaluateAt' ? input : arrayNames[input]
-      throw new WarpError(
-        `${method}: the warp reads the ${input} of each vertex, but no "${name}" came.`,
-      )
-    })
-    if (vertices > 0) runProgram(program, numbers, vertices, streams, sinks)
+    const reading = readingOf(warp, program, numbers)
+    const origins = originsOf(method, warp, reading, uniforms)
+    for (const origin of origins) takeVertices(method, origin, mesh)
+    if (vertices > 0) runProgram(program, numbers, vertices, origins, sinks)
+    keep(reading, origins)
+  }
+
+  function takeVertices(method: string, origin: Origin, mesh: Vertices) {
+    const { input, isRead } = origin
+    if (!input || !isRead) return
+    const values = mesh[arrayNames[input]]
+    if (values) {
+      origin.values = values
+      origin.size = vertexInputs[input]
+      origin.isUniform = false
+      return
+    }
+    if (input in variationInputs) {
+      if (!warp.isAccepted) noteApproximation(method, 'surfaceVariation(mesh) of warpjet/mesh')
+      return
+    }
+    const name = method === 'evaluateAt' ? input : arrayNames[input]
+    throw new WarpError(
+      `${method}: the warp reads the ${input} of each vertex, but no "${name}" came.`,
+    )
   }
 
   function turned(mesh: Vertices) {
@@ -197,18 +218,27 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     [warpProgram]: warp,
 
     evaluate(mesh, options) {
-      const uniforms = uniformsOf('evaluate', options, ['uniforms', 'out'])
+      const uniforms = uniformsOf('evaluate', options, evaluateOptions)
       const out = options?.out
       checkOptions('evaluate: out', out, wanted.frame.names)
       const vertices = checkVertices('evaluate', mesh)
-      const { names, numbers } = turned(mesh)
-      const sinks = names.map((name) => {
-        const results = numbersOf[name]
-        return { values: arrayFor(name, vertices * results.length, out?.[name]), results }
-      })
+      const results = turned(mesh)
+      const { names, numbers } = results
+      const sinks = results.spare ?? names.map(sinkOf)
+      // A getter or a uniform's function may evaluate as well.
+      results.spare = undefined
+      for (let i = 0; i < names.length; i++) {
+        const sink = sinks[i]!
+        const name = names[i]!
+        sink.values = arrayFor(name, vertices * sink.results.length, out?.[name])
+      }
       run('evaluate', mesh, vertices, uniforms, numbers, sinks)
-      const warped: Partial<WarpedVertices> = {}
-      names.forEach((name, i) => noteChecked((warped[name] = sinks[i]!.values)))
+      const warped = out && isJust(out, sinks) ? out : named(names, sinks)
+      for (const sink of sinks) {
+        noteChecked(sink.values)
+        sink.values = nothing
+      }
+      results.spare = sinks
       return warped as WarpedVertices
     },
 
@@ -237,10 +267,11 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       const near = readNumbers('inverseAt: near', options.near ?? target, 3) as Triple
       refuseWithoutNormals('inverseAt', warp)
       const program = programOf('inverseAt', warp, warp.directionProgram)
-      const origins = originsOf('inverseAt', warp, program, positionAndDirection, options.uniforms)
-      const shared = origins.map(({ input, isRead, values }) => {
-        if (!input || !isRead || input === 'position' || input === 'tangent') return values
-        if (input in variationInputs) return values
+      const reading = readingOf(warp, program, positionAndDirection)
+      const origins = originsOf('inverseAt', warp, reading, options.uniforms)
+      const shared = origins.map(({ input, isRead, numbers }) => {
+        if (!input || !isRead || input === 'position' || input === 'tangent') return numbers
+        if (input in variationInputs) return numbers
         const value = options[input as 'normal']
         if (value) return readNumbers(`inverseAt: the ${input}`, value, vertexInputs[input])
         throw new WarpError(
@@ -273,10 +304,11 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
         uv: box.uvs ? readRanges('bounds', 'box.uvs', box.uvs, 2) : Array<Range>(2).fill([0, 1]),
         color: Array<Range>(4).fill([0, 1]),
       }
-      const given = originsOf('bounds', warp, program, numbersOf.positions, uniforms).flatMap(
-        ({ input, values }) =>
+      const reading = readingOf(warp, program, numbersOf.positions)
+      const given = originsOf('bounds', warp, reading, uniforms).flatMap(
+        ({ input, numbers }) =>
           // What turns the normal does not move the vertex.
-          (input && ranges[input]) ?? values.map((x): Range => [x, x]),
+          (input && ranges[input]) ?? numbers.map((x): Range => [x, x]),
       )
       const found = boundProgram(program, given, numbersOf.positions)
       return { min: found.map(([low]) => low), max: found.map(([, high]) => high) }
@@ -294,6 +326,18 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     },
   }
 }
+
+const sinkOf = (name: keyof WarpedVertices): Sink => ({ values: nothing, results: numbersOf[name] })
+
+/** Whether the caller's object holds these arrays, and no other. */
+function isJust(out: Partial<WarpedVertices>, sinks: readonly Sink[]) {
+  const all = wanted.frame.names
+  for (let i = 0; i < all.length; i++) if (out[all[i]!] !== sinks[i]?.values) return false
+  return true
+}
+
+const named = (names: readonly string[], sinks: readonly Sink[]) =>
+  Object.fromEntries(names.map((name, i) => [name, sinks[i]!.values]))
 
 /** Where so many numbers of a result go: into the caller's array, if one came. */
 function arrayFor(name: string, length: number, given: unknown): Float32Array {

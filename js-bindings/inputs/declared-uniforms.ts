@@ -14,6 +14,8 @@ export interface DeclaredUniform {
   shape: Shape
   /** Its numbers now; a function is called. Throws if they are not of the same type any more. */
   numbers: (method: string) => number[]
+  /** What it is now, unchecked, where that can be had without making an array. */
+  value?: (() => unknown) | undefined
   isFunction: boolean
   /** Of an image, which has no numbers: what it is now. */
   image?: (() => ImageLike) | undefined
@@ -91,9 +93,11 @@ function declare(method: string, name: string, given: Given): DeclaredUniform {
   }
   checkFinite(`${method}: ${place}`, numbers)
   const shape: Shape = [...known]
-  if (!isFunction) return { shape, numbers: () => numbers, isFunction: false }
+  const value = unlisted(numbers)
+  if (!isFunction) return { shape, numbers: () => numbers, value: () => value, isFunction: false }
   return {
     shape,
+    value: given,
     numbers: (method) => numbersFor(`${method}: ${place}`, shape, given(), true),
     isFunction: true,
   }
@@ -122,6 +126,8 @@ export function numbersFor(place: string, shape: Shape, value: unknown, isOwn = 
 
 /** The shapes, each of one uniform, of those that shader text reads as whole numbers. */
 const wholes = new WeakSet<Shape>()
+
+export const isWhole = ({ shape }: DeclaredUniform) => wholes.has(shape)
 
 /** They reach it as floats, which tell no larger ones apart. */
 function checkWhole(place: string, numbers: readonly number[]) {

@@ -109,8 +109,8 @@ export function uniformsOf(
   known: readonly string[] = ['uniforms'],
 ): Uniforms | undefined {
   if (typeof options === 'object' && options !== null && !isList(options)) {
-    for (const name of Object.keys(options))
-      if (!known.includes(name))
+    for (const name in options)
+      if (Object.hasOwn(options, name) && !known.includes(name))
         throw new WarpError(
           `${method}: there is no option "${name}"; if it is a uniform, write { uniforms: { ${name}: … } }.`,
         )
@@ -125,8 +125,9 @@ export function checkUniforms(method: string, uniforms: unknown, parameters: Rea
     throw new WarpError(
       `${method}: uniforms must be an object, such as { millis: 1200 }, but is ${describe(uniforms)}.`,
     )
-  for (const name of Object.keys(uniforms)) {
+  for (const name in uniforms) {
     if (Object.hasOwn(drawInputs, name) || parameters.has(name)) continue
+    if (!Object.hasOwn(uniforms, name)) continue
     const known = new Set([...Object.keys(drawInputs), ...parameters])
     throw new WarpError(
       `${method}: the warp has no uniform "${name}"; there are ${[...known].join(', ')}.`,

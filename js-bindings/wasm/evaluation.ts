@@ -63,7 +63,7 @@ export interface Evaluation {
 
 let evaluation: Evaluation | undefined
 
-function getEvaluation(): Evaluation {
+export function getEvaluation(): Evaluation {
   try {
     return (evaluation ??= start<Evaluation>(inlined, mathematics()))
   } catch (error) {
@@ -82,16 +82,29 @@ export function withMemory<Result>(work: (core: Evaluation, memory: Memory) => R
   try {
     return work(core, memory)
   } catch (error) {
-    if (!(error instanceof WebAssembly.RuntimeError)) throw error
-    // Its memory may be in any state: the next call gets a new one.
-    evaluation = undefined
-    throw new WarpError(tooLarge)
+    throw afterFailure(core, error)
   } finally {
-    if (evaluation === core) memory.release()
+    if (isAlive(core)) memory.release()
   }
 }
 
 const tooLarge = 'There is not enough memory to run so large a warp on the CPU.'
+
+/** Memory in the wasm, to be released unless the wasm fails. */
+export function allocate(core: Evaluation, bytes: number): number {
+  const block = core._allocate(Math.max(bytes, 8))
+  if (!block) throw new WarpError(tooLarge)
+  return block
+}
+
+/** What to throw for an error of `core`, whose memory may then be in any state: the next call gets another. */
+export function afterFailure(core: Evaluation, error: unknown): unknown {
+  if (!(error instanceof WebAssembly.RuntimeError)) return error
+  if (isAlive(core)) evaluation = undefined
+  return new WarpError(tooLarge)
+}
+
+export const isAlive = (core: Evaluation) => evaluation === core
 
 /**
  * How many bytes are held inside the wasm: between two calls always the same.
@@ -133,8 +146,7 @@ export class Memory {
   constructor(private readonly core: Evaluation) {}
 
   allocate(bytes: number): number {
-    const block = this.core._allocate(Math.max(bytes, 8))
-    if (!block) throw new WarpError(tooLarge)
+    const block = allocate(this.core, bytes)
     this.blocks.push(block)
     return block
   }

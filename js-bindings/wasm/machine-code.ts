@@ -1,7 +1,7 @@
 // A program as machine code: a wasm module whose bytes the evaluation's C++ writes, on the evaluation's own memory, where it
 // holds nothing between two runs.
 import type { Program } from '../module/kept-module.js'
-import type { Evaluation, Memory } from './evaluation.js'
+import { type Evaluation, type Memory, afterFailure, allocate, isAlive } from './evaluation.js'
 
 /** The numbers of an input, `size` a vertex or, if it is uniform, `size` in all. */
 export interface Stream {
@@ -30,6 +30,10 @@ interface Code {
 
 /** For inputs and results like those that it was made for. */
 export class MachineCode {
+  /** Of the results of a whole batch, and of the last one. */
+  private readonly batches = new Views()
+  private readonly lasts = new Views()
+
   private constructor(
     readonly core: Evaluation,
     private readonly code: Code,
@@ -84,14 +88,26 @@ export class MachineCode {
     }
   }
 
-  run(memory: Memory, vertices: number, inputs: readonly Stream[], sinks: readonly Sink[]) {
+  /** Makes nothing, once it has run for the same arrays. */
+  run(vertices: number, inputs: readonly Stream[], sinks: readonly Sink[]) {
+    const { core } = this
+    const at = allocate(core, this.sharedAt + this.shared.byteLength)
+    try {
+      this.runAt(at, vertices, inputs, sinks)
+    } catch (error) {
+      throw afterFailure(core, error)
+    } finally {
+      if (isAlive(core)) core._release(at)
+    }
+  }
+
+  private runAt(at: number, vertices: number, inputs: readonly Stream[], sinks: readonly Sink[]) {
     const { core, code, inputsAt, resultsAt, shared, sharedAt } = this
-    const at = memory.allocate(sharedAt + shared.byteLength)
     const floats = core.HEAPF32
     core.HEAPU32.set(shared, (at + sharedAt) / 4)
     for (let i = 0; i < inputs.length; i++) {
-      const { values, isUniform } = inputs[i]!
-      if (isUniform) floats.set(values, (at + inputsAt[i]!) / 4)
+      const { values, size, isUniform } = inputs[i]!
+      if (isUniform) copy(floats, (at + inputsAt[i]!) / 4, values, 0, size)
     }
     code.start(at, 0)
     for (let first = 0; first < vertices; first += verticesAtOnce) {
@@ -101,13 +117,55 @@ export class MachineCode {
         if (!isUniform) copyFours(floats, (at + inputsAt[i]!) / 4, values, first, now, size)
       }
       code.run(at, 16 * Math.ceil(now / 4))
+      const views = now === verticesAtOnce ? this.batches : this.lasts
       for (let i = 0; i < sinks.length; i++) {
         const { values, results } = sinks[i]!
         const size = results.length
-        copy(values, first * size, floats, (at + resultsAt[i]!) / 4, now * size)
+        const from = (at + resultsAt[i]!) / 4
+        if (now * size < worthAView) copy(values, first * size, floats, from, now * size)
+        else values.set(views.of(i, floats, from, now * size), first * size)
       }
     }
   }
+}
+
+/** Parts of the wasm's memory, by a number of one's own. */
+class Views {
+  private readonly views: Float32Array[] = []
+
+  /** The view of before, if it is that part still: calls mostly want the same. It is empty if the memory has grown. */
+  of(i: number, floats: Float32Array, at: number, count: number): Float32Array {
+    const kept = this.views[i]
+    if (kept?.length === count && kept.byteOffset === 4 * at) return kept
+    return (this.views[i] = floats.subarray(at, at + count))
+  }
+}
+
+/** A caller's array in parts of a batch each, and what it was then. */
+interface Parts {
+  length: number
+  size: number
+  views: readonly Float32Array[]
+}
+
+/** Kept as long as the arrays: they mostly come again. */
+const partsOf = new WeakMap<Float32Array, Parts>()
+
+function batchOf(values: Float32Array, size: number, first: number): Float32Array {
+  let parts = partsOf.get(values)
+  // A resizable array may be longer now.
+  if (parts?.size !== size || parts.length !== values.length)
+    partsOf.set(values, (parts = cut(values, size)))
+  return parts.views[first / verticesAtOnce]!
+}
+
+function cut(values: Float32Array, size: number): Parts {
+  const { length } = values
+  const count = size * verticesAtOnce
+  const views = Array.from({ length: Math.ceil(length / count) }, (_, i) =>
+    values.subarray(i * count, (i + 1) * count),
+  )
+  return { length, size, views }
 }
 
 /** The last of so many vertices is repeated to whole fours: these hold nothing that arithmetic is slow on. */
@@ -119,7 +177,9 @@ function copyFours(
   vertices: number,
   size: number,
 ) {
-  copy(to, at, from, first * size, vertices * size)
+  const count = vertices * size
+  if (count < worthAView || !(from instanceof Float32Array)) copy(to, at, from, first * size, count)
+  else to.set(from.length === count ? from : batchOf(from, size, first), at)
   for (let i = vertices * size; i % (4 * size); i++) to[at + i] = to[at + i - size]!
 }
 

@@ -2,7 +2,7 @@
 // give the same bits.
 import type { Program } from '../module/kept-module.js'
 import { WarpError } from '../checks/errors.js'
-import { type Evaluation, type Memory, withMemory } from './evaluation.js'
+import { type Evaluation, type Memory, getEvaluation, withMemory } from './evaluation.js'
 import {
   MachineCode,
   type Sink,
@@ -14,7 +14,8 @@ import {
 
 /**
  * Runs `program` on so many vertices; `inputs` has all of its inputs in order, and `wanted` are the results that the sinks
- * take, always in the same array for the same ones: the machine code is found by it.
+ * take, always in the same array for the same ones: the machine code is found by it. Nothing is left for the garbage
+ * collector where that is there: functions that capture variables stand apart, for each call would make their scope.
  */
 export function runProgram(
   program: Program,
@@ -23,11 +24,9 @@ export function runProgram(
   inputs: readonly Stream[],
   sinks: readonly Sink[],
 ) {
-  withMemory((core, memory) => {
-    const code = machineCodeOf(core, memory, program, wanted, vertices, inputs, sinks)
-    if (code) code.run(memory, vertices, inputs, sinks)
-    else interpret(core, memory, program, wanted, vertices, inputs, sinks)
-  })
+  const code = machineCodeOf(program, wanted, vertices, inputs, sinks)
+  if (code) code.run(vertices, inputs, sinks)
+  else interpretAll(program, wanted, vertices, inputs, sinks)
 }
 
 /**
@@ -51,8 +50,6 @@ const knowns = new WeakMap<Program, Known[]>()
 let isForbidden = false
 
 function machineCodeOf(
-  core: Evaluation,
-  memory: Memory,
   program: Program,
   wanted: readonly number[],
   vertices: number,
@@ -62,24 +59,50 @@ function machineCodeOf(
   if (isForbidden) return undefined
   let all = knowns.get(program)
   if (!all) knowns.set(program, (all = []))
-  let known = all.find(
-    (each) =>
-      each.wanted === wanted && inputs.every((input, i) => input.isUniform === each.isUniform[i]),
-  )
+  let known = likeThese(all, wanted, inputs)
   if (!known) {
     all.push((known = { wanted, isUniform: inputs.map(({ isUniform }) => isUniform) }))
     if (vertices < worthwhile) return undefined
   }
   const { code } = known
-  if (code === null || code?.core === core) return code
+  if (code === null || code?.core === getEvaluation()) return code
   try {
-    return (known.code = MachineCode.of(program, wanted, core, memory, inputs, sinks))
+    return (known.code = makeMachineCode(program, wanted, inputs, sinks))
   } catch (error) {
-    if (error instanceof WarpError || error instanceof WebAssembly.RuntimeError) throw error
+    if (error instanceof WarpError) throw error
     isForbidden = true
     return undefined
   }
 }
+
+function likeThese(
+  all: readonly Known[],
+  wanted: readonly number[],
+  inputs: readonly Stream[],
+): Known | undefined {
+  next: for (const known of all) {
+    if (known.wanted !== wanted) continue
+    for (let i = 0; i < inputs.length; i++)
+      if (inputs[i]!.isUniform !== known.isUniform[i]) continue next
+    return known
+  }
+  return undefined
+}
+
+const makeMachineCode = (
+  program: Program,
+  wanted: readonly number[],
+  inputs: readonly Stream[],
+  sinks: readonly Sink[],
+) => withMemory((core, memory) => MachineCode.of(program, wanted, core, memory, inputs, sinks))
+
+const interpretAll = (
+  program: Program,
+  wanted: readonly number[],
+  vertices: number,
+  inputs: readonly Stream[],
+  sinks: readonly Sink[],
+) => withMemory((core, memory) => interpret(core, memory, program, wanted, vertices, inputs, sinks))
 
 function interpret(
   core: Evaluation,

@@ -26,12 +26,17 @@ export function start<Module>(inlined: Inlined, imports: WebAssembly.ModuleImpor
   }
   _initialize()
   const named = Object.entries(functions).map(([name, call]) => [`_${name}`, call])
+  // Made anew only when the memory has grown, which leaves the arrays of before empty.
+  const view = <View extends { length: number }>(Kind: new (memory: ArrayBuffer) => View) => {
+    let kept = new Kind(memory.buffer)
+    return { get: () => (kept.length ? kept : (kept = new Kind(memory.buffer))) }
+  }
   return Object.defineProperties(Object.fromEntries(named), {
     exports: { value: exports },
-    HEAPU8: { get: () => new Uint8Array(memory.buffer) },
-    HEAPU32: { get: () => new Uint32Array(memory.buffer) },
-    HEAPF32: { get: () => new Float32Array(memory.buffer) },
-    HEAPF64: { get: () => new Float64Array(memory.buffer) },
+    HEAPU8: view(Uint8Array),
+    HEAPU32: view(Uint32Array),
+    HEAPF32: view(Float32Array),
+    HEAPF64: view(Float64Array),
   }) as Module
 }
 
