@@ -5,8 +5,9 @@ export function stackLines(error = new Error()): string[] {
   return (error.stack ?? '').split('\n').filter((line) => /:\d+:\d+\)?$/.test(line))
 }
 
+/** The name before the bracket may itself end in "at", as `format` does, and as a minifier may name any function. */
 export const fileOf = (line: string) =>
-  line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at )(?=\S*$)/, '')
+  line.replace(/:\d+:\d+\)?$/, '').replace(/^.*?(\(|@|at (?!\())(?=\S*$)/, '')
 
 /** The file's name alone. */
 export const nameIn = (line: string) =>

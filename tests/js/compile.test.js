@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
+import { Script } from 'node:vm'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { memoryInUse } from '../../dist/memory.js'
 import { compile, compileWarp, gen, version, WarpError } from '../../dist/warpjet.js'
@@ -136,6 +137,20 @@ test('debug names the line of the sketch', () => {
     { debug: true },
   )
   assert.match(code, /\/\/ From .*compile\.test\.js:\d+:\d+/)
+})
+
+test('a place is told of a function whose name ends as the word before a place does', (t) => {
+  const warn = t.mock.method(console, 'warn', () => {})
+  const format = new Script(
+    `(function format({ glsl, position }) {
+       if (position.x().lessThan(0)) glsl.vec3(1)
+       return glsl.vec3(0)
+     })`,
+    { filename: 'sketch-of-format.js' },
+  ).runInThisContext()
+  compileWarp(format)
+  const [{ arguments: [message] } = { arguments: [] }] = warn.mock.calls
+  assert.match(message, / \(sketch-of-format\.js, line 2\):/)
 })
 
 test('the text of GLSL ES 1.00 is the same here', () => {
