@@ -8,7 +8,7 @@ import { createServer } from 'vite'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { sections } from '../../web/catalogue.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { assertPicture, lower, plain, statistics, still } from './support/examples.js'
+import { assertPicture, closeLowered, lower, plain, statistics, still } from './support/examples.js'
 import { fewFrames, keepFrames, rough } from './support/frames.js'
 import { serveSite } from './support/site.js'
 
@@ -72,7 +72,7 @@ describe('the gallery of npm start', () => {
       // One page for all, which compiles p5 once.
       ;({ page, messages } = await openPage(context, `${url}recorder.js`))
     })
-    after(() => context.close())
+    after(() => closeLowered(context))
 
     // Those that go through the page are drawn there.
     const isDrawn = (name) =>
@@ -97,7 +97,7 @@ describe('the gallery of npm start', () => {
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
     })
-    after(() => page.context().close())
+    after(() => closeLowered(page.context()))
 
     test('begins with a warp, and a picture of each example', async () => {
       await page.waitForSelector('.hero canvas', patience)
@@ -153,7 +153,7 @@ describe('the gallery of npm start', () => {
         assert.equal(await frame.locator('.lil-gui.root:not(.closed)').count(), 0, name)
         await page.screenshot({ path: `${screenshots}/phone-${name}.png` })
       }
-      await context.close()
+      await closeLowered(context)
       assert.deepEqual(messages, [])
     })
 })
@@ -167,7 +167,7 @@ if (isRun('the gallery built, and on a phone'))
       await lower(context)
       const { page, messages } = await openPage(context, url)
       assertPicture(await statistics(await playing(page, url, 'text-bulge')))
-      await context.close()
+      await closeLowered(context)
       assert.deepEqual(messages, [])
     } finally {
       await server.close()

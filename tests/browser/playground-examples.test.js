@@ -5,7 +5,7 @@ import { createServer } from 'vite'
 import { sections } from '../../web/catalogue.js'
 import { config, desktop } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { assertPicture, lower, statistics, still } from './support/examples.js'
+import { assertPicture, closeLowered, lower, statistics, still } from './support/examples.js'
 import { keepFrames } from './support/frames.js'
 import { settled, shown } from './support/playground.js'
 
@@ -22,6 +22,7 @@ before(async () => {
   await settled(page)
 })
 after(async () => {
+  await closeLowered(page.context())
   await browser.close()
   await server.close()
 })

@@ -33,6 +33,15 @@ ${coarseShapes}}`
     await route.fulfill({ response, body })
   })
 
+/**
+ * Closes a context of `lower`. The site's worker fetches sketches in the background: one that is under way would fail the whole file
+ * of tests, whose tests all passed.
+ */
+export async function closeLowered(context) {
+  await context.unrouteAll({ behavior: 'ignoreErrors' })
+  await context.close()
+}
+
 /** p5's shapes with a tenth of their triangles, as text for a sketch. */
 export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 48)
 `
