@@ -62,8 +62,13 @@ async function nodeTests(folder, atOnce = availableParallelism()) {
   const concurrency = `--test-concurrency=${atOnce}`
   // A file of its own never takes so long; one that hangs is to fail, not to keep all others from being heard of.
   const limit = `--test-timeout=${15 * 60_000}`
-  const printing = ['--import', pathToFileURL(path('.scripts/lib/tests-console.mjs')).href]
-  await node('--test', '--test-reporter=spec', ...printing, concurrency, limit, ...files)
+  const ours = (name) => pathToFileURL(path('.scripts/lib', name)).href
+  const printing = ['--import', ours('tests-console.mjs')]
+  const reporting = ['spec', ours('why-failed.mjs')].flatMap((reporter) => [
+    `--test-reporter=${reporter}`,
+    '--test-reporter-destination=stdout',
+  ])
+  await node('--test', ...reporting, ...printing, concurrency, limit, ...files)
 }
 
 // Browsers wait for each other: two on two cores leave a sixth of the time idle, three none.
