@@ -13,8 +13,8 @@ export type {
   PointInputs,
   WarpInverse,
   WarpedPoint,
-  WarpedVertices,
 } from './cpu/cpu-warp.js'
+export type { WarpedVertices } from './cpu/results.js'
 export { targets, type Target } from './module/kept-module.js'
 export type { TypeName } from './expression/shapes.js'
 export type { Numbers } from './cpu/double.js'

@@ -1,5 +1,5 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
-import { WarpError, describe } from '../checks/errors.js'
+import { WarpError } from '../checks/errors.js'
 import { boundProgram } from '../wasm/evaluation.js'
 import type { Sink } from '../wasm/machine-code.js'
 import { runProgram } from '../wasm/run-program.js'
@@ -17,22 +17,12 @@ import {
   type Vertices,
   arrayNames,
   checkVertices,
-  noteChecked,
   readRanges,
   uniformsOf,
 } from '../inputs/vertices.js'
 import { type Origin, keep, originsOf, readingOf } from './origins.js'
+import { type WarpedVertices, leaveSinks, numbersOf, takeSinks, wanted } from './results.js'
 import { type WarpProgram, warpProgram } from './warp-program.js'
-
-/** Flat arrays in the order of the vertices that came. */
-export interface WarpedVertices {
-  /** Three numbers a vertex. */
-  positions: Float32Array
-  /** Three numbers a vertex, of length 1, or 0 where the warp collapses the surface; if normals came. */
-  normals?: Float32Array
-  /** Four numbers a vertex, the last one as it came; if normals and tangents came. */
-  tangents?: Float32Array
-}
 
 export interface EvaluationOptions {
   /** Those left out have the values of `compileWarp`'s option `uniforms`; a function there is called each time. */
@@ -119,42 +109,6 @@ export interface CpuWarp {
   readonly [warpProgram]: WarpProgram
 }
 
-/** The results of the program, by number, as compile-warp.ts asks for them; a warp without normals has only the first three. */
-const numbersOf = {
-  positions: [0, 1, 2],
-  normals: [3, 4, 5],
-  tangents: [6, 7, 8, 9],
-  determinant: [10],
-}
-
-interface Wanted {
-  names: readonly (keyof WarpedVertices)[]
-  numbers: readonly number[]
-  point: readonly Sink[]
-  spare: Sink[] | undefined
-}
-
-const wants = (...names: (keyof WarpedVertices)[]): Wanted => ({
-  names,
-  numbers: names.flatMap((name) => numbersOf[name]),
-  /** Where evaluateAt has them for a moment. */
-  point: names.map((name) => {
-    const results = numbersOf[name]
-    return { values: new Float32Array(results.length), results }
-  }),
-  /** Sinks that nobody uses, so that `evaluate` need not make any. */
-  spare: undefined,
-})
-
-const nothing = new Float32Array()
-
-/** Made once, since what is known of a program is found by them. */
-const wanted = {
-  place: wants('positions'),
-  surface: wants('positions', 'normals'),
-  frame: wants('positions', 'normals', 'tangents'),
-}
-
 /** Of the program of directions: the position, and what becomes of the direction. */
 const positionAndDirection = [0, 1, 2, 3, 4, 5]
 
@@ -223,23 +177,9 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       checkOptions('evaluate: out', out, wanted.frame.names)
       const vertices = checkVertices('evaluate', mesh)
       const results = turned(mesh)
-      const { names, numbers } = results
-      const sinks = results.spare ?? names.map(sinkOf)
-      // A getter or a uniform's function may evaluate as well.
-      results.spare = undefined
-      for (let i = 0; i < names.length; i++) {
-        const sink = sinks[i]!
-        const name = names[i]!
-        sink.values = arrayFor(name, vertices * sink.results.length, out?.[name])
-      }
-      run('evaluate', mesh, vertices, uniforms, numbers, sinks)
-      const warped = out && isJust(out, sinks) ? out : named(names, sinks)
-      for (const sink of sinks) {
-        noteChecked(sink.values)
-        sink.values = nothing
-      }
-      results.spare = sinks
-      return warped as WarpedVertices
+      const sinks = takeSinks(results, vertices, out)
+      run('evaluate', mesh, vertices, uniforms, results.numbers, sinks)
+      return leaveSinks(results, sinks, out)
     },
 
     evaluateAt(position, inputs = {}) {
@@ -325,28 +265,6 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
       return { mask, count: mask.reduce((sum, folded) => sum + folded, 0) }
     },
   }
-}
-
-const sinkOf = (name: keyof WarpedVertices): Sink => ({ values: nothing, results: numbersOf[name] })
-
-/** Whether the caller's object holds these arrays, and no other. */
-function isJust(out: Partial<WarpedVertices>, sinks: readonly Sink[]) {
-  const all = wanted.frame.names
-  for (let i = 0; i < all.length; i++) if (out[all[i]!] !== sinks[i]?.values) return false
-  return true
-}
-
-const named = (names: readonly string[], sinks: readonly Sink[]) =>
-  Object.fromEntries(names.map((name, i) => [name, sinks[i]!.values]))
-
-/** Where so many numbers of a result go: into the caller's array, if one came. */
-function arrayFor(name: string, length: number, given: unknown): Float32Array {
-  if (given === undefined) return new Float32Array(length)
-  if (given instanceof Float32Array && given.length >= length) return given
-  const came = given instanceof Float32Array ? `has only ${given.length}` : `is ${describe(given)}`
-  throw new WarpError(
-    `evaluate: out.${name} must be a Float32Array of at least ${length} numbers, but ${came}.`,
-  )
 }
 
 function refuseWithoutNormals(method: string, { hasNormals }: WarpProgram) {

@@ -1,5 +1,6 @@
 // `bakeWarp`: a mesh as a warp leaves it.
-import type { CpuWarp, EvaluationOptions, WarpedVertices } from '../cpu/cpu-warp.js'
+import type { CpuWarp, EvaluationOptions } from '../cpu/cpu-warp.js'
+import type { WarpedVertices } from '../cpu/results.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { anyNumber, finiteFloat, firstWrong } from '../checks/numbers.js'
 import { isList } from '../checks/options.js'
