@@ -43,13 +43,8 @@ Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
     return Numbers{total + value * strength, strengths + strength, fineness * lacunarity,
                    strength * gain};
   };
-  const Numbers start{zero, zero, one, one};
-  Numbers sums = start;
-  if (p.size() < 4) {
-    sums = fold(static_cast<std::uint32_t>(noise.octaves), start, step);
-  } else {
-    for (int i = 0; i < noise.octaves; ++i) sums = step(sums, {&graph, graph.constant(i)});
-  }
+  const Numbers sums =
+      fold(static_cast<std::uint32_t>(noise.octaves), {zero, zero, one, one}, step);
   return sums[0] / sums[1];
 }
 

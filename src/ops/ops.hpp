@@ -41,6 +41,10 @@ inline constexpr auto infos = std::apply(
 
 constexpr const Info& info(Op op) { return infos[static_cast<std::size_t>(op)]; }
 constexpr bool has(Op op, Trait trait) { return info(op).traits.has(trait); }
+// Of the second and the third operand, by the first.
+constexpr bool isChoice(Op op) {
+  return info(op).arity == 3 && info(op).signature.operands[0] == Type::Bool;
+}
 
 // Not constexpr, so that reaching it while compiling is an error.
 void noSuchOperation();

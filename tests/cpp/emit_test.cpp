@@ -43,13 +43,30 @@ TEST_F(EmitTest, ParenthesesStandOnlyWhereTheyMatter) {
   EXPECT_EQ(body(x + (y + z)), "x + (y + z)");
   EXPECT_EQ(body(-(-2.0 / x)), "- -2.0 / x");
   EXPECT_EQ(body(x * -2.0), "x * -2.0");
-  EXPECT_EQ(body(ifElse(lt(x, y), x, y * 2.0)), "x < y ? x : y * 2.0");
+  EXPECT_EQ(body(ifElse(lt(x, y * 2.0), x, y)), "x < y * 2.0 ? x : y");
   EXPECT_EQ(body(ifElse(lt(x, y), x, z) * 2.0), "(x < y ? x : z) * 2.0");
   EXPECT_EQ(body(ifElse(logicalAnd(lt(x, y), logicalOr(lt(y, z), lt(x, z))), x, z)),
             "x < y && (y < z || x < z) ? x : z");
   EXPECT_EQ(body(ifElse(logicalOr(logicalAnd(x, y), z), x, z)),
             "(bool(x) && bool(y)) || bool(z) ? x : z")
       << "WGSL wants them";
+}
+
+// Between anything else ANGLE makes a branch of it.
+TEST_F(EmitTest, AChoiceIsBetweenNamesAndNumbers) {
+  const auto chosen = [&](Expression yes, Expression no) { return ifElse(lt(x, y), yes, no); };
+  EXPECT_EQ(code(chosen(x, zero())), "float y;\n{\n  y = x < y ? x : 0.0;\n}\n");
+  EXPECT_EQ(code(chosen(-x, sin(y)) * 2.0),
+            "float y;\n{\n"
+            "  float t0 = sin(y);\n"
+            "  float t1 = -x;\n"
+            "  y = (x < y ? t1 : t0) * 2.0;\n"
+            "}\n");
+  EXPECT_EQ(code(ifElse(lt(x, 1.0), chosen(x, y), x)),
+            "float y;\n{\n"
+            "  float t0 = x < y ? x : y;\n"
+            "  y = x < 1.0 ? t0 : x;\n"
+            "}\n");
 }
 
 TEST_F(EmitTest, TheDepthOfAnExpressionIsBounded) {

@@ -108,19 +108,19 @@ TEST_F(PacksTest, AConditionOfEachComponentChoosesNumbers) {
 
 // A number that one statement reads once stands in it; one that is read elsewhere too has a name.
 TEST_F(PacksTest, ANumberOfOneVectorIsWrittenBesideIt) {
-  const Expression scale = ifElse(gt(x, 0.0), inversesqrt(x), 0.0);
-  EXPECT_EQ(text(p * scale), "  y = p * (x > 0.0 ? inversesqrt(x) : 0.0);\n");
+  const Expression scale = ifElse(gt(x, 0.0), x, 0.5);
+  EXPECT_EQ(text(p * scale), "  y = p * (x > 0.0 ? x : 0.5);\n");
   EXPECT_EQ(text(vec3(p[0] * scale, p[1] * scale, scale)),
-            "  float t0 = x > 0.0 ? inversesqrt(x) : 0.0;\n"
+            "  float t0 = x > 0.0 ? x : 0.5;\n"
             "  y = vec3(p.x * t0, p.y * t0, t0);\n");
   EXPECT_EQ(text(each([&](int i) { return sin(p[i] * scale) * scale; })),
-            "  float t0 = x > 0.0 ? inversesqrt(x) : 0.0;\n"
+            "  float t0 = x > 0.0 ? x : 0.5;\n"
             "  y = sin(p * t0) * t0;\n");
   const auto mixed = [&](int i) {
     return Expression{&graph, graph.apply(ops::find("mix"), {p[i].id, scale.id, scale.id})};
   };
   EXPECT_EQ(text(each(mixed)),
-            "  float t0 = x > 0.0 ? inversesqrt(x) : 0.0;\n"
+            "  float t0 = x > 0.0 ? x : 0.5;\n"
             "  y = mix(p, vec3(t0), t0);\n");
   const Value shifted = each([&](int i) { return p[i] + scale; });
   const std::string both =

@@ -6,6 +6,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t2 = t1 * normal.y;
   float t3 = t1 * normal.z;
   float t4 = normal.x * normal.x + t2 * t2 + t3 * t3;
-  warpedNormal = vec3(normal.x, t2, t3) * (t4 > 0.0 ? inversesqrt(t4) : 0.0);
+  float t5 = inversesqrt(t4);
+  warpedNormal = vec3(normal.x, t2, t3) * (t4 > 0.0 ? t5 : 0.0);
   warpedPosition = position + offset;
 }

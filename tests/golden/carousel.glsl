@@ -12,6 +12,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t9 = t1 * t1 * -50.0;
   offset = vec3(t9, t9 / 5.0, t2 * t1 * 14.0);
   float t10 = dot(t8, t8);
-  warpedNormal = t8 * (t10 > 0.0 ? inversesqrt(t10) : 0.0);
+  float t11 = inversesqrt(t10);
+  warpedNormal = t8 * (t10 > 0.0 ? t11 : 0.0);
   warpedPosition = position + offset;
 }

@@ -8,6 +8,7 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t5 = vec3(t4 * normal.x - t3 * normal.z, position.z * t2 * normal.x + normal.y - position.x * t2 * normal.z, t3 * normal.x + t4 * normal.z);
   offset = vec3(position.x * t4 - position.z * t3 - position.x, 0.0, position.x * t3 + position.z * t4 - position.z);
   float t6 = dot(t5, t5);
-  warpedNormal = t5 * (t6 > 0.0 ? inversesqrt(t6) : 0.0);
+  float t7 = inversesqrt(t6);
+  warpedNormal = t5 * (t6 > 0.0 ? t7 : 0.0);
   warpedPosition = position + offset;
 }

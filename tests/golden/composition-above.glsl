@@ -24,6 +24,7 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t21 = vec3(t16 * normal.x + t15 * normal.z, (t20 * t15 - t19 * t16) * normal.x + (t16 * t16 + t15 * t15) * normal.y + (-t15 * t19 - t16 * t20) * normal.z, t16 * normal.z - t15 * normal.x);
   offset = vec3(t13 * t9, 0.0, t14 * t9);
   float t22 = dot(t21, t21);
-  warpedNormal = t21 * (t22 > 0.0 ? inversesqrt(t22) : 0.0);
+  float t23 = inversesqrt(t22);
+  warpedNormal = t21 * (t22 > 0.0 ? t23 : 0.0);
   warpedPosition = position + offset;
 }

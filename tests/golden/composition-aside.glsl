@@ -13,6 +13,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t10 = t2 - 1.0;
   offset = vec3(t4 * t10 + position.z * t3, 0.0, position.z * t10 - t4 * t3);
   float t11 = dot(t9, t9);
-  warpedNormal = t9 * (t11 > 0.0 ? inversesqrt(t11) : 0.0);
+  float t12 = inversesqrt(t11);
+  warpedNormal = t9 * (t11 > 0.0 ? t12 : 0.0);
   warpedPosition = position + offset;
 }

@@ -12,6 +12,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t9 = t2 - 1.0;
   offset = vec3(position.x * t9 + position.z * t3, 0.0, position.z * t9 - position.x * t3);
   float t10 = dot(t8, t8);
-  warpedNormal = t8 * (t10 > 0.0 ? inversesqrt(t10) : 0.0);
+  float t11 = inversesqrt(t10);
+  warpedNormal = t8 * (t10 > 0.0 ? t11 : 0.0);
   warpedPosition = position + offset;
 }

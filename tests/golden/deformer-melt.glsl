@@ -11,6 +11,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t7 = (1.0 - t2) * t6;
   vec3 t8 = vec3(t7 * normal.x, position.x * t4 * t6 * normal.x + t6 * t6 * normal.y + t6 * (position.z * t4) * normal.z, t7 * normal.z);
   float t9 = dot(t8, t8);
-  warpedNormal = t8 * (t9 > 0.0 ? inversesqrt(t9) : 0.0);
+  float t10 = inversesqrt(t9);
+  warpedNormal = t8 * (t9 > 0.0 ? t10 : 0.0);
   warpedPosition = position + offset;
 }

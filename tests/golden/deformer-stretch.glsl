@@ -7,6 +7,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t4 = t1 - 1.0;
   offset = vec3(position.x * t4, (position.y - 100.0) * (t0 - 1.0), position.z * t4);
   float t5 = dot(t3, t3);
-  warpedNormal = t3 * (t5 > 0.0 ? inversesqrt(t5) : 0.0);
+  float t6 = inversesqrt(t5);
+  warpedNormal = t3 * (t5 > 0.0 ? t6 : 0.0);
   warpedPosition = position + offset;
 }

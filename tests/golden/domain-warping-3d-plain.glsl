@@ -15,6 +15,7 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t11 = (t4.zxy * t7.yzx - t4 * t7) * normal.z;
   vec3 t12 = t9 + t10 + t11;
   float t13 = dot(t12, t12);
-  warpedNormal = t12 * (t13 > 0.0 ? inversesqrt(t13) : 0.0);
+  float t14 = inversesqrt(t13);
+  warpedNormal = t12 * (t13 > 0.0 ? t14 : 0.0);
   warpedPosition = position + offset;
 }

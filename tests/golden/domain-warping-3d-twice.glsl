@@ -40,8 +40,8 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t36 = t33 + t34 + t35;
   float t37 = abs(t36.x) + abs(t36.y) + abs(t36.z);
   vec3 t38 = t36 / t37;
-  bool t39 = t37 > 0.0 && t37 < 1e38;
-  float t40 = inversesqrt(dot(t38, t38));
-  warpedNormal = t39 ? t38 * t40 : vec3(0.0);
+  float t39 = inversesqrt(dot(t38, t38));
+  vec3 t40 = t38 * t39;
+  warpedNormal = t37 > 0.0 && t37 < 1e38 ? t40 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -22,8 +22,8 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t18 = t15 + t16 + t17;
   float t19 = abs(t18.x) + abs(t18.y) + abs(t18.z);
   vec3 t20 = t18 / t19;
-  bool t21 = t19 > 0.0 && t19 < 1e38;
-  float t22 = inversesqrt(dot(t20, t20));
-  warpedNormal = t21 ? t20 * t22 : vec3(0.0);
+  float t21 = inversesqrt(dot(t20, t20));
+  vec3 t22 = t20 * t21;
+  warpedNormal = t19 > 0.0 && t19 < 1e38 ? t22 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -9,6 +9,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t6 = normal.x - t5 * (cos(t1) * 0.03) * 70.0 * normal.z;
   offset = vec3(0.0, 0.0, t5 * t3 * 70.0);
   float t7 = t6 * t6 + t4 * t4 + normal.z * normal.z;
-  warpedNormal = vec3(t6, t4, normal.z) * (t7 > 0.0 ? inversesqrt(t7) : 0.0);
+  float t8 = inversesqrt(t7);
+  warpedNormal = vec3(t6, t4, normal.z) * (t7 > 0.0 ? t8 : 0.0);
   warpedPosition = position + offset;
 }

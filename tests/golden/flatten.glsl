@@ -1,7 +1,8 @@
 vec3 offset, warpedPosition, warpedNormal;
 {
   float t0 = normal.x * normal.x;
-  warpedNormal = vec3(normal.x * (t0 > 0.0 ? inversesqrt(t0) : 0.0), 0.0, 0.0);
+  float t1 = inversesqrt(t0);
+  warpedNormal = vec3(normal.x * (t0 > 0.0 ? t1 : 0.0), 0.0, 0.0);
   offset = vec3(-position.x, 0.0, 0.0);
   warpedPosition = position + offset;
 }

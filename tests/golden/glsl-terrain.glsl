@@ -67,6 +67,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t47 = normal.y - t13 * 0.11 * normal.z;
   offset = vec3(0.0, 0.0, t2 * 0.11);
   float t48 = t46 * t46 + t47 * t47 + normal.z * normal.z;
-  warpedNormal = vec3(t46, t47, normal.z) * (t48 > 0.0 ? inversesqrt(t48) : 0.0);
+  float t49 = inversesqrt(t48);
+  warpedNormal = vec3(t46, t47, normal.z) * (t48 > 0.0 ? t49 : 0.0);
   warpedPosition = position + offset;
 }

@@ -11,8 +11,9 @@ vec2 result;
 {
   float t0 = fract(seed * 0.00024414063) * 2.0 - 1.0;
   float t1 = 0.5 - abs(t0);
-  float t2 = t1 < 0.0 ? t0 - sign(t0) : t0;
-  result = vec2(t2, t1) * inversesqrt(t2 * t2 + t1 * t1);
+  float t2 = t0 - sign(t0);
+  float t3 = t1 < 0.0 ? t2 : t0;
+  result = vec2(t3, t1) * inversesqrt(t3 * t3 + t1 * t1);
 }
 return result;
 }
@@ -52,15 +53,16 @@ float result;
   float t3 = 0.0;
   for (int t4 = 0; t4 < 3; t4++) {
     float t5 = float(t4);
-    float t6 = warpjetNoise2(x * t1 + t5 * 0.618034, y * t1 + t5 * 0.7548777, t5 > 0.0 ? warpjetHash(seed, t5) : seed);
-    float t7 = t0 + t6 * t2;
-    float t8 = t3 + t2;
-    float t9 = t1 * lacunarity;
-    float t10 = t2 * gain;
-    t0 = t7;
-    t1 = t9;
-    t2 = t10;
-    t3 = t8;
+    float t6 = warpjetHash(seed, t5);
+    float t7 = warpjetNoise2(x * t1 + t5 * 0.618034, y * t1 + t5 * 0.7548777, t5 > 0.0 ? t6 : seed);
+    float t8 = t0 + t7 * t2;
+    float t9 = t3 + t2;
+    float t10 = t1 * lacunarity;
+    float t11 = t2 * gain;
+    t0 = t8;
+    t1 = t10;
+    t2 = t11;
+    t3 = t9;
   }
   result = t0 / t3;
 }

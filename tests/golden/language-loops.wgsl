@@ -7,8 +7,9 @@ var result: vec2f;
 {
   let t0 = fract(seed * 0.00024414063f) * 2.0f - 1.0f;
   let t1 = 0.5f - abs(t0);
-  let t2 = select(t0, t0 - sign(t0), t1 < 0.0f);
-  result = vec2f(t2, t1) * inverseSqrt(t2 * t2 + t1 * t1);
+  let t2 = t0 - sign(t0);
+  let t3 = select(t0, t2, t1 < 0.0f);
+  result = vec2f(t3, t1) * inverseSqrt(t3 * t3 + t1 * t1);
 }
 return result;
 }
@@ -48,15 +49,16 @@ var result: f32;
   var t3 = 0.0f;
   for (var t4 = 0; t4 < 3; t4++) {
     let t5 = f32(t4);
-    let t6 = warpjetNoise2(x * t1 + t5 * 0.618034f, y * t1 + t5 * 0.7548777f, select(seed, warpjetHash(seed, t5), t5 > 0.0f));
-    let t7 = t0 + t6 * t2;
-    let t8 = t3 + t2;
-    let t9 = t1 * lacunarity;
-    let t10 = t2 * gain;
-    t0 = t7;
-    t1 = t9;
-    t2 = t10;
-    t3 = t8;
+    let t6 = warpjetHash(seed, t5);
+    let t7 = warpjetNoise2(x * t1 + t5 * 0.618034f, y * t1 + t5 * 0.7548777f, select(seed, t6, t5 > 0.0f));
+    let t8 = t0 + t7 * t2;
+    let t9 = t3 + t2;
+    let t10 = t1 * lacunarity;
+    let t11 = t2 * gain;
+    t0 = t8;
+    t1 = t10;
+    t2 = t11;
+    t3 = t9;
   }
   result = t0 / t3;
 }

@@ -21,8 +21,8 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t17 = vec3(t14 + t15 + t16, t7 * 0.0136 * normal.y - t11 * 0.34 * normal.z, t10 * -0.34 * normal.z - t6 * 0.0136 * normal.y);
   float t18 = abs(t17.x) + abs(t17.y) + abs(t17.z);
   vec3 t19 = t17 / t18;
-  bool t20 = t18 > 0.0 && t18 < 1e38;
-  float t21 = inversesqrt(dot(t19, t19));
-  warpedNormal = t20 ? t19 * t21 : vec3(0.0);
+  float t20 = inversesqrt(dot(t19, t19));
+  vec3 t21 = t19 * t20;
+  warpedNormal = t18 > 0.0 && t18 < 1e38 ? t21 : vec3(0.0);
   warpedPosition = position + offset;
 }
