@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "mesh/check.hpp"
 #include "mesh/surface/normals.hpp"
@@ -161,6 +162,35 @@ TEST(AddMissingNormals, OfAPartWithOneSideGoOnFromTheSideThatItFacesWith) {
   addMissingNormals(half, std::vector<bool>(mesh.vertexCount()));
   const Floats front = computeNormals(mesh);
   expectNear({half.normals.begin(), half.normals.begin() + front.size()}, front);
+}
+
+TEST(AddMissingNormals, LeavesEveryCornerAtItsPlace) {
+  std::mt19937 random(12);
+  const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); };
+  for (int i = 0; i < 2000; ++i) {
+    Mesh mesh;
+    // So few places that triangles coincide, touch and degenerate in every way.
+    const std::uint32_t vertices = 3 + below(7);
+    for (std::uint32_t k = 0; k < 3 * vertices; ++k)
+      mesh.positions.push_back(static_cast<float>(below(2)));
+    for (std::uint32_t k = 3 * (1 + below(12)); k-- > 0;) mesh.indices.push_back(below(vertices));
+    std::vector<bool> hasNormal;
+    for (std::uint32_t k = 0; k < vertices; ++k) hasNormal.push_back(below(4) == 0);
+    const Mesh before = mesh;
+    addMissingNormals(mesh, hasNormal);
+    ASSERT_EQ(problemOf(mesh), "");
+    for (std::size_t k = 0; k < mesh.indices.size(); ++k) {
+      const std::uint32_t is = mesh.indices[k], was = before.indices[k];
+      ASSERT_TRUE(is == was || (is >= vertices && !hasNormal[was]));
+      for (int axis = 0; axis < 3; ++axis)
+        ASSERT_EQ(mesh.positions[3 * is + axis], before.positions[3 * was + axis]);
+    }
+    for (std::uint32_t k = 0; k < mesh.vertexCount(); ++k) {
+      const float* n = &mesh.normals[3 * k];
+      const float length = std::hypot(n[0], n[1], n[2]);
+      ASSERT_TRUE(length == 0 || std::abs(length - 1) < 1e-6f);
+    }
+  }
 }
 
 TEST(ComputeNormals, OfThreeTwoSidedSheetsThatMeetAreThoseOfEach) {
