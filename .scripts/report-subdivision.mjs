@@ -66,7 +66,7 @@ async function nearness() {
     const fine = subdivide(cube, { warp, tolerance, angle: Infinity })
     return deviation(fine, warp, {}, Math.min(1, 2 * tolerance)) / tolerance
   }
-  return Object.entries(noiseWarps).map(([name, { warp }]) => ({
+  return Object.entries(noiseWarps).map(([name, warp]) => ({
     name,
     errors: tolerances.map((tolerance) => errorOf(warp, tolerance)),
   }))
@@ -161,10 +161,8 @@ ${found.map(({ name, rows }) => tableRow([`\`${name}\``, ...rows.map(({ ratio })
 ## How near it comes
 
 \`subdivide\` looks at samples of the warped surface, more of them where it finds surprises, and splits what is farther away
-than 0.95 of the tolerance, since between samples there can be a little more. What is narrower than a 200th of the mesh can be
-missed. At creases, whose top no sample meets, the surface can be farther away than the tolerance, and seldom at a single triangle
-(one of 23,818 for \`simplex\`, the others 0.95). Measured on a cube of 180 units with one edge a side, whose points noise moves by up
-to 20, in parts of the tolerance:
+than 0.95 of the tolerance, since between samples there can be a little more. So what is narrower than a 200th of the mesh can be
+missed. Measured on a cube of 180 units with one edge a side, whose points noise moves by up to 20, in parts of the tolerance:
 
 ${tableHead(['noise', ...tolerances.map((tolerance) => `tolerance ${tolerance}`)])}
 ${noises.map(({ name, errors }) => tableRow([`\`${name}\``, ...errors.map((error) => error.toFixed(2))])).join('\n')}

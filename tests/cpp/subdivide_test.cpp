@@ -203,11 +203,11 @@ TEST(Subdivide, NothingIsAskedTwice) {
     asked += vertices.vertexCount();
     return warp(vertices);
   });
-  // About 3 edges and 2 triangles a vertex; what is split asked a third of that before. And once,
-  // however fine the result, 320 points along and 320 across its size, on 3.14 such squares: a
-  // spike as wide as a 200th of the mesh is met by no fewer.
+  // About 3 edges of 5 samples and 2 triangles of 4 a vertex, and the vertex; what is split asked a
+  // third of that before. And once, however fine the result, 320 points along and 320 across its
+  // size, on 3.14 such squares: a spike as wide as a 200th of the mesh is met by no fewer.
   EXPECT_GT(result.mesh.vertexCount(), 10000u);
-  EXPECT_LT(asked, 17 * result.mesh.vertexCount() + 322000);
+  EXPECT_LT(asked, 32 * result.mesh.vertexCount() + 322000);
 }
 
 TEST(Subdivide, UniformlyEachTriangleBecomesFour) {

@@ -7,7 +7,7 @@ export const cube = box([90, 90, 90])
 
 const octaves = { octaves: 3 }
 
-/** By name: { warp, isSmooth }. Those that are not smooth have creases. */
+/** By name. The last three have creases. */
 export const noiseWarps = Object.fromEntries(
   Object.entries({
     noise: (glsl, p) => glsl.noise(p),
@@ -21,6 +21,6 @@ export const noiseWarps = Object.fromEntries(
     const warp = compileWarp(({ glsl, position }) =>
       glsl.vec3(0, 0, height(glsl, position.div(60)).mult(20)),
     )
-    return [name, { warp, isSmooth: !['worley', 'ridged', 'turbulence'].includes(name) }]
+    return [name, warp]
   }),
 )
