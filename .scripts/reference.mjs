@@ -9,6 +9,7 @@ import { examplePages } from './reference/example-pages.mjs'
 import { meshNumberedText, numberedText } from './reference/numbered.mjs'
 import { pageText } from './reference/page.mjs'
 import { plotsText } from './reference/plots.mjs'
+import { plotsVectorsText } from './reference/plots-vectors.mjs'
 import { readTable } from './reference/table.mjs'
 import { typesText } from './reference/types.mjs'
 import { setup } from './setup.mjs'
@@ -23,6 +24,7 @@ export async function staleFiles() {
     'js-bindings/wasm/mesh-tables.ts': meshNumberedText(table),
     'web/docs/operations.md': pageText(table),
     'web/docs/plots.md': plotsText(table),
+    'web/docs/plots-vectors.md': plotsVectorsText(table),
     'web/docs/deformers.md': deformersText(),
     ...examplePages(),
   }
