@@ -10,7 +10,7 @@ export const noiseFormulas = {
     value: 's Σ wₖ (gₖ · oₖ)',
     derivative: 's Σ (dwₖ (gₖ · oₖ) + wₖ (gₖ · dp))',
     letters:
-      'Over the corners k of the cell: oₖ leads from the corner to p, gₖ is a direction that looks random; wₖ is the product of `t³ (6 t² − 15 t + 10)` along each axis, where t is 1 minus the distance from the corner; s is 2 / √(n) in n dimensions',
+      'Over the corners k of the cell: oₖ leads from the corner to p, gₖ is a direction that looks random; wₖ is the product of `t³ (6 t² − 15 t + 10)` along each axis, where t is 1 minus the distance from the corner; s is 2 / √n in n dimensions',
     call: 'glsl.noise(glsl.vec2(x, 0.4))',
   },
   simplex: {

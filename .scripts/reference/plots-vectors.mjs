@@ -48,8 +48,10 @@ function formulaText({ form, value, derivative, where = {} }) {
   const isRead = (name) => RegExp(`(?<![A-Za-z])${name}(?![A-Za-z])`, 'u').test(derivative)
   const parts = Object.entries(where).map(([name, text]) => code(`${name} = ${text}`))
   if (isRead('w') && !where.w) parts.push('w is the value')
-  const named = parts.length ? `, where ${parts.join(', ')}` : ''
-  return `${code(form)} is ${code(value)}. Derivative: ${code(derivative)}${named}.`
+  // Long ones have lines of their own: on a phone each takes several.
+  const between = parts.length > 1 ? '\n\n' : ' '
+  const named = parts.length ? `,${between}where ${parts.join(', ')}` : ''
+  return `${code(form)} is ${code(value)}.${between}Derivative: ${code(derivative)}${named}.`
 }
 
 function vectorSection(title, meaning) {
@@ -97,17 +99,19 @@ export function plotsVectorsText({ operations, noises }) {
 
 # Vectors, matrices and noise, plotted
 
-What each operation computes, and its derivative: of how much the result changes, where its operands change by \`da\`, \`dv\`, \`dA\`. A dot is
-the dot product, a cross the cross product; \`|a|\` is the length, \`tr\` the trace, \`Aᵀ\` the transpose, \`A⁻¹\` the inverse. What
-stands side by side is multiplied. Plots and “Run” are as on [the page of numbers](plots.md), of a line that reads \`x\` in one place or two.
+Operations on vectors and matrices, and noise: what each computes, and its derivative, which is how the result changes where its operands
+change by \`da\`, \`dv\` or \`dA\`. \`a · b\` is the dot product, \`a × b\` the cross product, \`|a|\` the length; \`Aᵀ\` is the transpose,
+\`A⁻¹\` the inverse, \`tr\` the trace, which is the sum of the diagonal; what stands side by side is multiplied. \`a₁\` is a component, and
+\`Σ aᵢ\` the sum of all. The plots show one number of the result, by one number x among the operands; “Run” moves a ball
+sideways by it, as on [the page of numbers](plots.md).
 
 ## Vectors
 
 ${sections('Vectors').join('\n')}
 ## Matrices
 
-Entries, \`neg\`, sums, \`mix\`, and \`div\` by a number go by component, as [numbers](plots.md) do; and \`m.column(i)\`, \`v.x()\` and
-constructors such as \`glsl.vec3\` have the derivatives of what they are made of.
+\`neg\`, \`add\`, \`sub\`, \`mix\`, and \`div\` by a number go entry by entry, [as numbers do](plots.md). What only puts numbers together or
+takes them apart, such as \`glsl.vec3\`, \`v.x()\` and \`m.column(0)\`, does the same with their derivatives.
 
 ${[...sections('Matrices'), ...more].join('\n')}
 ## Derivatives

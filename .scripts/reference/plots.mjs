@@ -65,7 +65,7 @@ const kinks = {
     ]),
   ),
   ifElse:
-    'The derivative is that of the value that is taken; of where the condition turns, nothing is said.',
+    'The derivative is that of the value that is taken; a jump between the two counts for nothing.',
   asin: 'At -1 and 1 the derivative counts as 0.',
   acos: 'At -1 and 1 the derivative counts as 0.',
   acosh: 'At 1 the derivative counts as 0.',
@@ -85,8 +85,9 @@ export const lineText = (call, from, to) => `<!-- plot ${call} from ${from} to $
 <!-- prettier-ignore -->
 \`\`\`js
 createWarp(({ glsl, position }) => {
-  const x = position.y().add(1).mult(${(to - from) / 2}).add(${from})
-  return glsl.vec3(${call}.mult(0.1).clamp(-1, 1), 0, 0)
+  const x = position.y().add(1).mult(${(to - from) / 2})${from ? `.add(${from})` : ''}
+  const value = ${call}
+  return glsl.vec3(value.mult(0.1).clamp(-1, 1), 0, 0)
 })
 \`\`\`
 `
@@ -122,7 +123,7 @@ export function plotsText({ operations, headings }) {
 # Operations, plotted
 
 Every operation on numbers, with what it computes and its derivative by each operand, as exact as it stands here. On the site each has
-a plot of both by x, and below it the text that a shader gets for them. “Run” moves a ball sideways by it, from its top to its bottom.
+a plot of both by x, and beside it the text that a shader gets for them. “Run” moves a ball sideways by it, from its top to its bottom.
 [Vectors, matrices and noise](plots-vectors.md) have a page of their own; here are [all operations in short](operations.md), and
 [how exact each is](derivatives.md) was measured.
 
