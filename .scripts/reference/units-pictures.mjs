@@ -40,8 +40,8 @@ const numbers = (y, name, ranges) =>
 const camera = (y, [, , [low, high]]) =>
   [
     text(8, y, 'camera', `fill="${dim}"`),
-    text(72, y, 'as world', `${centred} fill="${dim}"`),
-    text(160, y, inShort([low - eye, high - eye]), `text-anchor="end" fill="${bright}"`),
+    text(77, y, 'as world', `${centred} font-size="10" fill="${dim}"`),
+    text(158, y, inShort([low - eye, high - eye]), `text-anchor="end" fill="${bright}"`),
   ].join('')
 
 const panel = ({ call, title = call, local, world, outline }, index) =>

@@ -1,4 +1,4 @@
-// The blocks of the docs that say “Run”, run in the playground as a reader does: they draw or print, and nothing goes wrong. Of the
+// The sketch of the README and the blocks of the docs that say “Run”, run in the playground as a reader does: they draw or print, and nothing goes wrong. Of the
 // lines below plots, which are all of one make, one of each group: tests/js/plots.test.js holds what each of them computes.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
@@ -13,7 +13,7 @@ import { settled, shown, text } from './support/playground.js'
 import { serveSite, withoutWorker } from './support/site.js'
 
 const patience = { timeout: 120_000 }
-const blocks = walk('web/docs', /\.md$/).flatMap((file) => {
+const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
   const text = readFileSync(path(file), 'utf8')
   const runnable = blocksOf(text).filter(({ sketch }) => sketch)
   const groups = text.split('\n').flatMap((line, i) => (line.startsWith('## ') ? [i + 1] : []))
