@@ -117,7 +117,7 @@ ${[...sections('Matrices'), ...more].join('\n')}
 ## Derivatives
 
 ${ofGroup('Derivatives').map(derivativeSection).join('\n')}
-## Noise
+## Kinds of noise
 
 \`dp\` is a change of the point. Sources, options and ranges are on [the page of noise](noise.md).
 
