@@ -43,7 +43,7 @@ for (const [name, { value, by, where }] of Object.entries(formulas))
       const computed = program.evaluate(values)
       for (const [key, text] of [['value', value], ...by.map((text, i) => [`by${i}`, text])]) {
         const expected = evaluated(text, values, where)
-        const bound = 2e-5 * Math.max(1, Math.abs(expected))
+        const bound = 1e-12 * Math.max(1, Math.abs(expected))
         const message = `${key} of ${name} at ${place}: ${computed[key]}, not ${expected}`
         assert.ok(Math.abs(computed[key] - expected) <= bound, message)
       }
