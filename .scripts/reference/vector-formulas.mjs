@@ -97,14 +97,14 @@ export const vectorFormulas = {
     form: 'determinant(A)',
     value: 'det(A)',
     derivative: 'det(A) tr(A⁻¹ dA)',
-    kink: 'Of a mat2, it is `A₁₁ A₂₂ − A₁₂ A₂₁`; a product has no kinks, and where det(A) = 0, the derivative is the limit.',
+    kink: 'Of a mat2 it is `A₁₁ A₂₂ − A₁₂ A₂₁`, of larger ones a sum of such products. It has no kinks: where det(A) = 0, the derivative is what its formula tends to.',
     call: 'glsl.mat2(x, 1, 2, x).determinant()',
   },
   inverse: {
     form: 'inverse(A)',
     value: 'A⁻¹',
     derivative: '−A⁻¹ dA A⁻¹',
-    kink: 'Where det(A) = 0, value and derivative are infinite or NaN.',
+    kink: 'So is its derivative.',
     call: 'glsl.mat2(x, 1, -1, x).inverse().column(0).x()',
   },
   rotateX: {

@@ -188,3 +188,22 @@ describe('where there is no derivative', () => {
       assert.deepEqual([...value, ...derivative].map(Math.abs), [0, 0, 0, 0, 0, 0])
   })
 })
+
+test('derivatives have second derivatives, and those are symmetric', () => {
+  // f = sin(p₁) p₂² and (f, p₁ p₂), by hand.
+  const program = compile((glsl) => {
+    const p = glsl.vec2Param('p')
+    const f = p.x().sin().mult(p.y().pow(2))
+    const along = (value) => [p.x(), p.y()].map((input) => glsl.derivative(value, input))
+    const [hx, hy] = along(f.gradient(p))
+    const [jx, jy] = along(glsl.vec2(f, p.x().mult(p.y())).jacobian(p))
+    return { twice: f.derivative(p.x()).derivative(p.x()), hx, hy, jx, jy }
+  })
+  const [x, y] = [0.7, -1.3]
+  const [s, c] = [Math.sin(x), Math.cos(x)]
+  const { twice, hx, hy, jx, jy } = program.evaluate({ p: [x, y] })
+  assertNear(twice, -s * y * y, 1e-12, 'derivative')
+  assertNear([...hx, ...hy], [-s * y * y, 2 * c * y, 2 * c * y, 2 * s], 1e-12, 'gradient')
+  assertNear(jx, [-s * y * y, 0, 2 * c * y, 1], 1e-12, 'jacobian by p₁')
+  assertNear(jy, [2 * c * y, 1, 2 * s, 0], 1e-12, 'jacobian by p₂')
+})
