@@ -76,6 +76,11 @@ test('says of what the pointer rests on what it computes and its derivative', as
     more.join('\n'),
   )
   assert.ok((await meaningOf('sin()')).includes('Value: sin(x). Derivative: cos(x).'))
+  await write(page, still('#ff0000', 'position.length().mult(uniforms.far)'))
+  assert.ok(
+    (await meaningOf('length')).includes('length(v) is √(v · v). Derivative: v · dv / |v|.'),
+  )
+  await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
   assert.match((await meaningOf('position')).join(' '), /from -1 to 1/)
   assert.match((await meaningOf('createWarp')).join(' '), /how far each vertex moves/)
   await write(page, still('#ff0000'))

@@ -3,6 +3,7 @@ import deformersPage from '../docs/deformers.md?raw'
 import noisePage from '../docs/noise.md?raw'
 import operationsPage from '../docs/operations.md?raw'
 import plotsPage from '../docs/plots.md?raw'
+import vectorsPage from '../docs/plots-vectors.md?raw'
 
 /** A cell of a table of Markdown as plain text. */
 const plain = (cell) => cell.replaceAll(/[`_]|\\(?=\|)/g, '').trim()
@@ -53,6 +54,12 @@ for (const row of rowsOf(noisePage)) {
 }
 for (const [, name, formula] of plotsPage.matchAll(/^### (\w+)(?:(?!^###)[^])*?^(Value: .*)$/gm))
   add(name, [], plain(formula))
+// Of noise the page above is enough.
+const [vectors] = vectorsPage.split('## Kinds of noise')
+for (const [, name, formula] of vectors.matchAll(
+  /^### (\w+)(?:(?!^###)[^])*?^(`\1\([^]*?)\n\n<!--/gm,
+))
+  add(name, [], plain(formula.replaceAll('\n\n', ' ')))
 
 /** The first sentence under each heading. */
 const deformers = new Map(
