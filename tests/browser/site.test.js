@@ -1,5 +1,5 @@
 // The built site in a folder of a server: every page without a console message and without a finding of axe, by keyboard, on a
-// phone, and without a network. site-motion.test.js has what moves on them, and when.
+// phone. site-motion.test.js has what moves on them, and when; site-offline.test.js opens them without a network.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
@@ -10,7 +10,7 @@ import { folder } from '../../.scripts/site.mjs'
 import { desktop, path, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import { drawLittle } from './support/frames.js'
-import { settled, shown } from './support/playground.js'
+import { settled } from './support/playground.js'
 import { calm, serveSite, withoutWorker } from './support/site.js'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
@@ -240,35 +240,6 @@ test('a slider changes the sketch, and the picture follows', async () => {
   await page.waitForFunction((old) => !old.isConnected, frame, patience)
   await page.waitForSelector('iframe.shown', patience)
   assert.equal(await page.locator('iframe').count(), 1)
-  assert.deepEqual(messages, [])
-  await context.close()
-})
-
-test('once seen, all of it is there without a network', async () => {
-  const context = await browser.newContext(desktop)
-  await drawLittle(context)
-  const { page, messages } = await openPage(context, url)
-  // It takes over once it has kept all files.
-  await page.waitForFunction(() => navigator.serviceWorker.controller, null, patience)
-  await context.setOffline(true)
-  await page.reload(patience)
-  await page.waitForSelector('.hero canvas', patience)
-  await page.locator('#search').fill('noise')
-  await page.waitForSelector('#found a', patience)
-  await page.goto(`${url}docs/plots.html`, patience)
-  assert.match(await page.locator('h1').textContent(), /plotted/)
-  await page.goto(`${url}gallery/text-bulge/index.html`, patience)
-  const frame = await (await page.waitForSelector('iframe.shown', patience)).contentFrame()
-  await frame.waitForFunction(() => window.frameCount >= 2, null, patience)
-  await page.goto(`${url}playground/index.html#example=bunny`, patience)
-  await settled(page)
-  assert.equal(await page.locator('.mistake').textContent(), '')
-  const bunny = await shown(page)
-  await bunny.waitForFunction(() => window.frameCount >= 2, null, patience)
-  await page.locator('#example').selectOption('airplane-twist')
-  await page.waitForFunction(() => document.querySelector('main').ariaBusy === 'true')
-  await settled(page)
-  assert.equal(await page.locator('.mistake').textContent(), '')
   assert.deepEqual(messages, [])
   await context.close()
 })
