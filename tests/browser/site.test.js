@@ -73,6 +73,14 @@ const unseen = (page) =>
     return wrong
   })
 
+/** Tables of figures may be wider than a phone; what is written in words is not. */
+const wideTables = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('.table:not(.figures)')]
+      .filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth)
+      .map((table) => `a table is wider than its page: ${table.textContent.trim().slice(0, 80)}`),
+  )
+
 for (const [name, size, colorScheme] of [
   ['a desktop', desktop, 'light'],
   ['a phone', phone, 'dark'],
@@ -87,8 +95,8 @@ for (const [name, size, colorScheme] of [
     for (const file of pages) {
       await page.goto(url + file, patience)
       if (file.startsWith('playground')) await settled(page)
-      for (const finding of [...(await findings(page)), ...(await unseen(page))])
-        wrong.push(`${file}: ${finding}`)
+      for (const look of [findings, unseen, wideTables])
+        for (const finding of await look(page)) wrong.push(`${file}: ${finding}`)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)
       if (width > size.viewport.width) wrong.push(`${file} is ${width} wide`)
       for (const message of messages.splice(0)) wrong.push(`${file}: ${message}`)
@@ -164,6 +172,24 @@ describe('the first page', () => {
     await page.screenshot({ path: `${screenshots}/site-first.png` })
   })
 
+  test('shows the first examples on a desktop’s first screen', async () => {
+    const isSeen = await page
+      .locator('.tiles img')
+      .evaluateAll((images) =>
+        images.map((image) => image.getBoundingClientRect().bottom <= innerHeight),
+      )
+    assert.deepEqual(isSeen.slice(0, 4), [true, true, true, true])
+  })
+
+  test('copies the script tag', async () => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+    await page.getByRole('button', { name: 'Copy' }).click()
+    await page.getByRole('button', { name: 'Copied' }).waitFor()
+    const copied = await page.evaluate(() => navigator.clipboard.readText())
+    assert.equal(copied, await page.locator('.install code').textContent())
+    assert.match(copied, /^<script src="https:\/\/\S+\.js"><\/script>$/)
+  })
+
   test('filters its pictures by words and by section', async () => {
     const tiles = page.locator('.tiles > li:visible')
     const all = await tiles.count()
@@ -225,6 +251,24 @@ test('the list beside a page of the docs shows where one is, and the page begins
   })
   assert.ok(seen)
   assert.equal(await page.evaluate(() => scrollY), 0)
+  await context.close()
+  assert.deepEqual(messages, [])
+})
+
+test('the pages with a head of their own lead to the docs, and to the search, where one can write at once', async () => {
+  const context = await browser.newContext(calm(desktop))
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, `${url}playground/index.html`)
+  for (const file of ['playground/index', 'drop/index', 'bench/index', 'bench/results']) {
+    await page.goto(`${url}${file}.html`, patience)
+    await page.getByRole('link', { name: 'Docs', exact: true }).click()
+    await page.waitForURL(/docs\/index\.html$/)
+  }
+  await page.goto(`${url}bench/results.html`, patience)
+  await page.getByRole('link', { name: 'Search' }).click()
+  await page.waitForURL(/index\.html#search$/)
+  await page.waitForFunction(() => document.activeElement.id === 'search', null, patience)
   await context.close()
   assert.deepEqual(messages, [])
 })
