@@ -40,10 +40,10 @@ export function watch() {
   )
   // Of a frame that came late it is told which scripts had run for it.
   observe('long-animation-frame', ({ scripts }) => {
-    for (const { startTime, duration, sourceURL, invoker } of scripts)
+    for (const { startTime, duration, sourceURL, sourceFunctionName, invoker } of scripts)
       for (const task of seen.tasks)
         if (startTime < task.end && startTime + duration > task.start && duration > 10)
-          task.whose = `${invoker} of ${sourceURL}`
+          task.whose = [invoker, sourceFunctionName, sourceURL].filter(Boolean).join(', ')
   })
   observe(
     'event',
