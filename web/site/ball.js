@@ -1,29 +1,37 @@
 /** The body that the first page warps. */
 
-/** Corners and triangles of a ball of radius 1: a cube's faces, which have no crowded poles, pushed out. */
+/**
+ * Corners and triangles of a ball of radius 1: a cube's faces, which have no crowded poles, pushed out. `detail` is even; the first
+ * `coarse` numbers of `triangles` make a ball of every second corner, the others one of all.
+ */
 export function ball(detail) {
   const side = detail + 1
   const points = new Float32Array(6 * side * side * 3)
-  const triangles = new Uint16Array(6 * detail * detail * 6)
-  const steps = Float64Array.from({ length: side }, (_, k) =>
+  const coarse = 6 * (detail / 2) ** 2 * 6
+  const triangles = new Uint16Array(coarse + 6 * detail * detail * 6)
+  const places = Float64Array.from({ length: side }, (_, k) =>
     Math.tan((k / detail - 0.5) * (Math.PI / 2)),
   )
-  const quad = [0, side, 1, 1, side, side + 1]
   let point = 0
-  let corner = 0
   for (let face = 0; face < 6; face++) {
     const towards = face < 3 ? 1 : -1
     const [first, second, third] = [0, 1, 2].map((axis) => (axis + 2 * face) % 3)
-    for (let i = 0; i <= detail; i++)
-      for (let j = 0; j <= detail; j++) {
-        const [u, v] = [steps[i], steps[j]]
+    for (const u of places)
+      for (const v of places) {
         const scale = 1 / Math.sqrt(1 + u * u + v * v)
-        points[3 * point + first] = towards * scale
-        points[3 * point + second] = u * towards * scale
-        points[3 * point + third] = v * scale
-        if (i < detail && j < detail) for (const step of quad) triangles[corner++] = point + step
-        point++
+        points[point + first] = towards * scale
+        points[point + second] = u * towards * scale
+        points[point + third] = v * scale
+        point += 3
       }
   }
-  return { points, triangles }
+  let corner = 0
+  for (const step of [2, 1]) {
+    const quad = [0, side, 1, 1, side, side + 1].map((next) => next * step)
+    for (let face = 0; face < 6; face++)
+      for (let i = 0; i < detail; i += step)
+        for (let j = 0; j < detail; j += step)
+          for (const next of quad) triangles[corner++] = (face * side + i) * side + j + next
+  }
+  return { points, triangles, coarse }
 }

@@ -10,7 +10,7 @@ const light = 12
 /** Milliseconds; after a heavier one the page has the GPU for three times what it was too long, but for no longer than this. */
 const longest = 400
 
-/** To be awaited after each frame. */
+/** To be awaited after each frame → whether that was light. */
 export async function rest(gl) {
   const began = performance.now()
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0)
@@ -22,4 +22,5 @@ export async function rest(gl) {
   gl.deleteSync(fence)
   const tooLong = performance.now() - began - light
   if (tooLong > 0) await sleep(Math.min(longest, 3 * tooLong))
+  return tooLong <= 0
 }
