@@ -27,11 +27,16 @@ export function ball(detail) {
   }
   let corner = 0
   for (const step of [2, 1]) {
-    const quad = [0, side, 1, 1, side, side + 1].map((next) => next * step)
+    // The diagonals alternate: ridges that cross them would be saws otherwise.
+    const quads = [
+      [0, side, 1, 1, side, side + 1],
+      [0, side, side + 1, 0, side + 1, 1],
+    ].map((quad) => quad.map((next) => next * step))
     for (let face = 0; face < 6; face++)
       for (let i = 0; i < detail; i += step)
         for (let j = 0; j < detail; j += step)
-          for (const next of quad) triangles[corner++] = (face * side + i) * side + j + next
+          for (const next of quads[((i + j) / step) % 2])
+            triangles[corner++] = (face * side + i) * side + j + next
   }
   return { points, triangles, coarse }
 }

@@ -76,7 +76,7 @@ export async function startHero(place) {
   const program = await programOf(gl)
   if (!program) return
   await sleep(0)
-  const { points, triangles, coarse } = ball(88)
+  const { points, triangles, coarse } = ball(102)
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer())
   gl.bufferData(gl.ARRAY_BUFFER, points, gl.STATIC_DRAW)
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer())
