@@ -32,6 +32,8 @@ export const hosts = {
       'three/addons/': '../../node_modules/three/examples/jsm/',
       warpjet: '../../dist/warpjet.js',
       'warpjet/three': '../../dist/three.js',
+      'warpjet/deformers': '../../dist/deformers.js',
+      'warpjet/glsl': '../../dist/glsl.js',
     },
     style: threeStyle('#151823'),
   },
