@@ -54,7 +54,10 @@ function complete(context) {
   if (!word && !context.explicit) return null
   const from = word?.from ?? pos
   const around = optionsAround(state, from)
-  const options = around ? optionsOf(around, 'property') : words[hostOf(state)]
+  // Above the words of the language, which are no names of options.
+  const options = around
+    ? optionsOf(around, 'property').map((each) => ({ ...each, boost: 50 }))
+    : words[hostOf(state)]
   return { from, options, validFor: /^\w*$/ }
 }
 

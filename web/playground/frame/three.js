@@ -79,7 +79,7 @@ function shapesOf(objects) {
       mesh.morphTargetInfluences
     )
       throw new Error(
-        `The shape cannot be saved: ${mesh.name || `a ${mesh.constructor.name}`} is moved by instances, bones or morph targets, too.`,
+        `The shape cannot be saved: ${mesh.name || `the ${mesh.type}`} is moved by instances, bones or morph targets, too.`,
       )
     mesh.updateWorldMatrix(true, false)
     const { positions, normals, uvs, indices } = warpjet.fromBufferGeometry(mesh.geometry)
