@@ -269,10 +269,10 @@ ${still('#40ff40')
 
   test('packs a project of npm, with its model', async () => {
     const bytes = await bytesOf(await saved(page, 'npm project'))
-    const names = ['package.json', 'index.html', 'sketch.js', 'bunny.obj']
+    const names = ['package.json', 'vite.config.js', 'index.html', 'sketch.js', 'bunny.obj']
     assert.deepEqual(namesInZip(bytes), names)
     assert.ok(bytes.includes('"start": "vite"'))
-    assert.ok(bytes.includes('src="node_modules/warpjet/dist/p5.warpjet.min.js"'))
+    assert.ok(bytes.includes('src="/warpjet/dist/p5.warpjet.min.js"'))
     assert.ok(bytes.includes(await text(page)))
   })
 

@@ -64,12 +64,12 @@ export const tagsOf = ({ host, chosen }) =>
           .map((name) => scripts[name].file),
       ]
 
-/** The same file where npm has put it, beside the page. */
+/** The same file where npm has put it, from its folder of packages. */
 export const inModules = (file) =>
   file
-    .replace('../../dist/', 'node_modules/warpjet/dist/')
-    .replace('../../node_modules/p5-v1/', 'node_modules/p5/')
-    .replace('../../node_modules/', 'node_modules/')
+    .replace('../../dist/', '/warpjet/dist/')
+    .replace('../../node_modules/p5-v1/', '/p5/')
+    .replace('../../node_modules/', '/')
 
 /** The same file at a CDN; `versions` by package. */
 export const atCDN = (file, versions) =>
