@@ -1,4 +1,4 @@
-// Every block of the docs that says “Run”, run in the playground as a reader does: it draws or prints, and nothing goes wrong.
+// Every block of the docs that says “Run”, and that of the README, run in the playground as a reader does: it draws or prints, and nothing goes wrong.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -12,7 +12,7 @@ import { settled, shown, text } from './support/playground.js'
 import { serveSite, withoutWorker } from './support/site.js'
 
 const patience = { timeout: 120_000 }
-const blocks = walk('web/docs', /\.md$/).flatMap((file) =>
+const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) =>
   blocksOf(readFileSync(path(file), 'utf8'))
     .filter(({ sketch }) => sketch)
     .map((block) => ({ ...block, place: `${file}:${block.line}` })),
