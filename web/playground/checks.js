@@ -44,7 +44,7 @@ export function makeChecks(uniforms) {
 }
 
 function check({ maker, made, surfaceVariation, declared = [] }, points, all) {
-  const title = make('h3', { textContent: maker })
+  const title = make('h2', { textContent: maker })
   try {
     // What the option declares has its value there.
     const read = made.uniforms.map(({ name }) => name).filter((name) => !declared.includes(name))
