@@ -13,6 +13,8 @@ const levels = [1, 2, 3, 4, 5, 6]
 const near = 0.005
 /** Tolerances are tried from large to small, so many to each halving. */
 const triesAHalving = 4
+/** On a cube of 180 units that noise moves by up to 20. */
+const tolerances = [1, 0.5, 0.25]
 /** Samples on the longest edge that comes. */
 const samples = 64
 
@@ -51,9 +53,24 @@ await main(async () => {
   }
   mkdirSync(path('web/docs'), { recursive: true })
   const options = { ...(await resolveConfig(file)), parser: 'markdown' }
-  writeFileSync(file, await format(page(found), options))
+  writeFileSync(file, await format(page(found, await nearness()), options))
   good(`web/docs/subdivision.md, ${found.length} warps in ${seconds(start)}`)
 })
+
+/** For each kind of noise, the errors in parts of the tolerances. */
+async function nearness() {
+  const { subdivide } = await import('../dist/mesh.js')
+  const { deviation } = await import('../tests/js/support/deviation.js')
+  const { cube, noiseWarps } = await import('../tests/js/support/noise-warps.js')
+  const errorOf = (warp, tolerance) => {
+    const fine = subdivide(cube, { warp, tolerance, angle: Infinity })
+    return deviation(fine, warp, {}, Math.min(1, 2 * tolerance)) / tolerance
+  }
+  return Object.entries(noiseWarps).map(([name, { warp }]) => ({
+    name,
+    errors: tolerances.map((tolerance) => errorOf(warp, tolerance)),
+  }))
+}
 
 /** A warp's rows, one for each level: the uniform mesh, and the smallest adaptive mesh that is at least as near. */
 async function measure(name, warp) {
@@ -111,7 +128,7 @@ function tableRow(texts) {
   return `| ${texts.join(' | ')} |`
 }
 
-function page(found) {
+function page(found, noises) {
   const bending = found.filter(({ chosen }) => chosen.adaptive)
   const reached = bending.filter(({ chosen }) => chosen.ratio <= 1 / 3)
   return `# How many triangles \`subdivide\` needs
@@ -140,6 +157,17 @@ ${found.map(({ name, shape, triangles, chosen }) => tableRow([`\`${name}\``, `${
 
 ${tableHead(['warp', ...levels])}
 ${found.map(({ name, rows }) => tableRow([`\`${name}\``, ...rows.map(({ ratio }) => inShort(ratio))])).join('\n')}
+
+## How near it comes
+
+\`subdivide\` looks at samples of the warped surface, more of them where it finds surprises, and splits what is farther away
+than 0.95 of the tolerance, since between samples there can be a little more. What is narrower than a 200th of the mesh can be
+missed. At creases, whose top no sample meets, the surface can be farther away than the tolerance, and seldom at a single triangle
+(one of 23,818 for \`simplex\`, the others 0.95). Measured on a cube of 180 units with one edge a side, whose points noise moves by up
+to 20, in parts of the tolerance:
+
+${tableHead(['noise', ...tolerances.map((tolerance) => `tolerance ${tolerance}`)])}
+${noises.map(({ name, errors }) => tableRow([`\`${name}\``, ...errors.map((error) => error.toFixed(2))])).join('\n')}
 
 ## Why not everywhere
 

@@ -1,6 +1,7 @@
 // Loads the compiler. Nothing happens before the first warp.
 import { WarpError } from '../checks/errors.js'
 import { startCore } from './core-calls.js'
+import { megabytesOf } from './start.js'
 
 /** A run of a sketch's function inside the wasm: an address, to be closed. */
 export type SessionHandle = number & { readonly session: unique symbol }
@@ -115,7 +116,10 @@ export function getCore(): Core {
 /** What `read` makes of words of a module, which are in the wasm's memory meanwhile. */
 export function laid<Result>(core: Core, words: Uint32Array, read: (memory: number) => Result) {
   const memory = core._allocate(4 * words.length)
-  if (!memory) throw new WarpError('There is not enough memory to write so large a warp.')
+  if (!memory)
+    throw new WarpError(
+      `There is not enough memory to write so large a warp: the compiler already holds ${megabytesOf(core.HEAPU32)} MB.`,
+    )
   core.HEAPU32.set(words, memory / 4)
   const result = read(memory)
   core._release(memory)

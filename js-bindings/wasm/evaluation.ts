@@ -5,7 +5,7 @@ import type { Program } from '../module/kept-module.js'
 import inlined from '../generated/evaluation-wasm.js'
 import type { Range } from '../inputs/vertices.js'
 import { mathematics } from './mathematics.js'
-import { start } from './start.js'
+import { megabytesOf, start } from './start.js'
 
 /** A program, and which of its results. */
 type Asked = [
@@ -88,12 +88,15 @@ export function withMemory<Result>(work: (core: Evaluation, memory: Memory) => R
   }
 }
 
-const tooLarge = 'There is not enough memory to run so large a warp on the CPU.'
+const tooLarge = ({ HEAPU8 }: Evaluation) =>
+  new WarpError(
+    `There is not enough memory to run so large a warp on the CPU, which already takes ${megabytesOf(HEAPU8)} MB.`,
+  )
 
 /** Memory in the wasm, to be released unless the wasm fails. */
 export function allocate(core: Evaluation, bytes: number): number {
   const block = core._allocate(Math.max(bytes, 8))
-  if (!block) throw new WarpError(tooLarge)
+  if (!block) throw tooLarge(core)
   return block
 }
 
@@ -101,7 +104,7 @@ export function allocate(core: Evaluation, bytes: number): number {
 export function afterFailure(core: Evaluation, error: unknown): unknown {
   if (!(error instanceof WebAssembly.RuntimeError)) return error
   if (isAlive(core)) evaluation = undefined
-  return new WarpError(tooLarge)
+  return tooLarge(core)
 }
 
 export const isAlive = (core: Evaluation) => evaluation === core

@@ -10,6 +10,9 @@ export interface Inlined {
   frequent: readonly number[]
 }
 
+/** Whole ones, of what a module holds. */
+export const megabytesOf = (memory: ArrayBufferView) => Math.ceil(memory.byteLength / 2 ** 20)
+
 /**
  * A new instance of a module that needs none of Emscripten's JavaScript: as that would, it has every function with a `_`
  * before its name, and the memory as arrays; `exports` has them as they are.

@@ -1,7 +1,7 @@
 // Modules whose functions take and give texts, as JavaScript calls them.
 import { WarpError } from '../checks/errors.js'
 import { mathematics } from './mathematics.js'
-import { type Inlined, start } from './start.js'
+import { type Inlined, megabytesOf, start } from './start.js'
 
 type Call = (...given: unknown[]) => unknown
 
@@ -68,9 +68,8 @@ export function startWithTexts<Module>(
         module.isBroken = true
         // No more stack: the sketch calls itself without end, which JavaScript says better.
         if (error instanceof RangeError) throw error
-        const megabytes = Math.ceil(wasm.HEAPU8.length / 2 ** 20)
         throw new WarpError(
-          `There is not enough memory for so large a ${large}: the compiler already holds ${megabytes} MB.`,
+          `There is not enough memory for so large a ${large}: the compiler already holds ${megabytesOf(wasm.HEAPU8)} MB.`,
         )
       }
     }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "mesh/check.hpp"
 #include "mesh/surface/normals.hpp"
@@ -63,10 +64,12 @@ TEST(ComputeNormals, AreSharedByVerticesAtOnePlace) {
 TEST(ComputeNormals, AreZeroWhereNoTriangleSaysMore) {
   const Mesh mesh = meshOf({0, 0, 0, 1, 0, 0, 2, 0, 0, 9, 9, 9}, {0, 1, 2, 0, 0, 1});
   EXPECT_EQ(computeNormals(mesh), Floats(12, 0.0f));
-  // Front and back of one triangle take each other away.
-  EXPECT_EQ(computeNormals(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 2, 1, 0})),
-            Floats(9, 0.0f));
   EXPECT_TRUE(computeNormals({}).empty());
+}
+
+TEST(ComputeNormals, OfVerticesThatBothSidesUseAreThoseOfTheFirst) {
+  EXPECT_EQ(computeNormals(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {2, 1, 0, 0, 1, 2})),
+            (Floats{0, 0, -1, 0, 0, -1, 0, 0, -1}));
 }
 
 // Every triangle with vertices of its own.
@@ -96,6 +99,16 @@ Floats bothWays(Floats normals) {
   return normals;
 }
 
+// With the same vertices.
+Mesh twoSidedInPlace(Mesh mesh) {
+  const std::size_t triangles = mesh.triangleCount();
+  for (std::size_t i = 0; i < triangles; ++i) {
+    const auto [a, b, c] = mesh.corners(i);
+    mesh.indices.insert(mesh.indices.end(), {b, a, c});
+  }
+  return mesh;
+}
+
 Mesh saddle() {
   Mesh mesh = gridPlane(5, 2);
   for (std::size_t i = 0; i < mesh.positions.size(); i += 3)
@@ -106,6 +119,78 @@ Mesh saddle() {
 TEST(ComputeNormals, OfTwoSidedSurfacesAreThoseOfEachSide) {
   for (const Mesh& mesh : {saddle(), soupOf(saddle()), cube(2), soupOf(icosphere(2, 1))})
     expectNear(computeNormals(twoSided(mesh)), bothWays(computeNormals(mesh)));
+}
+
+TEST(AddMissingNormals, GivesEachSideVerticesOfItsOwn) {
+  for (const Mesh& mesh : {saddle(), cube(2), icosphere(2, 1)}) {
+    Mesh both = twoSidedInPlace(mesh);
+    addMissingNormals(both, std::vector<bool>(mesh.vertexCount()));
+    EXPECT_EQ(problemOf(both), "");
+    ASSERT_EQ(both.vertexCount(), 2 * mesh.vertexCount());
+    const Floats front = computeNormals(mesh);
+    expectNear({both.normals.begin(), both.normals.begin() + front.size()}, front);
+    for (std::size_t i = mesh.triangleCount(); i < both.triangleCount(); ++i) {
+      const auto there = both.corners(i), before = twoSidedInPlace(mesh).corners(i);
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_GE(there[k], mesh.vertexCount());
+        for (int axis = 0; axis < 3; ++axis) {
+          EXPECT_EQ(both.positions[3 * there[k] + axis], mesh.positions[3 * before[k] + axis]);
+          EXPECT_NEAR(both.normals[3 * there[k] + axis], -front[3 * before[k] + axis], 1e-6f);
+        }
+      }
+    }
+  }
+}
+
+TEST(AddMissingNormals, LeavesThoseThatAreThere) {
+  Mesh mesh = twoSidedInPlace(meshOf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
+  mesh.normals = {1, 0, 0, 0, 0, 0, 0, 1, 0};
+  mesh.uvs = {1, 2, 3, 4, 5, 6};
+  addMissingNormals(mesh, {true, false, true});
+  EXPECT_EQ(mesh.normals, (Floats{1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, -1}));
+  EXPECT_EQ(mesh.uvs, (Floats{1, 2, 3, 4, 5, 6, 3, 4}));
+  EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 3, 0, 2}));
+}
+
+TEST(AddMissingNormals, OfAPartWithOneSideGoOnFromTheSideThatItFacesWith) {
+  const Mesh mesh = saddle();
+  Mesh half = mesh;
+  half.indices.resize(mesh.indices.size() / 2);
+  half = twoSidedInPlace(half);
+  half.indices.insert(half.indices.end(), mesh.indices.begin() + mesh.indices.size() / 2,
+                      mesh.indices.end());
+  addMissingNormals(half, std::vector<bool>(mesh.vertexCount()));
+  const Floats front = computeNormals(mesh);
+  expectNear({half.normals.begin(), half.normals.begin() + front.size()}, front);
+}
+
+TEST(AddMissingNormals, LeavesEveryCornerAtItsPlace) {
+  std::mt19937 random(12);
+  const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); };
+  for (int i = 0; i < 2000; ++i) {
+    Mesh mesh;
+    // So few places that triangles coincide, touch and degenerate in every way.
+    const std::uint32_t vertices = 3 + below(7);
+    for (std::uint32_t k = 0; k < 3 * vertices; ++k)
+      mesh.positions.push_back(static_cast<float>(below(2)));
+    for (std::uint32_t k = 3 * (1 + below(12)); k-- > 0;) mesh.indices.push_back(below(vertices));
+    std::vector<bool> hasNormal;
+    for (std::uint32_t k = 0; k < vertices; ++k) hasNormal.push_back(below(4) == 0);
+    const Mesh before = mesh;
+    addMissingNormals(mesh, hasNormal);
+    ASSERT_EQ(problemOf(mesh), "");
+    for (std::size_t k = 0; k < mesh.indices.size(); ++k) {
+      const std::uint32_t is = mesh.indices[k], was = before.indices[k];
+      ASSERT_TRUE(is == was || (is >= vertices && !hasNormal[was]));
+      for (int axis = 0; axis < 3; ++axis)
+        ASSERT_EQ(mesh.positions[3 * is + axis], before.positions[3 * was + axis]);
+    }
+    for (std::uint32_t k = 0; k < mesh.vertexCount(); ++k) {
+      const float* n = &mesh.normals[3 * k];
+      const float length = std::hypot(n[0], n[1], n[2]);
+      ASSERT_TRUE(length == 0 || std::abs(length - 1) < 1e-6f);
+    }
+  }
 }
 
 TEST(ComputeNormals, OfThreeTwoSidedSheetsThatMeetAreThoseOfEach) {

@@ -45,6 +45,15 @@ test('a warp that is too large', () => {
   refuses(() => compileWarp(large), outOfMemory)
 })
 
+test('a warp that compiles, but is too large to run', () => {
+  const warp = compileWarp(({ glsl, position }) => glsl.vec3(many(position.x(), 10_000), 0, 0))
+  const vertices = { positions: new Float32Array(30_000), normals: new Float32Array(30_000) }
+  refuses(
+    () => warp.evaluate(vertices),
+    /^There is not enough memory to run so large a warp on the CPU, which already takes [2-8] MB\.$/,
+  )
+})
+
 test('a hundred warps within each other', () => {
   let deepest = 0
   const nested = (depth) => () =>

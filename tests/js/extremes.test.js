@@ -69,6 +69,40 @@ describe('bounds hold what float32 makes of', () => {
     })
 })
 
+test('bounds of gradients of octaves and cells hold them, and not much more', () => {
+  const box = { min: [-2, -2, -2], max: [2, 2, 2] }
+  const slopes = {
+    fbm: (glsl, p) => glsl.fbm(p),
+    ridged: (glsl, p) => glsl.ridged(p),
+    turbulence: (glsl, p) => glsl.turbulence(p),
+    worley: (glsl, p) => glsl.worley(p).x(),
+  }
+  for (const [name, field] of Object.entries(slopes)) {
+    const slope = compileWarp(({ glsl, position }) =>
+      glsl.vec3(0, 0, glsl.derivative(field(glsl, position), position.x()).sub(position.z())),
+    )
+    // The plane z = 0 of the box, in steps that meet no lattice twice.
+    const positions = Array.from({ length: 3e4 }, (_, i) => [
+      ((i * 0.7548776662) % 1) * 4 - 2,
+      ((i * 0.569840291) % 1) * 4 - 2,
+      ((i * 0.381966) % 1) * 4 - 2,
+    ]).flat()
+    const { positions: moved } = slope.evaluate({ positions, normals: positions })
+    const found = moved.filter((_, i) => i % 3 === 2)
+    const [low, high] = [Math.min(...found), Math.max(...found)]
+    const { min, max } = slope.bounds(box)
+    assert.ok(
+      min[2] <= low && max[2] >= high,
+      `${name}: ${min[2]} to ${max[2]}, not ${low} to ${high}`,
+    )
+    // z cancels out, but not for intervals: 4 on either side.
+    assert.ok(
+      max[2] < 60 && min[2] > -60,
+      `${name}: ${min[2]} to ${max[2]}, found ${low} to ${high}`,
+    )
+  }
+})
+
 test('constants compare as the shader does that reads them', () => {
   const { code, evaluate } = compile((glsl) => ({
     sum: glsl.val(0.1).add(0.2).eq(0.3).ifElse(5, 7),

@@ -423,6 +423,24 @@ describe('bakeWarp', () => {
 })
 
 describe('subdivide', () => {
+  // The file of the issue: 16,000 coincident triangles took 10 s, and more hung the page.
+  test('a model whose nodes repeat one mesh in place', async () => {
+    const { json, chunks } = readGlb(exportGLB(triangle()))
+    json.nodes = Array.from({ length: 20_000 }, () => ({ mesh: 0 }))
+    json.scenes = [{ nodes: json.nodes.map((_, i) => i) }]
+    json.scene = 0
+    const mesh = await loadMesh(writeGlb(json, chunks[1].bytes))
+    assert.equal(mesh.positions.length, 9 * 20_000)
+    const start = process.cpuUsage()
+    const fine = subdivide(mesh, { levels: 1 })
+    const bent = subdivide(mesh, { warp: twist, tolerance: 0.1, angle: Infinity })
+    const { user, system } = process.cpuUsage(start)
+    assert.equal(fine.indices.length, 3 * 4 * 20_000)
+    assert.equal(bent.indices.length % (3 * 20_000), 0)
+    assert.ok(bent.indices.length > 3 * 20_000 && !bent.warnings)
+    assert.ok(user + system < 5e6, `${(user + system) / 1e6} s`)
+  })
+
   test('levels make each triangle four', () => {
     assert.equal(subdivide(triangle(), { levels: 0 }).indices.length, 3)
     assert.equal(subdivide(triangle(), { levels: 3 }).indices.length, 3 * 64)

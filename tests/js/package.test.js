@@ -136,8 +136,23 @@ test('the links and pictures of what is shipped live wherever it is shown', () =
   assert.deepEqual(wrong, [])
 })
 
+test('npm shows where the source is, and where to ask', () => {
+  const { repository, homepage, bugs } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  const source = 'https://github.com/warpjet/warpjet'
+  assert.deepEqual(repository, { type: 'git', url: `git+${source}.git` })
+  assert.equal(homepage, `${source}#readme`)
+  assert.equal(bugs, `${source}/issues`)
+})
+
 test('NOTICE names every library that is compiled in', () => {
   const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
+  // What the linker adds, and what Vite bundles; .cmake/wasm.cmake says which allocator is where.
+  const others = ['emscripten', 'emmalloc', 'dlmalloc', 'musl', 'libc++', 'libc++abi', 'libunwind']
+  for (const name of [...others, 'compiler-rt', 'acorn'])
+    assert.match(notice, new RegExp(`${name.replaceAll('+', '\\+')}(?![+\\w])`), name)
+  assert.doesNotMatch(notice, /embind/)
+  const linked = readFileSync(`${root}.cmake/wasm.cmake`, 'utf8')
+  for (const [, name] of linked.matchAll(/-sMALLOC=(\w+)/g)) assert.ok(notice.includes(name), name)
   const libraries = readdirSync(`${root}.build/wasm/include`)
   assert.ok(libraries.length > 0)
   for (const library of libraries) {

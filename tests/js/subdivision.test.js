@@ -6,6 +6,7 @@ import { subdivide } from 'warpjet/mesh'
 import { box } from '../../.scripts/lib/coarse-meshes.mjs'
 import { sketchWarps } from '../warps/sketches.js'
 import { deviation, edgesNotUsed } from './support/deviation.js'
+import { cube as large, noiseWarps } from './support/noise-warps.js'
 
 const sketches = await sketchWarps()
 const warpOf = (wanted) => compileWarp(sketches.find(({ name }) => name === wanted).warp)
@@ -22,6 +23,18 @@ for (const tolerance of [2, 0.5])
       assert.ok(error <= tolerance, `${error}`)
       assert.deepEqual(edgesNotUsed(2, fine), [], 'there are no cracks')
       assert.equal(fine.warnings, undefined)
+    }
+  })
+
+for (const [name, { warp, isSmooth }] of Object.entries(noiseWarps))
+  test(`a cube that ${name} warps is right to the tolerance${isSmooth ? '' : ', but for its creases'}`, () => {
+    for (const tolerance of [1, 0.5]) {
+      const fine = subdivide(large, { warp, tolerance, angle: Infinity })
+      assert.equal(fine.warnings, undefined)
+      const error = deviation(fine, warp, {}, tolerance)
+      // A crease between two samples can be higher than both.
+      const allowed = isSmooth ? tolerance : 1.15 * tolerance
+      assert.ok(error <= allowed, `${error} of ${allowed}`)
     }
   })
 

@@ -93,6 +93,18 @@ describe('names that Object has too:', () => {
     assert.deepEqual(movedTo(offset, declared, bare({ toString: 3 })), [3, 5, 0])
   })
 
+  test('what an object inherits is not declared, and not given', () => {
+    const inheriting = Object.create({ amount: 1 })
+    inheriting.reach = 5
+    refuses(
+      () => movedTo(({ glsl, uniforms }) => glsl.vec3(uniforms.amount, 0, 0), inheriting),
+      /amount/,
+    )
+    const offset = ({ glsl, uniforms }) => glsl.vec3(uniforms.reach, 0, 0)
+    assert.deepEqual(movedTo(offset, inheriting), [5, 0, 0])
+    assert.deepEqual(movedTo(offset, { reach: 5 }, Object.create({ reach: 7 })), [5, 0, 0])
+  })
+
   test('__proto__ is a key like others, and no name of a shader', () => {
     const uniforms = JSON.parse('{ "__proto__": 1 }')
     refuses(

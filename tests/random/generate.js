@@ -52,15 +52,16 @@ function randomConstant(random) {
 }
 
 /**
- * The case of a seed → { seed, points, root }. `allowed(name)` may leave operations out.
+ * The case of a seed → { seed, points, root }. `allowed(name)` may leave operations out. Without `isTame` operations take what
+ * comes, also outside their domains.
  */
-export function randomCase(seed, allowed = () => true) {
+export function randomCase(seed, allowed = () => true, isTame = true) {
   const random = randomOf(seed)
   const points = pointsOf(seed)
   const pick = (list) => list[Math.floor(list.length * random())]
   const form = () => ({ form: random() < 0.6 ? 'method' : 'builder' })
   const make = (op, shape, args, more) => node(op, shape, args, { ...form(), ...more })
-  const tame = createTamer({ points, random, make, allowed })
+  const tame = isTame ? createTamer({ points, random, make, allowed }) : (node) => node
 
   function pickSignature(shape) {
     const signatures = signaturesFor(shape).filter(({ op }) => allowed(op))

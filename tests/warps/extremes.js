@@ -79,6 +79,18 @@ export const extremes = [
       return glsl.vec3(0, away.x(), 0)
     },
     // The slope of x / |xz| along z is infinite at the axis; along x it is 0.
-    points: [1e-4, 1e-10, 1e-13, 1e-16].map((x) => keeps([x, 0, 0], [0, 0, 1])),
+    points: [
+      ...[1e-4, 1e-10, 1e-13, 1e-16].map((x) => keeps([x, 0, 0], [0, 0, 1])),
+      // Between the axes it is finite and huge: sqrt(1/8) / x along x, and minus that along z.
+      ...[1e-4, 1e-10, 1e-13, 1e-16].map((x) => {
+        const slope = Math.sqrt(1 / 8) / x
+        const length = Math.hypot(slope, 1, slope)
+        return {
+          position: [x, 0, x],
+          normal: [0, 1, 0],
+          expected: [-slope / length, 1 / length, slope / length],
+        }
+      }),
+    ],
   },
 ]

@@ -94,20 +94,6 @@ void reserve(const std::vector<Draw>& draws, const Layout& layout, Mesh& mesh) {
   if (layout.isIndexed) mesh.indices.reserve(triangles * 3);
 }
 
-// Of all triangles together, so that parts that touch are smooth; only where the file has none.
-void addMissingNormals(const std::vector<Draw>& draws, Mesh& mesh) {
-  const auto hasNormals = [](const Draw& draw) { return draw.accessor("NORMAL") != noPlace; };
-  if (std::all_of(draws.begin(), draws.end(), hasNormals)) return;
-  const std::vector<float> computed = computeNormals(mesh);
-  std::size_t first = 0;
-  for (const Draw& draw : draws) {
-    const std::size_t end = first + draw.vertices * 3;
-    if (!hasNormals(draw))
-      std::copy(computed.begin() + first, computed.begin() + end, mesh.normals.begin() + first);
-    first = end;
-  }
-}
-
 std::optional<Material> materialOf(Gltf& gltf, const std::vector<Draw>& draws, const Layout& layout,
                                    const Files& files) {
   const auto hasMaterial = [](const Draw& draw) { return draw.primitive->material != noPlace; };
@@ -146,7 +132,11 @@ Mesh mergedMesh(Gltf& gltf, const Files& files) {
   Mesh mesh;
   reserve(draws, layout, mesh);
   for (const Draw& draw : draws) appendDraw(gltf, draw, layout, skins, mesh);
-  addMissingNormals(draws, mesh);
+  // Of all triangles together, so that parts that touch are smooth.
+  std::vector<bool> hasNormal;
+  for (const Draw& draw : draws)
+    hasNormal.resize(hasNormal.size() + draw.vertices, draw.accessor("NORMAL") != noPlace);
+  addMissingNormals(mesh, hasNormal);
   mesh.material = materialOf(gltf, draws, layout, files);
   return mesh;
 }

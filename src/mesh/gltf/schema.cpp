@@ -1,7 +1,9 @@
 #include "mesh/gltf/schema.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -105,14 +107,29 @@ constexpr Member root[] = {{"asset", Kind::Object, required, 0, asset},
                            {"skins", Kind::Objects, false, 0, skin},
                            {"animations", Kind::Some}};
 
-[[noreturn]] void fail(const std::string& place, const std::string& expected, const json& came) {
+// Where something stands. It becomes text only when there is something to say of it.
+struct Place {
+  const Place* around = nullptr;
+  const char* name = nullptr;  // of a member, else it is an element
+  std::size_t element = 0;
+
+  std::string text() const {
+    if (!around) return "";
+    const std::string before = around->text();
+    if (!name) return before + '[' + std::to_string(element) + ']';
+    return before.empty() ? name : before + '.' + name;
+  }
+};
+
+[[noreturn]] void fail(const Place& place, const std::string& expected, const json& came) {
   std::string shown = came.type_name();
   if (came.is_number()) shown = came.dump();
-  throw FileProblem("the file is not right glTF: " + place + " must be " + expected + ", not " +
-                    shown + "; export the model again.");
+  const std::string text = place.text();
+  throw FileProblem("the file is not right glTF: " + (text.empty() ? "its JSON" : text) +
+                    " must be " + expected + ", not " + shown + "; export the model again.");
 }
 
-json wholeNumber(const json& value, const std::string& place, std::uint64_t most) {
+void checkWholeNumber(json& value, const Place& place, std::uint64_t most) {
   std::optional<std::uint64_t> number;
   if (value.is_number_unsigned()) number = value.get<std::uint64_t>();
   // Some exporters write 3.0.
@@ -122,96 +139,101 @@ json wholeNumber(const json& value, const std::string& place, std::uint64_t most
       number = static_cast<std::uint64_t>(real);
   }
   if (!number || *number > most) fail(place, "a whole number from 0 to " + grouped(most), value);
-  return *number;
+  value = *number;
 }
 
-json index(const json& value, const std::string& place) {
-  return wholeNumber(value, place, (std::uint64_t{1} << 31) - 1);
+void checkIndex(json& value, const Place& place) {
+  checkWholeNumber(value, place, (std::uint64_t{1} << 31) - 1);
 }
 
-const json& list(const json& value, const std::string& place) {
+void checkList(const json& value, const Place& place) {
   if (!value.is_array()) fail(place, "a list", value);
-  return value;
 }
 
-const json& text(const json& value, const std::string& place) {
+void checkObject(const json& value, const Place& place) {
+  if (!value.is_object()) fail(place, "an object", value);
+}
+
+void checkText(const json& value, const Place& place) {
   if (!value.is_string()) fail(place, "a text", value);
-  return value;
 }
 
-json numbers(const json& value, const std::string& place, std::size_t length) {
-  if (list(value, place).size() != length)
+void checkNumbers(const json& value, const Place& place, std::size_t length) {
+  checkList(value, place);
+  if (value.size() != length)
     fail(place, "a list of " + std::to_string(length) + " numbers", value);
   for (const json& number : value)
     if (!number.is_number()) fail(place, "a list of numbers", number);
-  return value;
 }
 
 template <typename Check>
-json eachOf(const json& value, const std::string& place, Check check) {
-  json checked = json::array();
-  for (const json& element : list(value, place))
-    checked.push_back(check(element, place + '[' + std::to_string(checked.size()) + ']'));
-  return checked;
+void checkEach(json& value, const Place& place, Check check) {
+  checkList(value, place);
+  for (std::size_t i = 0; i < value.size(); ++i) check(value[i], Place{&place, nullptr, i});
 }
 
-json keys(const json& value, const std::string& place) {
-  if (!value.is_object()) fail(place, "an object", value);
-  json checked = json::object();
-  for (const auto& item : value.items()) checked[item.key()] = json::object();
-  return checked;
+void removeOthers(json& object, std::span<const Member> members) {
+  for (auto it = object.begin(); it != object.end();) {
+    const auto isThis = [&](const Member& member) { return it.key() == member.name; };
+    it = std::any_of(members.begin(), members.end(), isThis) ? std::next(it) : object.erase(it);
+  }
 }
 
 // As deep as the tables nest.
-json object(const json& value, const std::string& place, std::span<const Member> members);
+void checkMembers(json& value, const Place& place, std::span<const Member> members);
 
-json checkedMember(const json& value, const std::string& place, const Member& member) {
+void checkMember(json& value, const Place& place, const Member& member) {
   switch (member.kind) {
     case Kind::Index:
-      return index(value, place);
+      return checkIndex(value, place);
     case Kind::Size:
-      return wholeNumber(value, place, (std::uint64_t{1} << 32) - 1);
+      return checkWholeNumber(value, place, (std::uint64_t{1} << 32) - 1);
     case Kind::Flag:
       if (!value.is_boolean()) fail(place, "true or false", value);
-      return value;
+      return;
     case Kind::Text:
-      return text(value, place);
+      return checkText(value, place);
     case Kind::Numbers:
-      return numbers(value, place, member.length);
+      return checkNumbers(value, place, member.length);
     case Kind::Indices:
-      return eachOf(value, place, index);
+      return checkEach(value, place, checkIndex);
     case Kind::Names:
-      return eachOf(value, place, text);
+      return checkEach(value, place, checkText);
     case Kind::Keys:
-      return keys(value, place);
+      checkObject(value, place);
+      for (json& element : value) element = json::object();
+      return;
     case Kind::Some:
-      return list(value, place).empty() ? json::array() : json::array({json::object()});
+      checkList(value, place);
+      value = value.empty() ? json::array() : json::array({json::object()});
+      return;
     case Kind::Object:
-      return object(value, place, member.members);
+      return checkMembers(value, place, member.members);
     case Kind::Objects:
-      return eachOf(value, place, [&](const json& element, const std::string& at) {
-        return object(element, at, member.members);
+      return checkEach(value, place, [&](json& element, const Place& at) {
+        checkMembers(element, at, member.members);
       });
   }
-  return {};
 }
 
-json object(const json& value, const std::string& place, std::span<const Member> members) {
-  if (!value.is_object()) fail(place.empty() ? "its JSON" : place, "an object", value);
-  json checked = json::object();
+void checkMembers(json& value, const Place& place, std::span<const Member> members) {
+  checkObject(value, place);
+  std::size_t known = 0;
   for (const Member& member : members) {
-    const std::string at = place.empty() ? member.name : place + '.' + member.name;
-    if (const auto found = value.find(member.name); found != value.end())
-      checked[member.name] = checkedMember(*found, at, member);
-    else if (member.isRequired)
-      throw FileProblem("the file is not right glTF: " + at +
+    const Place at{&place, member.name};
+    if (const auto found = value.find(member.name); found != value.end()) {
+      checkMember(*found, at, member);
+      ++known;
+    } else if (member.isRequired) {
+      throw FileProblem("the file is not right glTF: " + at.text() +
                         " is missing; export the model again.");
+    }
   }
-  return checked;
+  if (known < value.size()) removeOthers(value, members);
 }
 
 }  // namespace
 
-json checkedGltf(const json& tree) { return object(tree, "", root); }
+void reduceToSchema(json& tree) { checkMembers(tree, {}, root); }
 
 }  // namespace warpjet

@@ -125,16 +125,6 @@ void gather(const std::vector<ObjCorner>& corners, std::uint32_t ObjCorner::*par
   }
 }
 
-void addMissingNormals(const std::vector<ObjCorner>& corners, Mesh& mesh) {
-  const auto hasNormal = [](const ObjCorner& corner) { return corner.normal != none; };
-  if (std::all_of(corners.begin(), corners.end(), hasNormal)) return;
-  const std::vector<float> computed = computeNormals(mesh);
-  mesh.normals.resize(computed.size());
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (!hasNormal(corners[i]))
-      std::copy_n(computed.begin() + i * 3, 3, mesh.normals.begin() + i * 3);
-}
-
 }  // namespace
 
 Mesh meshOfObj(std::string_view text, std::vector<std::string>& warnings) {
@@ -181,7 +171,9 @@ Mesh meshOfObj(std::string_view text, std::vector<std::string>& warnings) {
   gather(corners.all(), &ObjCorner::position, linearColors(lists.colors, warnings), 4, mesh.colors);
   gather(corners.all(), &ObjCorner::uv, lists.uvs, 2, mesh.uvs);
   gather(corners.all(), &ObjCorner::normal, lists.normals, 3, mesh.normals);
-  addMissingNormals(corners.all(), mesh);
+  std::vector<bool> hasNormal;
+  for (const ObjCorner& corner : corners.all()) hasNormal.push_back(corner.normal != none);
+  addMissingNormals(mesh, hasNormal);
   return mesh;
 }
 

@@ -25,7 +25,7 @@ constexpr double fewestOfEdge = 3, mostOfEdge = 64, fewestOfTriangle = 1, mostOf
 // where the samples were not those of a parabola, so that there may be more between them, there are
 // at least so many.
 constexpr double bumpSamplesAcross = 320, mostBumpSamples = 1 << 20;
-constexpr std::uint32_t doubtSamplesOfEdge = 15, doubtSamplesOfTriangle = 36;
+constexpr std::uint32_t doubtSamplesOfEdge = 31, doubtSamplesOfTriangle = 100;
 
 // Normals jump at a crease, however short the edges across it are: so many tolerances, or such a
 // part of the warped mesh, are short enough. Where they do not jump, edges shorter than the other

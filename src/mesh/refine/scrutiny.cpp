@@ -10,8 +10,9 @@ namespace warpjet {
 
 namespace {
 
-// What the closer look may have missed, as a share of what still surprises.
-constexpr float doubtLeft = 0.25f;
+// What the closer look may have missed, as a share of what still surprises; and what any look may,
+// as a share of all: between samples of noise there is up to a twentieth more.
+constexpr float doubtLeft = 0.1f, margin = 0.95f;
 
 }  // namespace
 
@@ -88,7 +89,7 @@ bool Refiner::countsAngle(const Finding& finding, const Scrutiny& scrutiny) cons
 }
 
 float Refiner::score(const Off& off, bool countsAngle) const {
-  return std::max(off.distance / refinement_.tolerance,
+  return std::max(off.distance / (margin * refinement_.tolerance),
                   countsAngle ? off.angle / refinement_.angle : 0);
 }
 

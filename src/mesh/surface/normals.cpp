@@ -1,10 +1,13 @@
 #include "mesh/surface/normals.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "mesh/surface/blend.hpp"
+#include "mesh/surface/pairs.hpp"
 #include "mesh/surface/sheets.hpp"
 #include "mesh/surface/weld.hpp"
 
@@ -31,42 +34,82 @@ double angleBetween(const glm::dvec3& u, const glm::dvec3& v) {
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-// To the sums of what its corners are numbered.
-void addTriangle(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners,
-                 const std::vector<std::uint32_t>& numbers, std::vector<glm::dvec3>& sums) {
-  std::array<glm::dvec3, 3> p;
-  for (int i = 0; i < 3; ++i) p[i] = positionAt(mesh, corners[i]);
-  // Twice the area long.
-  const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
-  if (normal == glm::dvec3(0)) return;
-  for (int i = 0; i < 3; ++i) {
-    const double angle = angleBetween(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
-    sums[numbers[corners[i]]] += angle * normal;
+class Normals {
+ public:
+  explicit Normals(const Mesh& mesh)
+      : places_(weldedVertices(mesh.positions)),
+        sheets_(findSheets(mesh, places_)),
+        sums_(mesh.vertexCount(), glm::dvec3(0)),
+        sumsOfSheets_(sheets_.ofCorners.size(), glm::dvec3(0)),
+        ofVertices_(sheets_.isOnBothSides.size(), none) {
+    for (std::size_t i = 0; i < mesh.triangleCount(); ++i) addTriangle(mesh, i);
   }
-}
+
+  void write(std::vector<float>& normals, std::size_t vertex) const {
+    const bool isOfSheet = !ofVertices_.empty() && ofVertices_[vertex] != none;
+    const glm::dvec3& sum = isOfSheet ? sumsOfSheets_[ofVertices_[vertex]] : sums_[places_[vertex]];
+    const double length = glm::length(sum);
+    for (int i = 0; i < 3; ++i)
+      normals[vertex * 3 + i] = length > 0 ? static_cast<float>(sum[i] / length) : 0;
+  }
+
+  // A vertex that both sides use stays with the first; each other gets one of its own, which
+  // follows those that are there.
+  void part(Mesh& mesh, const std::vector<bool>& hasNormal) {
+    Pairs copies;
+    for (std::size_t i = 0; i < sheets_.ofCorners.size() && !mesh.indices.empty(); ++i) {
+      const std::uint32_t vertex = mesh.indices[i], sheet = sheets_.ofCorners[i];
+      if (sheet == none || hasNormal[vertex] || !sheets_.isOnBothSides[vertex] ||
+          sheet == ofVertices_[vertex])
+        continue;
+      const auto next = static_cast<std::uint32_t>(mesh.vertexCount());
+      mesh.indices[i] = copies.findOrAdd(vertex, sheet, next);
+      if (mesh.indices[i] != next) continue;
+      appendBlend(mesh, mesh, {{vertex, vertex, vertex}, {1, 0, 0}});
+      ofVertices_.push_back(sheet);
+    }
+  }
+
+ private:
+  void addTriangle(const Mesh& mesh, std::size_t triangle) {
+    const std::array<std::uint32_t, 3> corners = mesh.corners(triangle);
+    std::array<glm::dvec3, 3> p;
+    for (int i = 0; i < 3; ++i) p[i] = positionAt(mesh, corners[i]);
+    // Twice the area long.
+    const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t sheet =
+          sheets_.ofCorners.empty() ? none : sheets_.ofCorners[3 * triangle + i];
+      if (sheet != none && ofVertices_[corners[i]] == none) ofVertices_[corners[i]] = sheet;
+      if (normal == glm::dvec3(0)) continue;
+      const double angle = angleBetween(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
+      (sheet == none ? sums_[places_[corners[i]]] : sumsOfSheets_[sheet]) += angle * normal;
+    }
+  }
+
+  std::vector<std::uint32_t> places_;
+  Sheets sheets_;
+  std::vector<glm::dvec3> sums_, sumsOfSheets_;
+  std::vector<std::uint32_t> ofVertices_;  // the sheet of each vertex, where there is one
+};
 
 }  // namespace
 
 std::vector<float> computeNormals(const Mesh& mesh) {
-  const std::vector<std::uint32_t> places = weldedVertices(mesh.positions);
-  const Sheets sheets = findSheets(mesh, places);
-  std::vector<glm::dvec3> sums(mesh.vertexCount(), glm::dvec3(0));
-  std::vector<glm::dvec3> sumsOfSheets(sheets.ofVertices.size(), glm::dvec3(0));
-  for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
-    if (sheets.isTwoSided[i])
-      addTriangle(mesh, mesh.corners(i), sheets.ofVertices, sumsOfSheets);
-    else
-      addTriangle(mesh, mesh.corners(i), places, sums);
-  }
+  const Normals computed(mesh);
   std::vector<float> normals(mesh.positions.size());
-  for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
-    glm::dvec3 sum = sums[places[vertex]];
-    if (!sumsOfSheets.empty()) sum += sumsOfSheets[sheets.ofVertices[vertex]];
-    const double length = glm::length(sum);
-    for (int i = 0; i < 3 && length > 0; ++i)
-      normals[vertex * 3 + i] = static_cast<float>(sum[i] / length);
-  }
+  for (std::size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+    computed.write(normals, vertex);
   return normals;
+}
+
+void addMissingNormals(Mesh& mesh, const std::vector<bool>& hasNormal) {
+  mesh.normals.resize(mesh.positions.size());
+  if (std::find(hasNormal.begin(), hasNormal.end(), false) == hasNormal.end()) return;
+  Normals computed(mesh);
+  computed.part(mesh, hasNormal);
+  for (std::size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+    if (vertex >= hasNormal.size() || !hasNormal[vertex]) computed.write(mesh.normals, vertex);
 }
 
 }  // namespace warpjet

@@ -32,11 +32,12 @@ class Groups {
   Ids parents_;
 };
 
-// Between two places, with the third corners of the two-sided triangles there.
+// Between two places, with the third corners of the triangles there.
 struct SheetEdge {
   std::uint32_t oneCorner, otherCorner = none;
   bool isOfTwo = true;
-  // A vertex at each end, on the side that passes `oneCorner` forwards and on the other one.
+  bool isFull = false;  // two-sided triangles have both third corners
+  // A corner at each end, on the side that passes `oneCorner` forwards and on the other one.
   std::array<std::array<std::uint32_t, 2>, 2> ends{{{none, none}, {none, none}}};
 };
 
@@ -45,19 +46,20 @@ class Search {
   Search(const Mesh& mesh, const Ids& places) : mesh_(mesh), places_(places) {}
 
   Sheets run() {
-    Sheets sheets{markTwoSided(), {}};
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t i = 0; i < sheets.isTwoSided.size(); ++i) {
-      if (sheets.isTwoSided[i]) found.push_back(i);
+    findTwoSided();
+    if (twoSided_.empty()) return {};
+    findOthersThere();
+    for (const std::uint32_t i : twoSided_) forEachEdge(i, meet);
+    for (SheetEdge& edge : edges_) edge.isFull = edge.otherCorner != none;
+    for (const std::uint32_t i : others_) forEachEdge(i, meet);
+
+    Groups groups(3 * mesh_.triangleCount());
+    joinAtVertices(groups);
+    for (const auto* triangles : {&twoSided_, &others_}) {
+      for (const std::uint32_t i : *triangles)
+        forEachEdge(i, [&](const Use& use) { joinAlong(use, groups); });
     }
-    if (found.empty()) return sheets;
-    for (const std::uint32_t i : found) forEachEdge(i, meet);
-    Groups groups(mesh_.vertexCount());
-    for (const std::uint32_t i : found)
-      forEachEdge(i, [&](const Use& use) { joinAlong(use, groups); });
-    for (std::uint32_t i = 0; i < mesh_.vertexCount(); ++i)
-      sheets.ofVertices.push_back(groups.find(i));
-    return sheets;
+    return {numbered(groups), std::move(isOnBothSides_)};
   }
 
  private:
@@ -65,10 +67,18 @@ class Search {
     SheetEdge& edge;
     bool isForwards;
     std::uint32_t corner;               // the place of the third
-    std::array<std::uint32_t, 2> ends;  // vertices, as the edge has them
+    std::array<std::uint32_t, 2> ends;  // corners, as the edge has them
   };
 
-  std::vector<bool> markTwoSided() const {
+  Three placesOf(std::uint32_t triangle) const {
+    Three corners = mesh_.corners(triangle);
+    for (std::uint32_t& corner : corners) corner = places_[corner];
+    return corners;
+  }
+
+  static bool hasArea(const Three& p) { return p[0] != p[1] && p[1] != p[2] && p[2] != p[0]; }
+
+  void findTwoSided() {
     Pairs pairs, triples;
     std::vector<std::array<bool, 2>> isThere;  // by three places, in each sense
     std::vector<std::pair<std::uint32_t, bool>> triangles;
@@ -81,54 +91,120 @@ class Search {
       const std::uint32_t triple = triples.findOrAdd(pair, std::max(p[1], p[2]), next);
       if (triple == next) isThere.emplace_back();
       isThere[triple][isLeft] = true;
-      triangles.emplace_back(triple, p[0] != p[1] && p[1] != p[2] && p[2] != p[0]);
+      triangles.emplace_back(triple, isLeft);
     }
-    std::vector<bool> isTwoSided;
-    for (const auto& [triple, hasArea] : triangles)
-      isTwoSided.push_back(hasArea && isThere[triple][0] && isThere[triple][1]);
-    return isTwoSided;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      const std::array<bool, 2>& senses = isThere[triangles[i].first];
+      if (senses[0] && senses[1] && hasArea(placesOf(i))) twoSided_.push_back(i);
+    }
+    if (!twoSided_.empty()) findOnBothSides(triangles);
   }
 
-  Three placesOf(std::uint32_t triangle) const {
-    Three corners = mesh_.corners(triangle);
-    for (std::uint32_t& corner : corners) corner = places_[corner];
-    return corners;
+  // `triangles` have the number of their three places, and their sense.
+  void findOnBothSides(const std::vector<std::pair<std::uint32_t, bool>>& triangles) {
+    isOnBothSides_.resize(mesh_.vertexCount());
+    Pairs uses;
+    std::vector<bool> senses;  // in which a vertex was used first
+    for (const std::uint32_t i : twoSided_) {
+      const auto& [triple, isLeft] = triangles[i];
+      for (const std::uint32_t vertex : mesh_.corners(i)) {
+        const auto next = static_cast<std::uint32_t>(senses.size());
+        const std::uint32_t use = uses.findOrAdd(triple, vertex, next);
+        if (use == next) senses.push_back(isLeft);
+        if (senses[use] != isLeft) isOnBothSides_[vertex] = true;
+      }
+    }
+  }
+
+  // Triangles of one side that touch the others: they go on from one of the sides.
+  void findOthersThere() {
+    isThere_.resize(mesh_.vertexCount());
+    for (const std::uint32_t i : twoSided_) {
+      for (const std::uint32_t place : placesOf(i)) isThere_[place] = true;
+    }
+    auto next = twoSided_.begin();
+    for (std::uint32_t i = 0; i < mesh_.triangleCount(); ++i) {
+      if (next != twoSided_.end() && *next == i) {
+        ++next;
+        continue;
+      }
+      const Three p = placesOf(i);
+      if (hasArea(p) && (isThere_[p[0]] || isThere_[p[1]] || isThere_[p[2]])) others_.push_back(i);
+    }
   }
 
   template <class Visitor>
   void forEachEdge(std::uint32_t triangle, Visitor visit) {
-    const Three corners = mesh_.corners(triangle);
-    for (int i = 0; i < 3; ++i) {
-      std::uint32_t a = corners[i], b = corners[(i + 1) % 3];
-      const bool isForwards = places_[a] < places_[b];
+    const Three p = placesOf(triangle);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      std::uint32_t a = i, b = (i + 1) % 3;
+      const bool isForwards = p[a] < p[b];
       if (!isForwards) std::swap(a, b);
-      const std::uint32_t corner = places_[corners[(i + 2) % 3]];
+      const std::uint32_t corner = p[(i + 2) % 3];
       const auto next = static_cast<std::uint32_t>(edges_.size());
-      const std::uint32_t edge = numbers_.findOrAdd(places_[a], places_[b], next);
+      const std::uint32_t edge = numbers_.findOrAdd(p[a], p[b], next);
       if (edge == next) edges_.push_back({corner});
-      visit({edges_[edge], isForwards, corner, {a, b}});
+      visit({edges_[edge], isForwards, corner, {3 * triangle + a, 3 * triangle + b}});
     }
   }
 
   static void meet(const Use& use) {
     SheetEdge& edge = use.edge;
-    if (use.corner == edge.oneCorner) return;
+    if (use.corner == edge.oneCorner || edge.isFull) return;
     if (edge.otherCorner == none) edge.otherCorner = use.corner;
     edge.isOfTwo = edge.isOfTwo && use.corner == edge.otherCorner;
   }
 
+  // Whoever made one vertex of corners meant them to be one.
+  void joinAtVertices(Groups& groups) const {
+    Ids first(mesh_.vertexCount(), none);
+    for (const auto* triangles : {&twoSided_, &others_}) {
+      for (const std::uint32_t i : *triangles) {
+        const Three vertices = mesh_.corners(i);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          if (isOnBothSides_[vertices[k]]) continue;
+          if (first[vertices[k]] == none) first[vertices[k]] = 3 * i + k;
+          groups.join(3 * i + k, first[vertices[k]]);
+        }
+      }
+    }
+  }
+
   // Neighbours of one side pass their edge in opposite directions.
   static void joinAlong(const Use& use, Groups& groups) {
-    if (!use.edge.isOfTwo) return;
-    auto& ends = use.edge.ends[use.isForwards == (use.corner == use.edge.oneCorner)];
+    const SheetEdge& edge = use.edge;
+    const bool isOne = use.corner == edge.oneCorner;
+    if (!edge.isOfTwo || !(isOne || use.corner == edge.otherCorner)) return;
+    auto& ends = use.edge.ends[use.isForwards == isOne];
     for (int i = 0; i < 2; ++i) {
       if (ends[i] == none) ends[i] = use.ends[i];
       groups.join(use.ends[i], ends[i]);
     }
   }
 
+  Ids numbered(Groups& groups) const {
+    Ids ofCorners(3 * mesh_.triangleCount(), none);
+    Ids ofGroups(ofCorners.size(), none);
+    std::uint32_t count = 0;
+    for (const auto* triangles : {&twoSided_, &others_}) {
+      for (const std::uint32_t i : *triangles) {
+        const Three p = placesOf(i);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          if (!isThere_[p[k]]) continue;
+          std::uint32_t& number = ofGroups[groups.find(3 * i + k)];
+          if (number == none) number = count++;
+          ofCorners[3 * i + k] = number;
+        }
+      }
+    }
+    return ofCorners;
+  }
+
   const Mesh& mesh_;
   const Ids& places_;
+  Ids twoSided_, others_;      // triangles
+  std::vector<bool> isThere_;  // by place: whether a two-sided triangle is
+  std::vector<bool> isOnBothSides_;
   Pairs numbers_;
   std::vector<SheetEdge> edges_;
 };
