@@ -20,8 +20,8 @@ declare global {
   const AutoDiff: Pick<Compiler, 'gen'>
 
   /**
-   * Compiles an offset function into p5's shaders. What it returns puts the warp on what is drawn next. Throws a
-   * `WarpError`.
+   * Compiles an offset function, which says how far each vertex moves, into p5's shaders. What it returns puts the warp on what
+   * is drawn next. Throws a `WarpError`.
    */
   function createWarp<const Uniforms extends compiler.UniformValues = {}>(
     offset: compiler.OffsetFunction<NoInfer<Uniforms>>,

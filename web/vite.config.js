@@ -2,6 +2,7 @@
 import { fileURLToPath } from 'node:url'
 import { exampleFiles } from './plugins/example-files.js'
 import { offline } from './plugins/offline.js'
+import { ownTypesPlugin } from './plugins/own-types.js'
 import { quietClient } from './plugins/quiet-client.js'
 import { sitePagesPlugin, siteScripts } from './plugins/site-pages.js'
 
@@ -14,7 +15,7 @@ export default {
   appType: 'mpa',
   publicDir: false,
   cacheDir: path('../.build/vite'),
-  plugins: [sitePagesPlugin(), exampleFiles(), offline(), quietClient()],
+  plugins: [sitePagesPlugin(), exampleFiles(), ownTypesPlugin(), offline(), quietClient()],
   server: { fs: { allow: [path('..')] } },
   optimizeDeps: {
     include: [

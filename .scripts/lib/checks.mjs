@@ -53,27 +53,29 @@ async function cpp(preset) {
   ])
 }
 
-async function nodeTests(folder, atOnce = availableParallelism()) {
-  const files = walk(folder, /\.test\.js$/).filter(
-    (file) => !(isEveryday() && file in leftOut.files),
-  )
-  if (!files.length) throw new Stop(`There are no tests in ${folder}.`)
-  // Node's own choice is one file fewer than there are cores.
-  const concurrency = `--test-concurrency=${atOnce}`
-  // A file of its own never takes so long; one that hangs is to fail, not to keep all others from being heard of.
-  const limit = `--test-timeout=${15 * 60_000}`
-  const ours = (name) => pathToFileURL(path('.scripts/lib', name)).href
-  const printing = ['--import', ours('tests-console.mjs')]
-  const reporting = ['spec', ours('why-failed.mjs')].flatMap((reporter) => [
-    `--test-reporter=${reporter}`,
-    '--test-reporter-destination=stdout',
-  ])
-  await node('--test', ...reporting, ...printing, concurrency, limit, ...files)
+/** `longest` are names of files that take long: they begin first. `atOnce` is how many run beside each other. */
+async function nodeTests(folder, { atOnce = availableParallelism(), longest = [] } = {}) {
+  const isLeftOut = (file) => isEveryday() && file in leftOut.files
+  const all = walk(folder, /\.test\.js$/).filter((file) => !isLeftOut(file))
+  if (!all.length) throw new Stop(`There are no tests in ${folder}.`)
+  const isLong = (file) => longest.some((name) => file.endsWith(`/${name}.test.js`))
+  const files = [...all.filter(isLong), ...all.filter((file) => !isLong(file))]
+  const ours = (name) => path('.scripts/lib', name)
+  const printing = ['--import', pathToFileURL(ours('tests-console.mjs')).href]
+  await node(...printing, ours('run-tests.mjs'), `${atOnce}`, ...files)
 }
 
 // Browsers wait for each other: two on two cores leave a sixth of the time idle, three none.
 const browsersAtOnce = availableParallelism() + 1
-const browser = () => withBrowsers(browsersAtOnce, () => nodeTests('tests/browser', browsersAtOnce))
+/** Each takes 40 seconds of a core and more. */
+const longest =
+  'gallery site p5-webgpu-examples playground-examples three docs random operations glsl three-webgpu'.split(
+    ' ',
+  )
+const browser = () =>
+  withBrowsers(browsersAtOnce, () =>
+    nodeTests('tests/browser', { atOnce: browsersAtOnce, longest }),
+  )
 
 async function environments() {
   await installEnvironments()

@@ -22,6 +22,7 @@ export const leftOut = {
       'it opens every page twice, which takes minutes; site.test.js of tests/js holds their links, and gallery.test.js opens some',
     'tests/browser/site-motion.test.js':
       'likewise; gallery.test.js sees every day that the first page draws',
+    'tests/browser/site-offline.test.js': 'likewise; it waits until all of the site is kept',
     'tests/browser/docs.test.js':
       'each block starts a p5 of its own, which takes minutes in all; what they call has its tests every day',
     'tests/browser/playground.test.js':

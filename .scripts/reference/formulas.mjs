@@ -62,6 +62,19 @@ export const formulas = {
     ],
     where: { t: 'clamp((x - low) / (high - low), 0, 1)' },
   },
+  lt: { value: 'x < y ? 1 : 0', by: ['0', '0'] },
+  le: { value: 'x <= y ? 1 : 0', by: ['0', '0'] },
+  gt: { value: 'x > y ? 1 : 0', by: ['0', '0'] },
+  ge: { value: 'x >= y ? 1 : 0', by: ['0', '0'] },
+  eq: { value: 'x == y ? 1 : 0', by: ['0', '0'] },
+  ne: { value: 'x != y ? 1 : 0', by: ['0', '0'] },
+  and: { value: 'x != 0 && y != 0 ? 1 : 0', by: ['0', '0'] },
+  or: { value: 'x != 0 || y != 0 ? 1 : 0', by: ['0', '0'] },
+  not: { value: 'x != 0 ? 0 : 1', by: ['0'] },
+  ifElse: {
+    value: 'condition != 0 ? yes : no',
+    by: ['0', 'condition != 0 ? 1 : 0', 'condition != 0 ? 0 : 1'],
+  },
 }
 
 const code = (text) => `\`${text}\``

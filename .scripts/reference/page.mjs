@@ -89,6 +89,8 @@ and a number beside a vector counts for each component. Where dots stand, any nu
 Everything works in \`glsl300\`, \`glsl100\` and \`wgsl\`. Where a language lacks an operation, or gets it wrong for large numbers,
 it is _lowered_: written with others. [How exact each is](derivatives.md) was measured.
 
+Formulas, derivatives and plots have pages of their own: [of numbers](plots.md), and [of vectors, matrices and noise](plots-vectors.md).
+
 ## Numbers, vectors and matrices
 
 | function | what it is |

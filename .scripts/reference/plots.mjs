@@ -30,6 +30,16 @@ const calls = {
   mix: ['glsl.mix(-1, 2, x)', -0.5, 1.5],
   step: ['glsl.step(0.5, x)'],
   smoothstep: ['glsl.smoothstep(-1, 1, x)', -2, 2],
+  lt: ['x.lt(1)'],
+  le: ['x.le(1)'],
+  gt: ['x.gt(1)'],
+  ge: ['x.ge(1)'],
+  eq: ['x.floor().eq(1)'],
+  ne: ['x.floor().ne(1)'],
+  and: ['x.gt(-1).and(x.lt(1))'],
+  or: ['x.lt(-1).or(x.gt(1))'],
+  not: ['x.lt(1).not()'],
+  ifElse: ['x.lt(0).ifElse(x.neg(), x.mult(x))'],
 }
 /** Of the two operations of the name `atan`, the second. */
 const atan2 = ['glsl.atan(x, -1)', -4, 4]
@@ -48,6 +58,14 @@ const kinks = {
   min: 'The derivative is that of the operand whose value is taken, of the first one where they are equal.',
   max: 'The derivative is that of the operand whose value is taken, of the first one where they are equal.',
   clamp: 'The derivative is that of the operand whose value is taken, bounds included.',
+  ...Object.fromEntries(
+    ['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'not'].map((name) => [
+      name,
+      'As a number it is 1 or 0, and its derivative 0 everywhere, at the step too.',
+    ]),
+  ),
+  ifElse:
+    'The derivative is that of the value that is taken; a jump between the two counts for nothing.',
   asin: 'At -1 and 1 the derivative counts as 0.',
   acos: 'At -1 and 1 the derivative counts as 0.',
   acosh: 'At 1 the derivative counts as 0.',
@@ -58,8 +76,21 @@ const kinks = {
   div: 'At 0 value and derivative are infinite.',
 }
 
-const isNumeric = ({ kinds, result, heading }) =>
-  heading !== 'Conditions' && [...kinds, result].every((kind) => kind === 'number or vector')
+const isNumeric = ({ kinds, result }) =>
+  [...kinds, result].every((kind) => kind === 'number or vector')
+
+/** The plot of a call, and a warp by it. */
+export const lineText = (call, from, to) => `<!-- plot ${call} from ${from} to ${to} -->
+
+<!-- prettier-ignore -->
+\`\`\`js
+createWarp(({ glsl, position }) => {
+  const x = position.y().add(1).mult(${(to - from) / 2})${from ? `.add(${from})` : ''}
+  const value = ${call}
+  return glsl.vec3(value.mult(0.1).clamp(-1, 1), 0, 0)
+})
+\`\`\`
+`
 
 function section(operation, index, all) {
   const { name, operands, meaning } = operation
@@ -68,8 +99,6 @@ function section(operation, index, all) {
   const [call, from = -3, to = 3] = isSecond ? atan2 : (calls[name] ?? [`x.${name}()`])
   if (!call.includes('x') || (operands.length > 1 && !calls[name] && !isSecond))
     throw new Error(`.scripts/reference/plots.mjs lacks a call of ${name}.`)
-  const reach = to - from
-  const along = `position.y().add(1).mult(${reach / 2}).add(${from})`
   const sentences = [/[.!]$/.test(meaning) ? meaning : `${meaning}.`]
   if (kinks[name] && !isSecond) sentences.push(kinks[name])
   return `### ${title}
@@ -78,16 +107,7 @@ ${sentences.join(' ')}
 
 ${formulaText(title, operands)}
 
-<!-- plot ${call} from ${from} to ${to} -->
-
-<!-- prettier-ignore -->
-\`\`\`js
-createWarp(({ glsl, position }) => {
-  const x = ${along}
-  return glsl.vec3(${call}.mult(0.1).clamp(-1, 1), 0, 0)
-})
-\`\`\`
-`
+${lineText(call, from, to)}`
 }
 
 export function plotsText({ operations, headings }) {
@@ -103,8 +123,9 @@ export function plotsText({ operations, headings }) {
 # Operations, plotted
 
 Every operation on numbers, with what it computes and its derivative by each operand, as exact as it stands here. On the site each has
-a plot of both by x, and below it the text that a shader gets for them. “Run” moves a ball sideways by it, from its top to its bottom. [All operations in short](operations.md), those on
-vectors and matrices too; [noise](noise.md) has pictures of its own, and [how exact each is](derivatives.md) was measured.
+a plot of both by x, and beside it the text that a shader gets for them. “Run” moves a ball sideways by it, from its top to its bottom.
+[Vectors, matrices and noise](plots-vectors.md) have a page of their own; here are [all operations in short](operations.md), and
+[how exact each is](derivatives.md) was measured.
 
 ${groups.join('\n')}`
 }

@@ -51,7 +51,9 @@ export interface WarpOptions<
   /** What the offset function reads as `uniforms`, with the values that count on the CPU unless others are given; your
    * shader declares and sets them, under the same names. */
   uniforms?: UniformOptions<Uniforms>
+  /** What your shader calls the inputs, as in `{ position: 'aPosition' }`; each by its own name unless given. */
   names?: InputNames
+  /** What the text calls the results, as in `{ position: 'moved' }`. */
   outputs?: OutputNames
   /** `false` leaves the normal out. */
   normals?: boolean

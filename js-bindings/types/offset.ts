@@ -83,8 +83,10 @@ export type UniformOverrides<Values> = {
 export interface WarpInputs<Uniforms extends UniformValues = {}> {
   /** By the names of the option `uniforms`; reading another one throws. */
   uniforms: UniformExpressions<Uniforms>
+  /** The builder: `glsl.vec3(x, y, z)`, `glsl.val(2)`, and every operation as a function. */
   glsl: Glsl
-  /** The vertex, in the space of the warp. */
+  /** The vertex, in the space of the warp: a `sphere()` of p5 goes from -1 to 1 there, whatever its radius, unless
+   * `space: 'world'` makes it pixels. */
   position: Vec3
   /** The vertex's normal as the mesh has it, usually of length 1. That it varies over the surface, as `uv` does, counts
    * where the mesh says how (`surfaceVariation` of 'warpjet/mesh'); `color` counts as constant. */
@@ -97,12 +99,17 @@ export interface WarpInputs<Uniforms extends UniformValues = {}> {
   millis: Scalar
   /** The mouse in pixels from the canvas' top left corner, as p5's mouseX and mouseY. */
   mouse: Vec2
+  /** The first number of `mouse`. */
   mouseX: Scalar
+  /** The second number of `mouse`. */
   mouseY: Scalar
   /** The canvas in pixels, as p5's width and height: not multiplied by pixelDensity. */
   size: Vec2
+  /** The first number of `size`. */
   width: Scalar
+  /** The second number of `size`. */
   height: Scalar
+  /** Pixels of the screen for one of the canvas, as p5's `pixelDensity()`. */
   pixelDensity: Scalar
   /** The number of the instance that is drawn, from 0, as of `model(shape, count)` in p5 2. Needs WebGL 2 or WebGPU. */
   instance: Scalar

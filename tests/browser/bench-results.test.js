@@ -1,12 +1,13 @@
 // The page of the benchmark's results: its plots and its table, from lines that are known.
 import assert from 'node:assert/strict'
+import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { createServer } from 'vite'
 import { placeBeside, spread } from '../../web/bench/labels.js'
 import { methods } from '../../web/bench/methods.js'
 import { deviceOf, parseRecords, runsOf } from '../../web/bench/records.js'
 import { costAgainstNodes, costAgainstVertices, errorAgainstCost } from '../../web/bench/series.js'
-import { cells, config, desktop, patience, phone } from './support/bench.js'
+import { cells, config, desktop, path, patience, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 
 const names = methods.map(({ name }) => name)
@@ -254,8 +255,11 @@ describe('the measured results', () => {
     await page.locator('.error svg').waitFor(patience)
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360)
     for (const plot of ['nodes', 'vertices', 'error']) {
+      // Beside the lines they would leave too little of these.
+      const labels =
+        plot === 'error' ? '.error svg g[aria-label="text"] text' : `.${plot} .legend li`
       const boxes = await page
-        .locator(`.${plot} svg g[aria-label="text"] text`)
+        .locator(labels)
         .evaluateAll((texts) => texts.map((text) => text.getBoundingClientRect().toJSON()))
       assert.equal(boxes.length, 7)
       for (const [i, a] of boxes.entries()) {
@@ -268,6 +272,12 @@ describe('the measured results', () => {
         }
       }
     }
+    for (const plot of ['nodes', 'vertices']) {
+      const { width } = await page.locator(`.${plot} g[aria-label="line"]`).boundingBox()
+      assert.ok(width > 230, `the lines of ${plot} are ${width} wide`)
+    }
+    mkdirSync(path('.build/screenshots'), { recursive: true })
+    await page.screenshot({ path: path('.build/screenshots/results-phone.png'), fullPage: true })
     await page.context().close()
     assert.deepEqual(messages, [])
   })

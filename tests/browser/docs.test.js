@@ -1,4 +1,5 @@
-// Every block of the docs that says “Run”, run in the playground as a reader does: it draws or prints, and nothing goes wrong.
+// The sketch of the README and the blocks of the docs that say “Run”, run in the playground as a reader does: they draw or print, and nothing goes wrong. Of the
+// lines below plots, which are all of one make, one of each group: tests/js/plots.test.js holds what each of them computes.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -12,11 +13,14 @@ import { settled, shown, text } from './support/playground.js'
 import { serveSite, withoutWorker } from './support/site.js'
 
 const patience = { timeout: 120_000 }
-const blocks = walk('web/docs', /\.md$/).flatMap((file) =>
-  blocksOf(readFileSync(path(file), 'utf8'))
-    .filter(({ sketch }) => sketch)
-    .map((block) => ({ ...block, place: `${file}:${block.line}` })),
-)
+const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
+  const text = readFileSync(path(file), 'utf8')
+  const runnable = blocksOf(text).filter(({ sketch }) => sketch)
+  const groups = text.split('\n').flatMap((line, i) => (line.startsWith('## ') ? [i + 1] : []))
+  const firsts = groups.map((from) => runnable.find(({ line }) => line > from))
+  const tried = /\/plots/.test(file) ? firsts : runnable
+  return tried.map((block) => ({ ...block, place: `${file}:${block.line}` }))
+})
 
 /** With no more frames than it takes to be shown: without a GPU they are what takes long. */
 const quick = ({ host, text }) => text + (host === 'p5' ? stopped : '')

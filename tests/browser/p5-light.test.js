@@ -103,7 +103,8 @@ async function geometriesOf(p5, shapes) {
       done = true
     }`,
   )
-  const geometries = await page.evaluate('shapes')
+  // As one text, which the driver passes on as it is.
+  const geometries = JSON.parse(await page.evaluate('JSON.stringify(shapes)'))
   await leavePage(page)
   assert.deepEqual(messages, [])
   return geometries

@@ -76,16 +76,33 @@ test('turns the shape where the sketch lets the pointer turn it', async () => {
 })
 
 test('keeps the sketch and where its slider stands over a reload', async () => {
-  const far = still('#80ff00', 'glsl.vec3(uniforms.far, 0, 0)', ', { uniforms: { far: 0.5 } }')
+  const uniforms = "{ far: 0.5, up: [0, 0.2], tint: color('#ff8040') }"
+  const offset = 'glsl.vec3(uniforms.far.sub(uniforms.tint.x()).div(4), uniforms.up.y(), 0)'
+  const far = still('#80ff00', offset, `, { uniforms: ${uniforms} }`)
   await write(page, far)
-  const address = page.url()
-  await slider('far').press('End')
-  await page.waitForFunction((before) => location.href !== before, address)
+  assert.equal(await mistake(), '')
+  const moves = [
+    () => slider('far').press('End'),
+    () => slider('up.y').press('End'),
+    () => slider('tint').fill('#008040'),
+  ]
+  for (const move of moves) {
+    const address = page.url()
+    const before = await canvasPixels(page)
+    await move()
+    await page.waitForFunction((before) => location.href !== before, address)
+    for (let i = 0; i < 50 && !difference(before, await canvasPixels(page)); i++)
+      await page.waitForTimeout(100)
+    const change = difference(before, await canvasPixels(page))
+    assert.ok(change > 0.005, `${move}: ${change}`)
+  }
   const before = await canvasPixels(page)
   await page.reload()
   await settled(page)
   assert.equal(await text(page), far)
   assert.equal(Number(await slider('far').inputValue()), 2)
+  assert.equal(Number(await slider('up.y').inputValue()), 0.8)
+  assert.equal(await slider('tint').inputValue(), '#008040')
   assert.equal(difference(before, await canvasPixels(page)), 0)
 })
 

@@ -1,6 +1,7 @@
 // What the playground's editor knows: it completes names of the inputs, the operations and the deformers, and says what each means.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
+import { compileWarp } from '../../dist/warpjet.js'
 import { launchBrowser } from './support/browser.js'
 import { openPlayground, settled, still, text, write } from './support/playground.js'
 
@@ -66,6 +67,66 @@ test('offers the inputs and the deformers', async () => {
   assert.equal((await options())[0], 'twist')
 })
 
+/** What our own source offers where `§` stands in the text, with what each means. */
+async function offered(text) {
+  await page.keyboard.press('Escape')
+  await write(page, text.replace('§', ''))
+  return page.evaluate(async (pos) => {
+    const { state } = document.querySelector('.cm-content').cmTile.view
+    const context = { state, pos, explicit: true, matchBefore: () => null }
+    // Those of the language ask more of the context than ours, and have nothing to say.
+    const all = await Promise.allSettled(
+      state.languageDataAt('autocomplete', pos).map(async (source) => source(context).options),
+    )
+    const ours = all.flatMap(({ value = [] }) => value).filter(({ info }) => info)
+    return Object.fromEntries(
+      ours.map(({ label, info }) => [label, info().querySelector('p').textContent]),
+    )
+  }, text.indexOf('§'))
+}
+
+/** As the compiler itself names them, where one asks for another. */
+function allInputs() {
+  try {
+    compileWarp(({ nothing }) => nothing)
+  } catch ({ message }) {
+    return /it gets (.*), and uniforms by/.exec(message)[1].split(', ')
+  }
+}
+
+test('offers every input and, in its braces, every option, each with what it means', async () => {
+  const words = await offered(still('#ff0000', 'glsl.vec3(§, 0, 0)'))
+  for (const name of [...allInputs(), 'uniforms', 'createWarp'])
+    assert.match(words[name] ?? '', /\w+ \w+/, name)
+  const options = await offered(still('#ff0000', 'glsl.vec3(0, 0, 0)', ', { § }'))
+  assert.deepEqual(Object.keys(options).sort(), [
+    'defs',
+    'hooks',
+    'returns',
+    'scope',
+    'shader',
+    'space',
+    'stroke',
+    'surfaceVariation',
+    'type',
+    'uniforms',
+  ])
+  for (const [name, meaning] of Object.entries(options)) assert.match(meaning, /\w+ \w+/, name)
+})
+
+test('offers in three.js what it has there', async () => {
+  await page.getByLabel('Runs in').selectOption('three')
+  await settled(page)
+  const sketch = await text(page)
+  const words = await offered(sketch.replace('along.sin', '§.sin'))
+  assert.ok(words.millis && words.warp && words.warpMaterial)
+  assert.equal(words.mouseX ?? words.createWarp, undefined)
+  const options = await offered(sketch.replace(/^}\)$/m, '}, { § })'))
+  assert.deepEqual(Object.keys(options).sort(), ['share', 'space', 'surfaceVariation', 'uniforms'])
+  await page.getByLabel('Runs in').selectOption('p5')
+  await settled(page)
+})
+
 test('says of what the pointer rests on what it computes and its derivative', async () => {
   await page.keyboard.press('Escape')
   await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
@@ -76,8 +137,18 @@ test('says of what the pointer rests on what it computes and its derivative', as
     more.join('\n'),
   )
   assert.ok((await meaningOf('sin()')).includes('Value: sin(x). Derivative: cos(x).'))
+  await write(page, still('#ff0000', 'position.length().mult(uniforms.far)'))
+  assert.ok(
+    (await meaningOf('length')).includes('length(v) is √(v · v). Derivative: v · dv / |v|.'),
+  )
+  await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
   assert.match((await meaningOf('position')).join(' '), /from -1 to 1/)
   assert.match((await meaningOf('createWarp')).join(' '), /how far each vertex moves/)
+  await write(page, still('#ff0000', 'glsl.vec3(0, 0, 0)', ", { space: 'world' }"))
+  assert.match(
+    (await meaningOf('space')).join(' '),
+    /'local' \| 'world' \| 'camera' Left out: local/,
+  )
   await write(page, still('#ff0000'))
   await settled(page)
 })

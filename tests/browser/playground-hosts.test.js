@@ -1,14 +1,18 @@
 // The playground's hosts and languages beside those of playground.test.js: WebGPU, text in GLSL, and downloaded pages of each host.
 import assert from 'node:assert/strict'
-import { mkdirSync } from 'node:fs'
+import { mkdirSync, readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
+import { compileWarp } from '../../dist/warpjet.js'
+import { loadMesh } from '../../dist/mesh.js'
 import { difference, path } from './support/bench.js'
 import { launchBrowserWithWebGPU } from './support/browser.js'
 import { keepFrames } from './support/frames.js'
 import {
+  ball,
   canvasPixels,
   openFromDisk,
   openPlayground,
+  saved,
   settled,
   shown,
   still,
@@ -105,24 +109,104 @@ test('downloads a page with p5 1.11 that opens from a disk', async () => {
   assert.equal(difference(before, picture), 0)
 })
 
-/** A small sketch of three.js that stands still, of the size of its window. */
-const ball = `import * as THREE from 'three'
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
-import { warp } from 'warpjet/three'
+const open = (name) => page.getByRole('tab', { name }).click()
+/** The marked statements, once there are some. */
+const marked = async () => {
+  await page.locator('.panel .lit').first().waitFor()
+  return (await page.locator('.panel .lit').allTextContents()).join('')
+}
+const figures = () => page.locator('#panel .read-outs dd').allTextContents()
 
-const renderer = new THREE.WebGLRenderer({ preserveDrawingBuffer: true })
-renderer.setSize(120, 90)
-document.body.append(renderer.domElement)
-const scene = new THREE.Scene()
-scene.background = new THREE.Color('#151823')
-const camera = new THREE.PerspectiveCamera(40, 4 / 3, 0.1, 100)
-camera.position.z = 4
-new OrbitControls(camera, renderer.domElement)
-const mesh = new THREE.Mesh(new THREE.SphereGeometry(1, 40, 30), new THREE.MeshNormalMaterial())
-scene.add(mesh)
-warp(mesh, ({ glsl, position }) => glsl.vec3(position.y().mult(3).cos().mult(0.4), 0, 0))
-renderer.setAnimationLoop(() => renderer.render(scene, camera))
-`
+test('has of a warp of three.js the text in each language, marked both ways, its costs and checks', async () => {
+  await run('three')
+  await write(page, ball)
+  assert.equal(await mistake(), '')
+  await page.locator('.cm-line', { hasText: 'cos()' }).click()
+  for (const language of ['GLSL 3.00', 'GLSL 1.00', 'WGSL']) {
+    await open(language)
+    const statements = await marked()
+    assert.ok(/cos\(/.test(statements) && /sin\(/.test(statements), statements)
+  }
+  await page.locator('.panel [data-from]', { hasText: 'cos(' }).first().hover()
+  assert.match(await page.locator('.cm-lit').textContent(), /^warp\(mesh/)
+  await open('Costs')
+  const { stats } = compileWarp(
+    ({ glsl, position }) => glsl.vec3(position.y().mult(3).cos().mult(0.4), 0, 0),
+    { surfaceVariation: true },
+  )
+  const row = await page.locator('#panel tbody td').allTextContents()
+  const { nodes, operations, temporaries } = stats
+  assert.deepEqual(row.slice(0, 4), ['warp', ...[nodes, operations, temporaries].map(String)])
+  await open('Checks')
+  const [most, , insideOut] = await figures()
+  assert.ok(parseFloat(most) < 0.5, most)
+  assert.match(insideOut, /^0 of 4,608 points$/)
+  await open('GLSL 3.00')
+})
+
+/** Of the middle of the picture. */
+const middle = async () => {
+  const at = 4 * (120 * 45 + 60)
+  return [...(await canvasPixels(page)).subarray(at, at + 3)]
+}
+
+/** Until the middle is of that colour: a picture comes a moment after its slider. */
+async function becomes(wanted, most = 0) {
+  let color
+  for (let i = 0; i < 100; i++) {
+    color = await middle()
+    if (color.every((part, k) => Math.abs(part - wanted[k]) <= most)) return
+    await page.waitForTimeout(100)
+  }
+  assert.deepEqual(color, wanted)
+}
+
+/** The ball in a colour of its own, which grows, moves and changes its colour by its uniforms. */
+const uniformBall = ball
+  .replace('new THREE.MeshNormalMaterial()', "new THREE.MeshBasicMaterial({ color: '#ff8040' })")
+  .replace(
+    /^warp\(.*$/m,
+    `const center = new THREE.Vector3(0, 0.25, 0)
+const tint = new THREE.Color('#ff0000')
+const warped = warp(
+  mesh,
+  ({ position, uniforms }) => position.mult(uniforms.more).add(uniforms.center),
+  { uniforms: { more: 0, center, tint } },
+)
+renderer.setAnimationLoop(() => {
+  mesh.material.color.copy(warped.uniforms.tint.value)
+  renderer.render(scene, camera)
+})`,
+  )
+  .replace(/^renderer.setAnimationLoop.*render.*$/m, '')
+
+test('shows normals of three.js as colours, and its uniforms as sliders and fields', async () => {
+  await write(page, uniformBall)
+  assert.equal(await mistake(), '')
+  await becomes([255, 0, 0])
+  const labels = await page.locator('.sliders label').allTextContents()
+  assert.deepEqual(labels, ['more', 'center.x', 'center.y', 'center.z', 'tint'])
+  await page.getByLabel('tint').fill('#00ff00')
+  await becomes([0, 255, 0])
+  // One to the left and one upwards, where it covers the middle no more.
+  await page.getByLabel('center.x').press('Home')
+  await page.getByLabel('center.y').press('End')
+  await becomes([21, 24, 35])
+  await page.getByLabel('Normals as colours').check()
+  await write(page, uniformBall.replace('more: 0', 'more: 0.1'))
+  assert.equal(await mistake(), '')
+  await page.screenshot({ path: `${folder}/playground-three.png` })
+  // What a hand has moved stays where it was put.
+  const mesh = await loadMesh(readFileSync(await (await saved(page, 'Warped shape')).path()))
+  const box = [0, 1, 2].map((axis) => mesh.positions.filter((_, i) => i % 3 === axis))
+  const ends = box.flatMap((all) => [Math.min(...all), Math.max(...all)])
+  for (const [i, end] of [-2.1, 0.1, -0.1, 2.1, -1.1, 1.1].entries())
+    assert.ok(Math.abs(ends[i] - end) < 1e-2, `${ends}`)
+  await page.getByLabel('center.x').fill('0')
+  await page.getByLabel('center.y').fill('0')
+  await becomes([128, 128, 255], 9)
+  await page.getByLabel('Normals as colours').uncheck()
+})
 
 test('downloads a page with three.js, its addons and warpjet that opens from a disk', async () => {
   await run('three')

@@ -4,7 +4,7 @@ import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { createServer } from 'vite'
 import { config, desktop, difference, path, phone } from './support/bench.js'
-import { loadMesh } from '../../dist/mesh.js'
+import { exportGLB, loadMesh } from '../../dist/mesh.js'
 import { bytesOf, launchBrowser, openPage } from './support/browser.js'
 import { drawLittle } from './support/frames.js'
 import {
@@ -269,10 +269,10 @@ ${still('#40ff40')
 
   test('packs a project of npm, with its model', async () => {
     const bytes = await bytesOf(await saved(page, 'npm project'))
-    const names = ['package.json', 'index.html', 'sketch.js', 'bunny.obj']
+    const names = ['package.json', 'vite.config.js', 'index.html', 'sketch.js', 'bunny.obj']
     assert.deepEqual(namesInZip(bytes), names)
     assert.ok(bytes.includes('"start": "vite"'))
-    assert.ok(bytes.includes('src="node_modules/warpjet/dist/p5.warpjet.min.js"'))
+    assert.ok(bytes.includes('src="/warpjet/dist/p5.warpjet.min.js"'))
     assert.ok(bytes.includes(await text(page)))
   })
 
@@ -385,6 +385,19 @@ ${still('#40ff40')
     await page.dispatchEvent('body', 'drop', { dataTransfer: file })
     await settled(page)
     assert.equal(await page.locator('#model').inputValue(), 'corner.obj')
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
+    // The same as GLB, which is read in another way.
+    const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]
+    const bytes = exportGLB({ positions, indices: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3] })
+    const glb = await page.evaluateHandle((bytes) => {
+      const transfer = new DataTransfer()
+      transfer.items.add(new File([Uint8Array.from(bytes)], 'corner.glb'))
+      return transfer
+    }, Array.from(bytes))
+    await page.dispatchEvent('body', 'drop', { dataTransfer: glb })
+    await settled(page)
+    assert.equal(await page.locator('#model').inputValue(), 'corner.glb')
     assert.equal(await page.locator('.mistake').textContent(), '')
     assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
   })

@@ -1,5 +1,5 @@
 // The built site in a folder of a server: every page without a console message and without a finding of axe, by keyboard, on a
-// phone, and without a network. site-motion.test.js has what moves on them, and when.
+// phone. site-motion.test.js has what moves on them, and when; site-offline.test.js opens them without a network.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
@@ -10,7 +10,7 @@ import { folder } from '../../.scripts/site.mjs'
 import { desktop, path, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import { drawLittle } from './support/frames.js'
-import { settled, shown } from './support/playground.js'
+import { settled } from './support/playground.js'
 import { calm, serveSite, withoutWorker } from './support/site.js'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
@@ -73,6 +73,14 @@ const unseen = (page) =>
     return wrong
   })
 
+/** Tables of figures may be wider than a phone; what is written in words is not. */
+const wideTables = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('.table:not(.figures)')]
+      .filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth)
+      .map((table) => `a table is wider than its page: ${table.textContent.trim().slice(0, 80)}`),
+  )
+
 for (const [name, size, colorScheme] of [
   ['a desktop', desktop, 'light'],
   ['a phone', phone, 'dark'],
@@ -87,8 +95,8 @@ for (const [name, size, colorScheme] of [
     for (const file of pages) {
       await page.goto(url + file, patience)
       if (file.startsWith('playground')) await settled(page)
-      for (const finding of [...(await findings(page)), ...(await unseen(page))])
-        wrong.push(`${file}: ${finding}`)
+      for (const look of [findings, unseen, wideTables])
+        for (const finding of await look(page)) wrong.push(`${file}: ${finding}`)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)
       if (width > size.viewport.width) wrong.push(`${file} is ${width} wide`)
       for (const message of messages.splice(0)) wrong.push(`${file}: ${message}`)
@@ -164,6 +172,24 @@ describe('the first page', () => {
     await page.screenshot({ path: `${screenshots}/site-first.png` })
   })
 
+  test('shows the first examples on a desktop’s first screen', async () => {
+    const isSeen = await page
+      .locator('.tiles img')
+      .evaluateAll((images) =>
+        images.map((image) => image.getBoundingClientRect().bottom <= innerHeight),
+      )
+    assert.deepEqual(isSeen.slice(0, 4), [true, true, true, true])
+  })
+
+  test('copies the script tag', async () => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+    await page.getByRole('button', { name: 'Copy' }).click()
+    await page.getByRole('button', { name: 'Copied' }).waitFor()
+    const copied = await page.evaluate(() => navigator.clipboard.readText())
+    assert.equal(copied, await page.locator('.install code').textContent())
+    assert.match(copied, /^<script src="https:\/\/\S+\.js"><\/script>$/)
+  })
+
   test('filters its pictures by words and by section', async () => {
     const tiles = page.locator('.tiles > li:visible')
     const all = await tiles.count()
@@ -229,6 +255,24 @@ test('the list beside a page of the docs shows where one is, and the page begins
   assert.deepEqual(messages, [])
 })
 
+test('the pages with a head of their own lead to the docs, and to the search, where one can write at once', async () => {
+  const context = await browser.newContext(calm(desktop))
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, `${url}playground/index.html`)
+  for (const file of ['playground/index', 'drop/index', 'bench/index', 'bench/results']) {
+    await page.goto(`${url}${file}.html`, patience)
+    await page.getByRole('link', { name: 'Docs', exact: true }).click()
+    await page.waitForURL(/docs\/index\.html$/)
+  }
+  await page.goto(`${url}bench/results.html`, patience)
+  await page.getByRole('link', { name: 'Search' }).click()
+  await page.waitForURL(/index\.html#search$/)
+  await page.waitForFunction(() => document.activeElement.id === 'search', null, patience)
+  await context.close()
+  assert.deepEqual(messages, [])
+})
+
 test('a slider changes the sketch, and the picture follows', async () => {
   const context = await browser.newContext({ ...desktop })
   await context.addInitScript(withoutWorker)
@@ -240,35 +284,6 @@ test('a slider changes the sketch, and the picture follows', async () => {
   await page.waitForFunction((old) => !old.isConnected, frame, patience)
   await page.waitForSelector('iframe.shown', patience)
   assert.equal(await page.locator('iframe').count(), 1)
-  assert.deepEqual(messages, [])
-  await context.close()
-})
-
-test('once seen, all of it is there without a network', async () => {
-  const context = await browser.newContext(desktop)
-  await drawLittle(context)
-  const { page, messages } = await openPage(context, url)
-  // It takes over once it has kept all files.
-  await page.waitForFunction(() => navigator.serviceWorker.controller, null, patience)
-  await context.setOffline(true)
-  await page.reload(patience)
-  await page.waitForSelector('.hero canvas', patience)
-  await page.locator('#search').fill('noise')
-  await page.waitForSelector('#found a', patience)
-  await page.goto(`${url}docs/plots.html`, patience)
-  assert.match(await page.locator('h1').textContent(), /plotted/)
-  await page.goto(`${url}gallery/text-bulge/index.html`, patience)
-  const frame = await (await page.waitForSelector('iframe.shown', patience)).contentFrame()
-  await frame.waitForFunction(() => window.frameCount >= 2, null, patience)
-  await page.goto(`${url}playground/index.html#example=bunny`, patience)
-  await settled(page)
-  assert.equal(await page.locator('.mistake').textContent(), '')
-  const bunny = await shown(page)
-  await bunny.waitForFunction(() => window.frameCount >= 2, null, patience)
-  await page.locator('#example').selectOption('airplane-twist')
-  await page.waitForFunction(() => document.querySelector('main').ariaBusy === 'true')
-  await settled(page)
-  assert.equal(await page.locator('.mistake').textContent(), '')
   assert.deepEqual(messages, [])
   await context.close()
 })

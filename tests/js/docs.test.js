@@ -1,4 +1,4 @@
-// Every block of the docs that says “Run”, without a browser: what stands for p5 and three.js here does nothing but hand each
+// The sketch of the README, and every block of the docs that says “Run”, without a browser: what stands for p5 and three.js here does nothing but hand each
 // offset to the compiler. tests/browser/docs.test.js runs the same blocks as a reader does.
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
@@ -8,12 +8,11 @@ import * as glsl from '../../dist/glsl.js'
 import * as library from '../../dist/warpjet.js'
 import { blocksOf } from '../../web/site/markdown.js'
 
-const docs = new URL('../../web/docs/', import.meta.url)
-const blocks = readdirSync(docs)
-  .filter((file) => file.endsWith('.md'))
-  .flatMap((file) =>
-    blocksOf(readFileSync(new URL(file, docs), 'utf8')).map((block) => ({ ...block, file })),
-  )
+const root = new URL('../../', import.meta.url)
+const pages = readdirSync(new URL('web/docs/', root)).filter((file) => file.endsWith('.md'))
+const blocks = ['README.md', ...pages.map((page) => `web/docs/${page}`)].flatMap((file) =>
+  blocksOf(readFileSync(new URL(file, root), 'utf8')).map((block) => ({ ...block, file })),
+)
 // Functions with operators are read as text, and look for names among the globals of a page.
 const runnable = blocks.filter(
   ({ sketch }) => sketch?.host === 'p5' && !sketch.chosen.includes('operators'),
@@ -95,7 +94,7 @@ const run = (text, globals) =>
   )(globals)
 
 for (const { file, line, sketch } of runnable)
-  test(`web/docs/${file}, line ${line}`, async () => {
+  test(`${file}, line ${line}`, async () => {
     const { globals, found } = globalsFor(sketch)
     await run(sketch.text, globals)
     const isOther = /\b(?:baseMaterialShader|exactNormals|loadWarpModel)\(/.test(sketch.text)
@@ -105,7 +104,7 @@ for (const { file, line, sketch } of runnable)
 test('most blocks of JavaScript run, and those that do not are known', () => {
   const still = blocks
     .filter(({ language, sketch }) => language === 'js' && !sketch)
-    .map(({ file }) => file)
+    .map(({ file }) => file.replace('web/docs/', ''))
   // Babylon.js, PlayCanvas, A-Frame and CSM are not of the site, a bundler's settings and Node's files are no sketch; what
   // uptime.md has is run by lost-context.test.js.
   assert.deepEqual(still, [
@@ -113,4 +112,12 @@ test('most blocks of JavaScript run, and those that do not are known', () => {
     ...['how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'operators.md'],
     ...['three.md', 'three.md', 'three.md', 'three.md', 'uptime.md'],
   ])
+})
+
+test('the README is a screen and a half, with one sketch of ten lines or so that runs', () => {
+  const [sketch, ...more] = blocks.filter(({ file, language }) => file === 'README.md' && language === 'js') // prettier-ignore
+  assert.deepEqual(more, [])
+  assert.ok(sketch.sketch)
+  assert.ok(sketch.text.trim().split('\n').length <= 12)
+  assert.ok(readFileSync(new URL('README.md', root), 'utf8').split('\n').length <= 62)
 })

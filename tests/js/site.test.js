@@ -83,9 +83,25 @@ test('in a table a figure keeps its unit and its exponent, and only long code br
     '| `a.b(c)` | 0, 6e-13 | 100 % | `glsl.faceforward(normal, incident, reference)` | 3 of them are long |'
   const table = makeMarkdown().render(`| a | b | c | d | e |\n| - | - | - | - | - |\n${line}\n`)
   assert.deepEqual(
-    [...table.matchAll(/<td(?: class="(\w+)")?>/g)].map(([, name]) => name),
+    [...table.matchAll(/<td[^>]*?(?: class="(\w+)")?>/g)].map(([, name]) => name),
     [undefined, 'number', 'number', 'long', undefined],
   )
+})
+
+test('a table of words says for each cell what it is, and stays a table where its rows are cards', () => {
+  const render = (...lines) => makeMarkdown().render(`${lines.join('\n')}\n`)
+  const words = render('| a | `b` c | d |', '| - | - | - |', '| `x` | one | |', '| `y` | 2 | two |')
+  assert.match(words, /class="table words"/)
+  assert.deepEqual(
+    [...words.matchAll(/data-head="([^"]*)"/g)].map(([, head]) => head),
+    ['b c', 'd', 'b c', 'd'],
+  )
+  for (const role of ['table', 'rowgroup', 'row', 'columnheader', 'cell'])
+    assert.match(words, new RegExp(`<t\\w+ role="${role}"`))
+  assert.doesNotMatch(render('| a | b |', '| - | - |', '| x | one |'), /data-head/)
+  const figures = render('| a | b | c |', '| - | - | - |', '| x | 1 | 2 ms |')
+  assert.match(figures, /class="table figures"/)
+  assert.doesNotMatch(figures, /role="(?:table|cell)"|data-head/)
 })
 
 test('no sketch leaves a warp on for what the next frame draws before it', () => {

@@ -1,19 +1,23 @@
-/** What a frame costs. Each plot takes points of series.js and a width in pixels → an SVG element. */
+/** What a frame costs. Each plot takes points of series.js and a width in pixels → an element. */
 import * as Plot from '@observablehq/plot'
+import { make } from './dom.js'
 import { plain, short, whole } from './figures.js'
 import { spread } from './labels.js'
-import { methodNames } from './method-notes.js'
+import { methodNames, notes } from './method-notes.js'
 import { LINE, axisX, axisY, common, decimalTicks, least, most, widthOf } from './plot-parts.js'
 
 const HEIGHT = 380
 /** From the end of a line to its name. */
 const LEADER = 24
+/** Pixels; in a narrower plot names beside the lines would take the place of these. */
+const NARROW = 480
+
+const endsOf = (points) =>
+  methodNames.map((name) => points.filter(({ method }) => method === name).at(-1)).filter(Boolean)
 
 /** The names stand beside the ends of the lines, moved apart where these are close, with a thin line to each. */
 function endLabels(points, x, y, [top, bottom]) {
-  const ends = methodNames
-    .map((name) => points.filter(({ method }) => method === name).at(-1))
-    .filter(Boolean)
+  const ends = endsOf(points)
   const [scaleX, scaleY] = [Plot.scale({ x }), Plot.scale({ y })]
   const places = spread(
     ends.map((end) => scaleY.apply(end.y)),
@@ -39,14 +43,28 @@ function endLabels(points, x, y, [top, bottom]) {
   ]
 }
 
+/** The names below the plot, in the order of the ends of their lines, from the top. */
+const legend = (points) =>
+  make(
+    'ul',
+    { className: 'legend' },
+    ...endsOf(points)
+      .sort((a, b) => b.y - a.y)
+      .map(({ method }) =>
+        make('li', { textContent: method, style: `--color: ${notes[method].color}` }),
+      ),
+  )
+
 /**
  * @param x `{ type, label, write }` of the scale: its type, and how a number is written
  * @param y `{ type, domain, ticks, write }`
  * @param about the words for a point's x
  */
 function costPlot(points, { width, x, y, about }) {
+  const isNarrow = width < NARROW
   const widest = Math.max(...points.map(({ method }) => widthOf(method)))
-  const [left, right, top, bottom] = [46, LEADER + 12 + widest, 30, HEIGHT - 42]
+  const beside = isNarrow ? 20 : LEADER + 12 + widest
+  const [left, right, top, bottom] = [46, beside, 30, HEIGHT - 42]
   const [low, high] = [least(points, 'x'), most(points, 'x')]
   const scaleX = {
     type: x.type,
@@ -59,7 +77,7 @@ function costPlot(points, { width, x, y, about }) {
   const drawn = [...points].sort((a, b) => (a.method === 'warpjet') - (b.method === 'warpjet'))
   const bars = drawn.filter(({ low, high }) => Number.isFinite(low) && Number.isFinite(high))
   const place = { x: 'x', y: 'y' }
-  return Plot.plot({
+  const plot = Plot.plot({
     ...common,
     width,
     height: HEIGHT,
@@ -92,7 +110,7 @@ function costPlot(points, { width, x, y, about }) {
         r: 4.5,
         strokeWidth: 1,
       }),
-      ...endLabels(points, scaleX, scaleY, [top, bottom]),
+      ...(isNarrow ? [] : endLabels(points, scaleX, scaleY, [top, bottom])),
       Plot.tip(
         points,
         Plot.pointer({
@@ -102,6 +120,7 @@ function costPlot(points, { width, x, y, about }) {
       ),
     ],
   })
+  return isNarrow ? make('div', {}, plot, legend(points)) : plot
 }
 
 /** 1, 2 or 5 of a power of ten, so that there are four to nine ticks up to `high`. */

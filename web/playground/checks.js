@@ -3,8 +3,8 @@ import { make } from '../bench/dom.js'
 import { across, down, normalErrors, spherePoints } from './sphere.js'
 
 const radii = {
-  1: 'radius 1, as sphere() has in its own space',
-  100: 'radius 100, as models have',
+  1: 'radius 1, as sphere() of p5 has in its own space',
+  100: 'radius 100, as models of the gallery have',
   150: 'radius 150, in pixels',
 }
 const whole = new Intl.NumberFormat('en')
@@ -31,7 +31,7 @@ export function makeChecks(uniforms) {
         make('option', { value, textContent }),
       ),
     )
-    select.value = radius ?? (checked[0].space && checked[0].space !== 'local' ? 150 : 1)
+    select.value = radius ?? checked[0].radius ?? 1
     select.addEventListener('change', () => {
       radius = select.value
       fill(panel, { warps })
@@ -43,10 +43,11 @@ export function makeChecks(uniforms) {
   return { title: 'Checks', fill }
 }
 
-function check({ maker, made, surfaceVariation }, points, all) {
-  const title = make('h3', { textContent: maker })
+function check({ maker, made, surfaceVariation, declared = [] }, points, all) {
+  const title = make('h2', { textContent: maker })
   try {
-    const read = made.uniforms.map(({ name }) => name)
+    // What the option declares has its value there.
+    const read = made.uniforms.map(({ name }) => name).filter((name) => !declared.includes(name))
     const unknown = read.find((name) => !(name in all))
     if (unknown)
       throw new Error(

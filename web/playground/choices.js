@@ -41,6 +41,11 @@ export function makeChoices(editor, complain) {
       )
       return box
     })
+  const note = make('span', {
+    className: 'note',
+    textContent: 'Import warpjet/deformers, warpjet/glsl; no operators',
+  })
+  document.querySelector('.choices fieldset').append(note)
 
   /** An example of the gallery, or the first sketch. */
   async function begin(name = '') {
@@ -78,9 +83,10 @@ export function makeChoices(editor, complain) {
       listModels([chosenModel])
       model.value = chosenModel
       model.closest('label').hidden = !isOffset(name)
+      note.hidden = !isThree(name)
       for (const box of boxes) {
         box.checked = chosen.includes(box.name)
-        box.disabled = isThree(name)
+        box.closest('label').hidden = isThree(name)
       }
     },
   }

@@ -43,4 +43,5 @@ export function pageOf(
 }
 
 const importMap = (imports) =>
+  Object.keys(imports).length > 0 &&
   `<script type="importmap">${insideScript(JSON.stringify({ imports }))}</script>`

@@ -10,7 +10,7 @@ import { theme } from './theme.js'
 
 /** { host, chosen, model }: see hosts.js, and offset.js for the model. */
 const changeSetting = StateEffect.define()
-const setting = StateField.define({
+export const setting = StateField.define({
   create: () => ({ host: 'p5', chosen: [], model: 'sphere' }),
   update: (value, { effects }) =>
     effects.reduce((before, effect) => (effect.is(changeSetting) ? effect.value : before), value),

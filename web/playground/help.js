@@ -1,10 +1,11 @@
-/** Completion and hover in the editor, from what the docs say. */
+/** Completion and hover in the editor, from what the docs and our own declarations say. */
 import { javascriptLanguage } from '@codemirror/lang-javascript'
+import { syntaxTree } from '@codemirror/language'
 import { hoverTooltip } from '@codemirror/view'
 import { make } from '../bench/dom.js'
-import { meaningOf, reference } from './reference.js'
-
-const { operations, deformers, inputs, makers } = reference
+import { setting } from './editor.js'
+import { isThree } from './hosts.js'
+import { deformers, meaningOf, ofLibrary, operations, own } from './reference.js'
 
 const option =
   (type) =>
@@ -17,20 +18,47 @@ const option =
 const optionsOf = (map, type) => [...map].map(option(type))
 
 const methods = optionsOf(operations, 'method')
-const warps = optionsOf(deformers, 'function')
-const words = [...optionsOf(inputs, 'variable'), ...optionsOf(makers, 'function')]
+const members = [...optionsOf(deformers, 'function'), ...optionsOf(ofLibrary, 'function')]
+const words = Object.fromEntries(
+  Object.entries(own).map(([host, { inputs, functions }]) => [
+    host,
+    [...optionsOf(inputs, 'variable'), ...optionsOf(functions, 'function')],
+  ]),
+)
+const hostOf = (state) => (isThree(state.field(setting).host) ? 'three' : 'p5')
+
+/** The options, by name, of the function in whose braces a name that begins there stands; nothing elsewhere. */
+function optionsAround(state, from) {
+  if (!/[{,]\s*$/.test(state.sliceDoc(Math.max(0, from - 200), from))) return
+  let node = syntaxTree(state).resolveInner(from, -1)
+  while (node && !/^(?:ObjectExpression|ObjectPattern|ArrowFunction|Block)$/.test(node.name))
+    node = node.parent
+  const list = node?.name === 'ObjectExpression' && node.parent
+  if (list?.name !== 'ArgList') return
+  const { from: start, to: end } = list.parent.firstChild
+  const name = state.sliceDoc(start, end).split('.').at(-1)
+  const options = own[hostOf(state)].functions.get(name)?.options
+  return options?.size ? options : undefined
+}
 
 /** Components of a vector need no help; what follows a number or a call gets all methods. */
 function complete(context) {
+  const { state, pos } = context
   const member = context.matchBefore(/[\w$)\]]\.\w*$/)
   if (member) {
-    const before = context.state.sliceDoc(Math.max(0, member.from - 12), member.from + 1)
+    const before = state.sliceDoc(Math.max(0, member.from - 12), member.from + 1)
     const isLibrary = /\bwarpjet$/.test(before)
-    return { from: member.from + 2, options: isLibrary ? warps : methods, validFor: /^\w*$/ }
+    return { from: member.from + 2, options: isLibrary ? members : methods, validFor: /^\w*$/ }
   }
   const word = context.matchBefore(/\w+$/)
   if (!word && !context.explicit) return null
-  return { from: word?.from ?? context.pos, options: words, validFor: /^\w*$/ }
+  const from = word?.from ?? pos
+  const around = optionsAround(state, from)
+  // Above the words of the language, which are no names of options.
+  const options = around
+    ? optionsOf(around, 'property').map((each) => ({ ...each, boost: 50 }))
+    : words[hostOf(state)]
+  return { from, options, validFor: /^\w*$/ }
 }
 
 function about({ forms, meanings }) {
@@ -42,14 +70,16 @@ function about({ forms, meanings }) {
   )
 }
 
-const hover = hoverTooltip((view, at) => {
-  const { from, to, text } = view.state.doc.lineAt(at)
+const hover = hoverTooltip(({ state }, at) => {
+  const { from, to, text } = state.doc.lineAt(at)
   let [start, end] = [at, at]
   while (start > from && /\w/.test(text[start - from - 1])) start--
   while (end < to && /\w/.test(text[end - from])) end++
   if (start === end) return null
+  const name = text.slice(start - from, end - from)
   const isMember = text[start - from - 1] === '.'
-  const meaning = meaningOf(text.slice(start - from, end - from), isMember)
+  const meaning =
+    optionsAround(state, start)?.get(name) ?? meaningOf(name, isMember, own[hostOf(state)])
   return meaning && { pos: start, end, create: () => ({ dom: about(meaning) }) }
 })
 

@@ -32,6 +32,8 @@ export const hosts = {
       'three/addons/': '../../node_modules/three/examples/jsm/',
       warpjet: '../../dist/warpjet.js',
       'warpjet/three': '../../dist/three.js',
+      'warpjet/deformers': '../../dist/deformers.js',
+      'warpjet/glsl': '../../dist/glsl.js',
     },
     style: threeStyle('#151823'),
   },
@@ -62,12 +64,12 @@ export const tagsOf = ({ host, chosen }) =>
           .map((name) => scripts[name].file),
       ]
 
-/** The same file where npm has put it, beside the page. */
+/** The same file where npm has put it, from its folder of packages. */
 export const inModules = (file) =>
   file
-    .replace('../../dist/', 'node_modules/warpjet/dist/')
-    .replace('../../node_modules/p5-v1/', 'node_modules/p5/')
-    .replace('../../node_modules/', 'node_modules/')
+    .replace('../../dist/', '/warpjet/dist/')
+    .replace('../../node_modules/p5-v1/', '/p5/')
+    .replace('../../node_modules/', '/')
 
 /** The same file at a CDN; `versions` by package. */
 export const atCDN = (file, versions) =>

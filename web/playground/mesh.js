@@ -32,50 +32,66 @@ function moved(array, move) {
 
 const upright = ([x, y, z]) => [x, -y, -z]
 
-/** What the frame has kept of the shape → arrays. */
-function arraysOf({ vertices, vertexNormals, uvs, faces }) {
-  const flat = (list) => Float32Array.from(list.flatMap(({ x, y, z }) => [x, y, z]))
-  return {
-    positions: flat(vertices),
-    normals: flat(vertexNormals),
-    uvs: uvs.length === 2 * vertices.length ? Float32Array.from(uvs) : undefined,
-    indices: Uint32Array.from(faces.flat()),
-  }
-}
-
 /** `inside` is the frame's; `uniforms` are the clock's, the mouse's and the canvas's, by name. → the file's bytes */
 export async function glbOf(inside, uniforms) {
-  const warps = (inside?.warps ?? []).filter(({ maker }) => maker === 'createWarp')
-  const { drawn } = inside ?? {}
-  if (!warps.length || !drawn)
-    throw new Error(
-      'There is no shape to save: the sketch must draw one with a warp of createWarp.',
-    )
+  const warps = (inside?.warps ?? []).filter(({ shapes }) => shapes)
   if (warps.length > 1)
     throw new Error(
       `The sketch has ${warps.length} warps: leave one, so that it is clear which shape to save.`,
     )
-  const [{ made, space }] = warps
-  if (space === 'camera')
+  const [warp] = warps
+  const shapes = warp?.shapes() ?? []
+  if (!shapes.length)
+    throw new Error(
+      'There is no shape to save: the sketch must draw one with a warp of createWarp, or warp a mesh of three.js.',
+    )
+  if (warp.space === 'camera')
     throw new Error(
       'A warp in space: "camera" depends on where one looks from, and cannot be saved.',
     )
-  const { point, direction } = mover(drawn.matrix)
-  const own = arraysOf(drawn.geometry)
-  const isInWorld = space === 'world'
-  const given = isInWorld
-    ? { ...own, positions: moved(own.positions, point), normals: moved(own.normals, direction) }
-    : own
-  const read = made.uniforms.map(({ name }) => name).filter((name) => name in uniforms)
+  const read = warp.made.uniforms.map(({ name }) => name).filter((name) => name in uniforms)
   const values = Object.fromEntries(read.map((name) => [name, uniforms[name]]))
-  const { positions, normals, uvs, indices } = given
-  const warped = made.evaluate({ positions, normals, ...(uvs && { uvs }) }, { uniforms: values })
-  const [toWorld, turn] = isInWorld ? [(p) => p, (n) => n] : [point, direction]
   const { exportGLB } = await import('../../dist/mesh.js')
-  return exportGLB({
-    positions: moved(warped.positions, (p) => upright(toWorld(p))),
-    normals: moved(warped.normals, (n) => upright(turn(n))),
-    ...(uvs && { uvs }),
+  return exportGLB(joined(shapes.map((shape) => warped(warp, shape, values))))
+}
+
+/** A shape that the frame has kept, moved by the warp to where it stands. */
+function warped({ made, space }, { matrix, isUpsideDown, indices, ...own }, uniforms) {
+  const { point, direction } = mover(matrix)
+  const isInWorld = space === 'world'
+  const normals = own.normals && { normals: own.normals }
+  const given = isInWorld
+    ? {
+        positions: moved(own.positions, point),
+        ...(normals && { normals: moved(own.normals, direction) }),
+      }
+    : { positions: own.positions, ...normals }
+  const uvs = own.uvs && { uvs: own.uvs }
+  const { positions, normals: turned } = made.evaluate({ ...given, ...uvs }, { uniforms })
+  const [toWorld, turn] = isInWorld ? [(p) => p, (n) => n] : [point, direction]
+  const end = isUpsideDown ? upright : (vector) => vector
+  return {
+    positions: moved(positions, (p) => end(toWorld(p))),
+    ...(normals && { normals: moved(turned, (n) => end(turn(n))) }),
+    ...uvs,
     indices,
+  }
+}
+
+/** One mesh of some; what not all of them have is left out. */
+function joined(meshes) {
+  const [first, ...others] = meshes
+  if (!others.length) return first
+  const join = (arrays) => Float32Array.from(arrays.flatMap((array) => [...array]))
+  const kept = ['positions', 'normals', 'uvs'].filter((name) => meshes.every((each) => each[name]))
+  let before = 0
+  const indices = meshes.flatMap(({ indices, positions }) => {
+    const from = before
+    before += positions.length / 3
+    return Array.from(indices, (index) => from + index)
   })
+  return {
+    ...Object.fromEntries(kept.map((name) => [name, join(meshes.map((each) => each[name]))])),
+    indices: Uint32Array.from(indices),
+  }
 }

@@ -117,10 +117,8 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
 const none = (text) => make('p', { className: 'none', textContent: text })
 
 function textIn(target, warps) {
-  const texts = warps
-    .filter(({ only = target }) => only === target)
-    .map(({ maker, made }) => `// ${maker}\n${inLanguage(made, target)}`)
-  if (!texts.length) return none('No text to show: the sketch has made none in this language.')
+  const texts = warps.map(({ maker, made }) => `// ${maker}\n${inLanguage(made, target)}`)
+  if (!texts.length) return none('No text to show: the sketch has made none.')
   const code = make('code')
   code.innerHTML = withOrigins(texts.join('\n\n'))
     .map(

@@ -7,7 +7,7 @@ import { makeChoices } from './choices.js'
 import { takeFiles } from './drop.js'
 import { makeEditor } from './editor.js'
 import { help } from './help.js'
-import { hosts, isThree, scripts } from './hosts.js'
+import { hosts, scripts } from './hosts.js'
 import { fragmentOf, holdsSketch, sketchOf } from './link.js'
 import { makeMenu } from './menu.js'
 import { draggableNumbers } from './numbers.js'
@@ -65,7 +65,6 @@ let timer
 let isPending = false
 function changed() {
   choices.show()
-  normals.disabled = isThree(editor.sketch().host)
   find('main').ariaBusy = 'true'
   isPending = true
   clearTimeout(timer)

@@ -1,8 +1,13 @@
-/** What the docs say of each operation, deformer and input, for completion and hover: read from the pages that are made of the tables. */
+/**
+ * For completion and hover: what the docs say of each operation and deformer, read from the pages that are made of the tables, and
+ * what our declarations say of inputs, functions and options.
+ */
+import types from 'virtual:own-types'
 import deformersPage from '../docs/deformers.md?raw'
 import noisePage from '../docs/noise.md?raw'
 import operationsPage from '../docs/operations.md?raw'
 import plotsPage from '../docs/plots.md?raw'
+import vectorsPage from '../docs/plots-vectors.md?raw'
 
 /** A cell of a table of Markdown as plain text. */
 const plain = (cell) => cell.replaceAll(/[`_]|\\(?=\|)/g, '').trim()
@@ -12,7 +17,7 @@ const cellsOf = (row) =>
     .split(/(?<!\\)\|/)
     .map(plain)
 
-/** By name: { forms, meaning, isMethod }. A name may stand in more than one row, as `atan` does. */
+/** By name: { forms, meanings }. A name may stand in more than one row, as `atan` does. */
 const operations = new Map()
 
 function add(name, forms, meaning) {
@@ -53,6 +58,12 @@ for (const row of rowsOf(noisePage)) {
 }
 for (const [, name, formula] of plotsPage.matchAll(/^### (\w+)(?:(?!^###)[^])*?^(Value: .*)$/gm))
   add(name, [], plain(formula))
+// Of noise the page above is enough.
+const [vectors] = vectorsPage.split('## Kinds of noise')
+for (const [, name, formula] of vectors.matchAll(
+  /^### (\w+)(?:(?!^###)[^])*?^(`\1\([^]*?)\n\n<!--/gm,
+))
+  add(name, [], plain(formula.replaceAll('\n\n', ' ')))
 
 /** The first sentence under each heading. */
 const deformers = new Map(
@@ -62,42 +73,29 @@ const deformers = new Map(
   ]),
 )
 
-const inputs = new Map(
-  Object.entries({
-    glsl: 'The builder: glsl.val(2), glsl.vec3(x, y, z), and every operation.',
-    position:
-      'The vertex, a vec3 in the space of the warp. A sphere() of p5 goes from -1 to 1 there, whatever its radius; space: "world" makes it pixels.',
-    normal: 'The normal of the vertex, a vec3 in the space of the warp.',
-    uv: 'The texture coordinates of the vertex, a vec2.',
-    color: 'The colour of the vertex or the fill, a vec4.',
-    millis: 'Milliseconds since the sketch started, a number.',
-    mouse: 'Where the mouse is, in pixels, a vec2.',
-    size: 'Width and height of the canvas in pixels, a vec2.',
-    pixelDensity: 'Pixels of the screen for one of the canvas.',
-    instance: 'Which one of model(shape, count), from 0.',
-    uniforms: 'The values of the option uniforms, by name: uniforms.amount.',
-  }).map(([name, meaning]) => [name, { forms: [name], meanings: [meaning] }]),
-)
+const known = ({ name, form, meaning, ...more }) => [
+  name,
+  { forms: [form], meanings: [meaning], ...more },
+]
 
-const makers = new Map([
-  [
-    'createWarp',
-    {
-      forms: [
-        'createWarp(({ glsl, position, millis }) => glsl.vec3(x, y, z), { space, uniforms, type })',
-      ],
-      meanings: [
-        'A function that puts the warp on whatever is drawn after it. The offset is how far each vertex moves.',
-      ],
-    },
-  ],
-])
+/** What the declarations say that a host has: { inputs, functions }, each by name; functions have `options`, by name, too. */
+function ownOf(host) {
+  const isThere = (each) => each.host === host || each.host === 'both'
+  const functions = types.functions
+    .filter(isThere)
+    .map(({ options, ...each }) => known({ ...each, options: new Map(options.map(known)) }))
+  return { inputs: new Map(types.inputs.filter(isThere).map(known)), functions: new Map(functions) }
+}
+export const own = { p5: ownOf('p5'), three: ownOf('three') }
 
-export const reference = { operations, deformers, inputs, makers }
+/** Those that a page with p5 has as members of `warpjet`. */
+export const ofLibrary = new Map(types.functions.filter(({ host }) => host === 'both').map(known))
 
-/** What a name means, where nothing else tells what it is. */
-export const meaningOf = (name, isMember) =>
+export { operations, deformers }
+
+/** What a name means to a host, where nothing else tells what it is. */
+export const meaningOf = (name, isMember, { inputs, functions }) =>
   (isMember && (operations.get(name) ?? deformers.get(name))) ||
-  makers.get(name) ||
+  functions.get(name) ||
   inputs.get(name) ||
   deformers.get(name)

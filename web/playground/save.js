@@ -61,25 +61,27 @@ const packageOf = ({ host }) => ({
   name: 'warp',
   private: true,
   type: 'module',
-  scripts: { start: 'vite' },
+  // Scripts that are tags, as p5 wants them, are for no bundler.
+  scripts: isThree(host) ? { start: 'vite', build: 'vite build' } : { start: 'vite' },
   dependencies: isThree(host)
     ? { three: versions.three, warpjet: version }
     : { p5: host === 'p5-1' ? versions['p5-v1'] : versions.p5, warpjet: version },
   devDependencies: { vite: versions.vite },
 })
 
+/** For tags of scripts: Vite would make modules of them, which have no globals. */
+const configOfTags = `// The scripts that index.html names are served from there as they are.
+export default { publicDir: 'node_modules' }
+`
+
 /** A project of npm, packed: `npm i`, then `npm start`. `dropped` are files by name. */
 export async function project(sketch, dropped = {}) {
   const kind = isThree(sketch.host) ? 'type="module" ' : ''
-  const { modules } = hosts[sketch.host]
   const page = pageOf(sketch, {
     title: 'Made with warpjet',
     tags: tagsOf(sketch).map((path) => tag(inModules(path))),
-    modules:
-      modules &&
-      Object.fromEntries(
-        Object.entries(modules).map(([name, path]) => [name, `./${inModules(path)}`]),
-      ),
+    // Vite finds what the sketch imports.
+    modules: {},
     sketch: `<script ${kind}src="sketch.js"></script>`,
   })
   const files = await Promise.all(
@@ -92,6 +94,7 @@ export async function project(sketch, dropped = {}) {
   )
   return zip({
     'package.json': `${JSON.stringify(packageOf(sketch), null, 2)}\n`,
+    ...(!isThree(sketch.host) && { 'vite.config.js': configOfTags }),
     'index.html': page,
     'sketch.js': sketch.text,
     ...Object.fromEntries(files),

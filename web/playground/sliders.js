@@ -1,4 +1,4 @@
-/** A slider for each uniform of the sketch that is a plain number. */
+/** What moves the uniforms of the sketch: a slider for a number, one for each part of a vector, and a field for a colour. */
 import { make } from '../bench/dom.js'
 
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false })
@@ -6,33 +6,67 @@ const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrou
 /** From nothing to some times the number that the sketch has; around 0 where it has 0. */
 const rangeOf = (value) => (value === 0 ? [-1, 1] : [0, 4 * value].sort((a, b) => a - b))
 
+const isColor = (value) => typeof value === 'string'
+const kinds = {
+  number: Number.isFinite,
+  string: (value) => /^#[\da-f]{6}$/.test(value),
+  object: (value) => Array.isArray(value) && value.length < 5 && value.every(Number.isFinite),
+}
+/** A number, a list of them, or a colour such as '#ff8040'. */
+const isValue = (value) => kinds[typeof value]?.(value) ?? false
+const isAlike = (a, b) => typeof a === typeof b && a.length === b.length
+
 export function makeSliders(place) {
-  /** By name: { source, value }, the sketch's number and the hand's. Another number in the sketch counts anew. */
+  /** By name: { source, value }, the sketch's value and the hand's. Another value in the sketch counts anew. */
   let moved = {}
 
-  const valueOf = (name, source) => (moved[name]?.source === source ? moved[name].value : source)
+  /** The very source where no hand has moved it. */
+  const valueOf = (name, source) =>
+    String(moved[name]?.source) === String(source) ? moved[name].value : source
 
-  function sliderFor({ name, value: source }) {
+  function row(title, input, print) {
+    input.id = `uniform-${title}`
+    const output = make('output', { textContent: print(input.value) })
+    input.addEventListener('input', () => (output.textContent = print(input.value)))
+    return [make('label', { htmlFor: input.id, textContent: title }), input, output]
+  }
+
+  function sliderFor(title, source, value, move) {
     const [min, max] = rangeOf(source)
-    const input = make('input', { type: 'range', id: `uniform-${name}`, min, max, step: 'any' })
-    input.value = valueOf(name, source)
-    const output = make('output', { textContent: short.format(input.value) })
-    input.addEventListener('input', () => {
-      moved[name] = { source, value: Number(input.value) }
-      output.textContent = short.format(input.value)
-    })
-    return [make('label', { htmlFor: input.id, textContent: name }), input, output]
+    const input = make('input', { type: 'range', min, max, step: 'any' })
+    input.value = value
+    input.addEventListener('input', () => move(Number(input.value)))
+    return row(title, input, (value) => short.format(value))
+  }
+
+  function controlsFor({ name, value: source }) {
+    const move = (value) => (moved[name] = { source, value })
+    const now = () => valueOf(name, source)
+    if (isColor(source)) {
+      const input = make('input', { type: 'color', value: now() })
+      input.addEventListener('input', () => move(input.value))
+      return row(name, input, (color) => color)
+    }
+    if (typeof source === 'number') return sliderFor(name, source, now(), move)
+    return [...source].flatMap((part, i) =>
+      sliderFor(`${name}.${'xyzw'[i]}`, part, now()[i], (value) =>
+        move(Array.from(now(), (before, k) => (k === i ? value : before))),
+      ),
+    )
   }
 
   return {
     valueOf,
     /** [{ name, value }] of the sketch that is shown. */
-    show: (uniforms = []) => place.replaceChildren(...uniforms.flatMap(sliderFor)),
+    show: (uniforms = []) => place.replaceChildren(...uniforms.flatMap(controlsFor)),
     moved: () => moved,
-    /** Such as a link has brought; anything that is no number is left out. */
+    /** Such as a link has brought; anything else than values is left out. */
     set(values) {
       moved = Object.fromEntries(
-        Object.entries(values ?? {}).filter(([, each]) => Number.isFinite(each?.value)),
+        Object.entries(values ?? {}).filter(
+          ([, each]) =>
+            isValue(each?.value) && isValue(each.source) && isAlike(each.value, each.source),
+        ),
       )
     },
   }

@@ -4,7 +4,7 @@
  */
 import { pageOf, tag } from './document.js'
 import { guarded } from './guard.js'
-import { isThree } from './hosts.js'
+import { hosts, isThree } from './hosts.js'
 
 /** Where models and other files lie that a sketch asks for by name. */
 const files = new URL('files/', location.href)
@@ -13,6 +13,15 @@ const fit =
   '<style>canvas.p5Canvas { height: auto !important; max-height: 100vh; max-width: 100vw; width: auto !important }</style>'
 
 const frameScript = (name) => tag(`../dist/${name}.js`)
+
+/** What the sketch imports of warpjet goes through a module of the frame, which keeps what is made. */
+const watched = (modules) => ({
+  ...modules,
+  'warpjet/itself': modules.warpjet,
+  'warpjet/three/itself': modules['warpjet/three'],
+  warpjet: '../dist/warpjet.js',
+  'warpjet/three': '../dist/three.js',
+})
 
 /**
  * `listen` gets what the frames say, each with `isShown`: of the one that is seen, otherwise of the one that is coming.
@@ -30,13 +39,14 @@ export function makeStage(place, listen) {
     frame.title = 'The running sketch'
     frame.className = 'coming'
     frame.playground = { ...settings, source, report: (message) => receive(frame, message) }
-    const later = isThree(setting.host) ? ['clock', 'three'] : ['clock', 'warps']
+    const later = isThree(setting.host) ? ['clock', 'kept'] : ['clock', 'kept', 'warps']
     const kind = isThree(setting.host) ? 'type="module" ' : ''
     frame.srcdoc = pageOf(setting, {
       title: 'Sketch',
       base: `<base href="${files}" />`,
       before: ['start', 'files'].map(frameScript).join('\n    '),
       after: [...later.map(frameScript), fit].join('\n    '),
+      modules: hosts[setting.host].modules && watched(hosts[setting.host].modules),
       sketch: `<script ${kind}src="${source}"></script>`,
     })
     coming = frame

@@ -25,7 +25,9 @@ const libraries = [
   'dist/warpjet.js',
   // What it imports once a sketch asks for it.
   'dist/mesh.js',
-  ...['basics', 'compiler', 'evaluation', 'meshes', 'three-warp'].map(
+  'dist/deformers.js',
+  'dist/glsl.js',
+  ...['basics', 'compiler', 'evaluation', 'front-end', 'meshes', 'three-warp'].map(
     (name) => `dist/shared/${name}.js`,
   ),
   ...['three.module.js', 'three.core.js'].map((name) => `node_modules/three/build/${name}`),
@@ -44,7 +46,7 @@ const fonts = {
 const recorders = ['recorder.js', 'three-recorder.js']
 /** In the frame of the playground; warpjet takes no file in a folder `dist` for the sketch, when it says where a mistake is. */
 const frameScripts = Object.fromEntries(
-  ['start', 'files', 'clock', 'warps', 'three'].map((name) => [
+  ['start', 'files', 'clock', 'kept', 'warps', 'warpjet', 'three'].map((name) => [
     `playground/dist/${name}.js`,
     `web/playground/frame/${name}.js`,
   ]),

@@ -11,28 +11,46 @@ import { createHash } from 'node:crypto'
 function worker({ name, files, models, same }) {
   const scope = self.registration.scope
 
+  const known = new Set([...files, ...models, ...Object.keys(same)])
+
+  /** Some servers lead from x.html to x. What they led to may be kept, but no page may be answered by what says that it was led. */
+  async function plain(response) {
+    if (!response.redirected) return response
+    const { status, statusText, headers } = response
+    return new Response(await response.blob(), { status, statusText, headers })
+  }
+
+  async function fetchInto(cache, file) {
+    const response = await fetch(scope + file, { cache: 'no-cache', priority: 'low' })
+    if (response.ok) await cache.put(scope + file, await plain(response))
+  }
+
   /** What could not be kept is kept when it is first asked for. */
   async function keep(files) {
     const cache = await caches.open(name)
-    const isKept = await Promise.all(files.map((file) => cache.match(scope + file)))
-    await Promise.allSettled(
-      files
-        .filter((_, i) => !isKept[i])
-        .map((file) => cache.add(new Request(scope + file, { cache: 'no-cache' }))),
-    )
+    const left = [...files]
+    // A few at a time, so that what somebody asks for meanwhile need not wait.
+    const take = async () => {
+      for (let file = left.shift(); file; file = left.shift())
+        if (!(await cache.match(scope + file))) await fetchInto(cache, file).catch(() => {})
+    }
+    await Promise.all([take(), take(), take(), take()])
   }
 
   async function answer(request) {
     const url = new URL(request.url)
     url.search = url.hash = ''
-    if (url.pathname.endsWith('/')) url.pathname += 'index.html'
-    const file = url.href.slice(scope.length)
+    const path = url.href.slice(scope.length)
+    const file = [path, `${path}.html`, `${path}index.html`].find((file) => known.has(file)) ?? path
+    // What such a page names is beside its folder otherwise.
+    if (known.has(`${path}/index.html`)) return Response.redirect(`${url}/`)
     const address = scope + (same[file] ?? file)
     const cache = await caches.open(name)
     const kept = await cache.match(address)
     if (kept) return kept
     const response = await fetch(request)
-    if (request.method === 'GET' && response.status === 200) cache.put(address, response.clone())
+    if (request.method === 'GET' && response.status === 200)
+      cache.put(address, await plain(response.clone()))
     return response
   }
 

@@ -1,5 +1,7 @@
 /** Draws the first page's ball with its warp in plain WebGL 2. The picture below it stays where that is missing. */
 import text from 'virtual:hero-text'
+import { ball } from './ball.js'
+import { rest, sleep } from './pace.js'
 
 const vertex = `#version 300 es
 precision highp float;
@@ -34,35 +36,9 @@ void main() {
   color = vec4(base * light + shine * 0.5 + rim * vec3(0.12, 0.2, 0.42), 1.0);
 }`
 
-/** Corners and triangles of a ball of radius 1: a cube's faces, which have no crowded poles, pushed out. */
-function ball(detail) {
-  const side = detail + 1
-  const points = new Float32Array(6 * side * side * 3)
-  const triangles = new Uint16Array(6 * detail * detail * 6)
-  const steps = Float64Array.from({ length: side }, (_, k) =>
-    Math.tan((k / detail - 0.5) * (Math.PI / 2)),
-  )
-  const quad = [0, side, 1, 1, side, side + 1]
-  let point = 0
-  let corner = 0
-  for (let face = 0; face < 6; face++) {
-    const towards = face < 3 ? 1 : -1
-    const [first, second, third] = [0, 1, 2].map((axis) => (axis + 2 * face) % 3)
-    for (let i = 0; i <= detail; i++)
-      for (let j = 0; j <= detail; j++) {
-        const [u, v] = [steps[i], steps[j]]
-        const scale = 1 / Math.sqrt(1 + u * u + v * v)
-        points[3 * point + first] = towards * scale
-        points[3 * point + second] = u * towards * scale
-        points[3 * point + third] = v * scale
-        if (i < detail && j < detail) for (const step of quad) triangles[corner++] = point + step
-        point++
-      }
-  }
-  return { points, triangles }
-}
-
-function programOf(gl) {
+/** → the program, once it is linked: nobody waits for the driver, who does it beside the page where he can. */
+async function programOf(gl) {
+  const parallel = gl.getExtension('KHR_parallel_shader_compile')
   const program = gl.createProgram()
   for (const [kind, source] of [
     [gl.VERTEX_SHADER, vertex],
@@ -75,6 +51,11 @@ function programOf(gl) {
   }
   gl.bindAttribLocation(program, 0, 'aPosition')
   gl.linkProgram(program)
+  const isThere = () =>
+    !parallel ||
+    gl.isContextLost() ||
+    gl.getProgramParameter(program, parallel.COMPLETION_STATUS_KHR)
+  while (!isThere()) await sleep(10)
   return gl.getProgramParameter(program, gl.LINK_STATUS) ? program : undefined
 }
 
@@ -85,13 +66,17 @@ function onBall(x, y) {
   return [x, y, Math.sqrt(1 - length * length)]
 }
 
-export function startHero(place) {
+export async function startHero(place) {
   const canvas = document.createElement('canvas')
   canvas.setAttribute('aria-hidden', 'true')
   const gl = canvas.getContext('webgl2', { antialias: true, alpha: true })
-  const program = gl && programOf(gl)
+  if (!gl) return
+  // A browser takes its time for each of these steps, and answers between them.
+  await sleep(0)
+  const program = await programOf(gl)
   if (!program) return
-  const { points, triangles } = ball(88)
+  await sleep(0)
+  const { points, triangles, coarse } = ball(102)
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer())
   gl.bufferData(gl.ARRAY_BUFFER, points, gl.STATIC_DRAW)
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer())
@@ -110,25 +95,40 @@ export function startHero(place) {
 
   const wanted = { at: [0.35, 0.4, 0.85], strength: 0.22 }
   const now = { at: [...wanted.at], strength: wanted.strength }
+  // Where there is no GPU, frames of every second corner are to be had in a quarter of the time.
+  let isFine = false
+  let last = performance.now()
   function draw(time) {
     const { clientWidth, clientHeight } = place
     const density = Math.min(devicePixelRatio, 2)
     const [width, height] = [clientWidth, clientHeight].map((size) => Math.round(size * density))
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height })
-    for (let i = 0; i < 3; i++) now.at[i] += (wanted.at[i] - now.at[i]) * 0.12
-    now.strength += (wanted.strength - now.strength) * 0.08
+    // As fast to the eye however many frames there are.
+    const passed = performance.now() - last
+    last += passed
+    const towards = (from, to, slowness) => to + (from - to) * Math.exp(-passed / slowness)
+    now.at = now.at.map((from, i) => towards(from, wanted.at[i], 130))
+    now.strength = towards(now.strength, wanted.strength, 200)
     gl.viewport(0, 0, width, height)
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT)
     gl.uniform1f(uniform.millis, time)
     gl.uniform1f(uniform.strength, now.strength)
     gl.uniform1f(uniform.aspect, width / height)
     gl.uniform3fv(uniform.pointer, now.at)
-    gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_SHORT, 0)
+    if (isFine)
+      gl.drawElements(
+        gl.TRIANGLES,
+        triangles.length - coarse,
+        gl.UNSIGNED_SHORT,
+        coarse * triangles.BYTES_PER_ELEMENT,
+      )
+    else gl.drawElements(gl.TRIANGLES, coarse, gl.UNSIGNED_SHORT, 0)
   }
 
   place.append(canvas)
   // Whoever wants less motion gets the one picture.
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
+    isFine = true
     draw(2000)
     new ResizeObserver(() => draw(2000)).observe(place)
     return
@@ -142,13 +142,18 @@ export function startHero(place) {
     wanted.strength = 0.36
   })
   let isSeen = false
-  const loop = (time) => {
-    if (!isSeen) return
-    draw(time)
-    requestAnimationFrame(loop)
+  let isRunning = false
+  async function run() {
+    if (isRunning) return
+    isRunning = true
+    while (isSeen) {
+      draw(await new Promise(requestAnimationFrame))
+      if (await rest(gl)) isFine = true
+    }
+    isRunning = false
   }
   new IntersectionObserver(([{ isIntersecting }]) => {
-    if (isIntersecting && !isSeen) requestAnimationFrame(loop)
     isSeen = isIntersecting
+    run()
   }).observe(place)
 }

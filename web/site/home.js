@@ -22,7 +22,11 @@ find('.filter').addEventListener('submit', (event) => event.preventDefault())
 // A browser that comes back remembers what stood there.
 filter()
 
-// Pictures first.
+// Pictures first, and whoever has begun to use the page.
 const start = async () => (await import('./hero.js')).startHero(find('.hero .picture'))
-if (document.readyState === 'complete') start()
-else addEventListener('load', start)
+const soon = () =>
+  window.requestIdleCallback
+    ? requestIdleCallback(start, { timeout: 3000 })
+    : setTimeout(start, 200)
+if (document.readyState === 'complete') soon()
+else addEventListener('load', soon)

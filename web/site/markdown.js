@@ -4,6 +4,7 @@ import markdownIt from 'markdown-it'
 import { escaped } from './html.js'
 import { plotOf } from './plot.js'
 import { linkTo, runnable } from './runnable.js'
+import { layTables } from './tables.js'
 
 export const slug = (text) =>
   text
@@ -56,6 +57,7 @@ export function blocksOf(markdown) {
 
 export function makeMarkdown() {
   const markdown = markdownIt({ html: true })
+  layTables(markdown)
   const { rules } = markdown.renderer
 
   rules.heading_open = (tokens, index, options, env, self) => {
@@ -78,18 +80,6 @@ export function makeMarkdown() {
     const [, call, from, to] = /^<!-- plot (.*) from (\S+) to (\S+) -->/.exec(content) ?? []
     if (call) return plotOf(call, Number(from), Number(to))
     return content.startsWith('<!--') ? '' : content
-  }
-
-  rules.table_open = () =>
-    '<div class="table" role="group" aria-label="Table" tabindex="0"><table>\n'
-  rules.table_close = () => '</table></div>\n'
-
-  // A figure stays in one line with its unit, or with its exponent; code does, too, unless it is long.
-  rules.td_open = (tokens, index, options, env, self) => {
-    const { content } = tokens[index + 1]
-    if (/^-?\d.{0,14}$/.test(content)) tokens[index].attrJoin('class', 'number')
-    if (/^`[^`]{30,}`$/.test(content)) tokens[index].attrJoin('class', 'long')
-    return self.renderToken(tokens, index, options)
   }
 
   const link =

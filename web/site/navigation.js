@@ -44,6 +44,7 @@ export const groups = [
       { file: 'expressions', title: 'Expressions' },
       { file: 'operations', title: 'Operations' },
       { file: 'plots', title: 'Operations, plotted' },
+      { file: 'plots-vectors', title: 'Vectors, matrices and noise, plotted' },
       { file: 'operators', title: 'Operators: + - * / and if' },
       { file: 'noise', title: 'Noise' },
       { file: 'deformers', title: 'Deformers' },

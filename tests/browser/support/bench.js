@@ -59,7 +59,7 @@ export async function pixels(page) {
       await new Promise(requestAnimationFrame)
       copy.drawImage(source, 0, 0)
       const { data } = copy.getImageData(0, 0, width, height)
-      if (data[3]) return btoa(Array.from(data, (byte) => String.fromCharCode(byte)).join(''))
+      if (data[3]) return new Uint8Array(data.buffer).toBase64()
     }
   })
   assert.ok(base64, 'nothing was drawn')

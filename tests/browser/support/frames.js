@@ -19,7 +19,7 @@ export function rough() {
 
 /**
  * Without a GPU frames are what takes long. A page that draws gets a handful as fast as it can, so that its picture comes, and
- * from then on four a second.
+ * from then on one every 400 milliseconds.
  */
 export function fewFrames() {
   const { requestAnimationFrame, cancelAnimationFrame } = window
@@ -32,7 +32,7 @@ export function fewFrames() {
   window.requestAnimationFrame = (draw) =>
     free-- > 0
       ? requestAnimationFrame.call(window, draw)
-      : -setTimeout(() => draw(performance.now()), 250)
+      : -setTimeout(() => draw(performance.now()), 400)
   // What was asked for by a timer has a number below zero.
   window.cancelAnimationFrame = (request) =>
     request < 0 ? clearTimeout(-request) : cancelAnimationFrame.call(window, request)

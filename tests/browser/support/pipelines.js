@@ -11,13 +11,6 @@ const html = `<!doctype html>
 <meta charset="utf-8">
 <script type="module">
 const modules = ${JSON.stringify(modules)}
-const bytesOf = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0))
-function textOf(bytes) {
-  let text = ''
-  for (let i = 0; i < bytes.length; i += 8192)
-    text += String.fromCharCode(...bytes.subarray(i, i + 8192))
-  return btoa(text)
-}
 const opened = {}
 async function pipeline(target) {
   const { open } = await import('/tests/browser/support/pipelines/' + modules[target] + '.js')
@@ -29,10 +22,10 @@ window.run = async (target, program, points) => {
   // One after the other: an error is told to the one that asks first.
   const running = (last[target] ?? Promise.resolve())
     .catch(() => {})
-    .then(() => work(program, new Float32Array(bytesOf(points).buffer)))
+    .then(() => work(program, new Float32Array(Uint8Array.fromBase64(points).buffer)))
   last[target] = running
   const results = await running
-  return textOf(new Uint8Array(results.buffer))
+  return new Uint8Array(results.buffer).toBase64()
 }
 </script>`
 

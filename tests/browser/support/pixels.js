@@ -8,8 +8,7 @@ export async function readPixels(page) {
     const data = new Uint8Array(width * height * 4)
     gl.bindFramebuffer(gl.FRAMEBUFFER, null)
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data)
-    const binary = Array.from(data, (byte) => String.fromCharCode(byte)).join('')
-    return { width, height, bytes: btoa(binary) }
+    return { width, height, bytes: data.toBase64() }
   })
   return upright(width, height, bytes)
 }
@@ -23,8 +22,7 @@ export async function readWebGPUPixels(page, draw) {
     const copy = new OffscreenCanvas(width, height).getContext('2d')
     copy.drawImage(canvas, 0, 0)
     const { data } = copy.getImageData(0, 0, width, height)
-    const binary = Array.from(data, (byte) => String.fromCharCode(byte)).join('')
-    return { width, height, bytes: btoa(binary) }
+    return { width, height, bytes: new Uint8Array(data.buffer).toBase64() }
   })()`)
   return { width, height, data: Buffer.from(bytes, 'base64') }
 }

@@ -72,6 +72,25 @@ function draw() {
 }
 `
 
+/** A small sketch of three.js that stands still, of the size of its window. */
+export const ball = `import * as THREE from 'three'
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
+import { warp } from 'warpjet/three'
+
+const renderer = new THREE.WebGLRenderer({ preserveDrawingBuffer: true })
+renderer.setSize(120, 90)
+document.body.append(renderer.domElement)
+const scene = new THREE.Scene()
+scene.background = new THREE.Color('#151823')
+const camera = new THREE.PerspectiveCamera(40, 4 / 3, 0.1, 100)
+camera.position.z = 4
+new OrbitControls(camera, renderer.domElement)
+const mesh = new THREE.Mesh(new THREE.SphereGeometry(1, 40, 30), new THREE.MeshNormalMaterial())
+scene.add(mesh)
+warp(mesh, ({ glsl, position }) => glsl.vec3(position.y().mult(3).cos().mult(0.4), 0, 0))
+renderer.setAnimationLoop(() => renderer.render(scene, camera))
+`
+
 /** What the menu downloads → Playwright's download. */
 export async function saved(page, title) {
   await page.getByText('Save', { exact: true }).click()

@@ -33,7 +33,7 @@ const remembered = (make) => (h, n) => {
 }
 
 /** A unit vector: a cube folded onto the polytope |x| + |y| + … = constant (McEwan and others 2012, section 5). */
-const direction = remembered((h, n) => {
+export const direction = remembered((h, n) => {
   if (n === 1) return [2 * randoms(h, 1)[0] - 1]
   const cube = randoms(h, n - 1).map((x) => 2 * x - 1)
   const last = (n - 1) / 2 - sum(cube.map(Math.abs))
@@ -97,7 +97,7 @@ function lattice(p, seed, corner) {
   }
 }
 
-const bases = {
+export const bases = {
   /** Perlin 2002, with directions of length 1, scaled to reach 1. */
   noise(p, seed) {
     const scale = 2 / Math.sqrt(p.length)

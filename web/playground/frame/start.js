@@ -58,6 +58,8 @@
   const waiting = []
   window.requestAnimationFrame = (work) =>
     requestAnimationFrame((time) => {
+      // What a slow machine drew before is no loop of the sketch's.
+      alive = now()
       work(window.playground.clock?.frameTime(time) ?? time)
       frames++
       for (const take of waiting.splice(0)) take()

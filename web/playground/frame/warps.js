@@ -1,72 +1,39 @@
-// In the playground's frame, after p5's libraries and before the sketch: keeps each warp that the sketch makes, for the tabs,
-// and lets sliders take the place of uniforms that are plain numbers.
+// In the playground's frame, after p5's libraries and before the sketch: each warp that the sketch makes is kept, and drawn as the
+// page says.
 {
   const { playground } = window
-  const warps = (playground.warps = [])
-  const uniforms = (playground.uniforms = [])
-  const { compile, compileWarp, gen } = window.warpjet
-  // The page may have the script for GLSL, or not.
-  const differentiate =
-    Object.hasOwn(window.warpjet, 'differentiate') && window.warpjet.differentiate
-
-  /** Each text once, as a sketch may make its warp again in every frame. */
-  function keep(maker, make, more) {
-    try {
-      const made = make()
-      const isKnown = warps.some(({ made: { code } }) => code === made.code)
-      if (!isKnown) warps.push({ maker, made, ...more })
-    } catch {
-      // The sketch's own call says what is wrong.
-    }
-  }
-
-  function withSliders(options) {
-    if (!options?.uniforms || typeof options.uniforms !== 'object') return options
-    const given = Object.entries(options.uniforms).map(([name, value]) => {
-      if (typeof value !== 'number' || !Number.isFinite(value)) return [name, value]
-      if (!uniforms.some((uniform) => uniform.name === name)) uniforms.push({ name, value })
-      return [name, () => playground.valueOf(name, value)]
-    })
-    return { ...options, uniforms: Object.fromEntries(given) }
-  }
+  const { compileWarp } = window.warpjet
 
   for (const methods of [p5.prototype, p5.Graphics.prototype]) {
     const { createWarp } = methods
     methods.createWarp = function (offset, options, ...rest) {
-      const moved = withSliders(options)
+      const moved = playground.withSliders(options, { isCopied: true })
       const warp = createWarp.call(this, offset, withView(moved), ...rest)
       const { surfaceVariation = true, space = 'local' } = options ?? {}
-      keep(
+      playground.keep(
         'createWarp',
         () =>
-          withLines(
+          playground.withLines(
             compileWarp(plainOffset(offset, options), {
               uniforms: moved?.uniforms,
               surfaceVariation,
               debug: true,
             }),
           ),
-        { space, surfaceVariation },
+        {
+          surfaceVariation,
+          space,
+          radius: space === 'local' ? 1 : 150,
+          declared: Object.keys(moved?.uniforms ?? {}),
+          shapes,
+        },
       )
       return warp
     }
   }
-  // Only of the sketch, by its lines alone.
-  const place = (text) => text.split(`${playground.source}:`)[1]?.match(/^\d+/)?.[0]
-  const short = (text) =>
-    text.code.replaceAll(/^( *)\/\/ From (.*)\n/gm, (_, indent, from) =>
-      place(from) ? `${indent}// From line ${place(from)}\n` : '',
-    )
-  const withLines = (made) => ({
-    ...made,
-    code: short(made),
-    emit(...how) {
-      const text = made.emit(...how)
-      return { ...text, code: short(text) }
-    },
-  })
 
   // The shape that was drawn last with a shader of the sketch's, and where it stood.
+  let drawn
   const { Renderer3D, RendererGL } = p5
   const [renderers, method] = Renderer3D
     ? [Renderer3D.prototype, '_drawGeometry']
@@ -76,8 +43,22 @@
     const { userFillShader, uModelMatrix } = this.states ?? this
     const geometry = this.retainedMode?.geometry[given]?.model ?? given
     if (userFillShader && geometry?.faces?.length)
-      playground.drawn = { geometry, matrix: [...(uModelMatrix.mat4 ?? uModelMatrix)] }
+      drawn = { geometry, matrix: [...(uModelMatrix.mat4 ?? uModelMatrix)] }
     return draw.call(this, given, ...rest)
+  }
+
+  /** As arrays, for mesh.js. */
+  function shapes() {
+    if (!drawn) return []
+    const { vertices, vertexNormals, uvs, faces } = drawn.geometry
+    const flat = (list) => Float32Array.from(list.flatMap(({ x, y, z }) => [x, y, z]))
+    const arrays = {
+      positions: flat(vertices),
+      normals: flat(vertexNormals),
+      uvs: uvs.length === 2 * vertices.length ? Float32Array.from(uvs) : undefined,
+      indices: Uint32Array.from(faces.flat()),
+    }
+    return [{ ...arrays, matrix: drawn.matrix, isUpsideDown: true }]
   }
 
   /** As `compileWarp` takes it, which reads neither operators nor places. */
@@ -90,29 +71,12 @@
   const withView = (options) =>
     playground.view === 'normals' ? { ...options, type: 'normal' } : options
 
+  // The page may have the script for GLSL, or not; asking for what it brings without it throws.
+  const { compile, gen } = window.warpjet
+  const hasGLSL = Object.hasOwn(window.warpjet, 'differentiate')
+  const differentiate = hasGLSL && window.warpjet.differentiate
   window.warpjet = {
-    ...warpjet,
-    compile(callback, options) {
-      const made = compile(callback, options)
-      keep('compile', () => made)
-      return made
-    },
-    compileWarp(offset, options) {
-      const made = compileWarp(offset, options)
-      keep('compileWarp', () => made)
-      return made
-    },
-    gen(callback, settings) {
-      const code = gen(callback, settings)
-      keep('gen', () => ({ code }))
-      return code
-    },
-    ...(differentiate && {
-      differentiate(source, options) {
-        const code = differentiate(source, options)
-        keep('differentiate', () => ({ code }))
-        return code
-      },
-    }),
+    ...window.warpjet,
+    ...playground.keeping({ compile, compileWarp, gen, differentiate }),
   }
 }

@@ -1,0 +1,125 @@
+// web/docs/plots-vectors.md: operations on vectors and matrices, derivatives, and noise, each with its formula, that of its
+// derivative, a plot of both along one number where it says something, and a line that runs.
+import { noiseFormulas } from './noise-formulas.mjs'
+import { lineText } from './plots.mjs'
+import { vectorFormulas } from './vector-formulas.mjs'
+
+/** Products that the table has among those of numbers. */
+const products = {
+  'mult(A, B)': 'The product of two matrices.',
+  'mult(A, v)': 'A matrix times a column.',
+  'mult(v, A)': 'A row times a matrix.',
+}
+
+/** Operations that are derivatives. They have no formula of their own to differentiate: deriving them again does that. */
+const derivatives = {
+  derivative: {
+    says: '`derivative(f, t)` is `∂f/∂t`. Its own derivative is the second one, `∂²f/∂t²`.',
+    plot: ['x.sin().derivative(x)', -3, 3],
+    line: `const height = position.y().mult(3).sin()
+return glsl.vec3(height.derivative(position.y()).mult(0.1), 0, 0)`,
+  },
+  gradient: {
+    says: '`gradient(f, p)` is `(∂f/∂p₁, ∂f/∂p₂, …)`. Its own derivative is `H dp`, where H has `∂²f/∂pᵢ∂pⱼ` in row i and column j.',
+    line: `const height = position.mult(2).sin().dot(position)
+return height.gradient(position).mult(0.1)`,
+  },
+  jacobian: {
+    says: '`jacobian(f, p)` has `∂fᵢ/∂pⱼ` in row i and column j. Its own derivative has the second ones.',
+    line: `const turned = glsl.rotateY(position.y()).mult(position)
+return turned.jacobian(position).column(1).mult(0.3)`,
+  },
+  adjustNormal: {
+    line: `const bump = glsl.vec3(0, position.x().mult(4).sin().mult(0.2), 0)
+return bump.adjustNormal(normal, position).mult(0.3)`,
+  },
+  adjustTangent: {
+    line: `const bump = glsl.vec3(0, position.x().mult(4).sin().mult(0.2), 0)
+const facing = bump.adjustNormal(normal, position)
+return bump.adjustTangent(glsl.vec3(1, 0, 0), facing, position).mult(0.3)`,
+  },
+}
+
+const code = (text) => `\`${text}\``
+const sentence = (text) => (/[.!]$/.test(text) ? text : `${text}.`)
+
+/** The formula of an operation and that of its derivative. */
+function formulaText({ form, value, derivative, where = {} }) {
+  const isRead = (name) => RegExp(`(?<![A-Za-z])${name}(?![A-Za-z])`, 'u').test(derivative)
+  const parts = Object.entries(where).map(([name, text]) => code(`${name} = ${text}`))
+  if (isRead('w') && !where.w) parts.push('w is the value')
+  // Long ones have lines of their own: on a phone each takes several.
+  const between = parts.length > 1 ? '\n\n' : ' '
+  const named = parts.length ? `,${between}where ${parts.join(', ')}` : ''
+  return `${code(form)} is ${code(value)}.${between}Derivative: ${code(derivative)}${named}.`
+}
+
+function vectorSection(title, meaning) {
+  const formula = vectorFormulas[title]
+  if (!formula) throw new Error(`.scripts/reference/vector-formulas.mjs lacks ${title}.`)
+  const { kink, call, from = -3, to = 3 } = formula
+  const says = [sentence(meaning), kink].filter(Boolean).join(' ')
+  return `### ${title}\n\n${says}\n\n${formulaText(formula)}\n\n${lineText(call, from, to)}`
+}
+
+function derivativeSection({ name, meaning }) {
+  if (!derivatives[name]) throw new Error(`.scripts/reference/plots-vectors.mjs lacks ${name}.`)
+  const { plot, line } = derivatives[name]
+  const formula = vectorFormulas[name]
+  const says = formula ? `${formulaText(formula)} ${formula.kink}` : derivatives[name].says
+  const shown = plot ? `<!-- plot ${plot[0]} from ${plot[1]} to ${plot[2]} -->\n\n` : ''
+  return `### ${name}
+
+${sentence(meaning)}
+
+${says}
+
+${shown}<!-- prettier-ignore -->
+\`\`\`js
+createWarp(({ glsl, position${line.includes('normal,') ? ', normal' : ''} }) => {
+${line.replaceAll(/^/gm, '  ')}
+}${line.includes('normal,') ? ', { surfaceVariation: true }' : ''})
+\`\`\`
+`
+}
+
+function noiseSection(name) {
+  if (!noiseFormulas[name]) throw new Error(`.scripts/reference/noise-formulas.mjs lacks ${name}.`)
+  const { value, derivative, letters, kink, call, from = 0, to = 6 } = noiseFormulas[name]
+  const says = `${code(`${name}(p)`)} is ${code(value)}. Derivative: ${code(derivative)}. ${letters}.`
+  return `### ${name}\n\n${[says, kink].filter(Boolean).join(' ')}\n\n${lineText(call, from, to)}`
+}
+
+export function plotsVectorsText({ operations, noises }) {
+  const ofGroup = (heading) => operations.filter((operation) => operation.heading === heading)
+  const sections = (heading) =>
+    ofGroup(heading).map(({ name, meaning }) => vectorSection(name, meaning))
+  const more = Object.entries(products).map(([title, meaning]) => vectorSection(title, meaning))
+  return `<!-- Written by \`npm run reference\`; the operations come from src/ops/table.hpp and src/builder/compositions.hpp. -->
+
+# Vectors, matrices and noise, plotted
+
+Operations on vectors and matrices, and noise: what each computes, and its derivative, which is how the result changes where its operands
+change by \`da\`, \`dv\` or \`dA\`. \`a · b\` is the dot product, \`a × b\` the cross product, \`|a|\` the length; \`Aᵀ\` is the transpose,
+\`A⁻¹\` the inverse, \`tr\` the trace, which is the sum of the diagonal; what stands side by side is multiplied. \`a₁\` is a component, and
+\`Σ aᵢ\` the sum of all. The plots show one number of the result, by one number x among the operands; “Run” moves a ball
+sideways by it, as on [the page of numbers](plots.md).
+
+## Vectors
+
+${sections('Vectors').join('\n')}
+## Matrices
+
+\`neg\`, \`add\`, \`sub\`, \`mix\`, and \`div\` by a number go entry by entry, [as numbers do](plots.md). What only puts numbers together or
+takes them apart, such as \`glsl.vec3\`, \`v.x()\` and \`m.column(0)\`, does the same with their derivatives.
+
+${[...sections('Matrices'), ...more].join('\n')}
+## Derivatives
+
+${ofGroup('Derivatives').map(derivativeSection).join('\n')}
+## Kinds of noise
+
+\`dp\` is a change of the point. Sources, options and ranges are on [the page of noise](noise.md).
+
+${noises.map(({ name }) => noiseSection(name)).join('\n')}`
+}

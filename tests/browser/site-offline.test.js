@@ -1,0 +1,63 @@
+// The built site once it was seen, without a network: from a host that has no .html in its addresses, which is harder than from one that
+// gives each file at its own, since what such a host led to is no answer of a worker to one who asks for a page.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { buildSite, folder } from '../../.scripts/site.mjs'
+import { desktop, path } from './support/bench.js'
+import { launchBrowser, openPage } from './support/browser.js'
+import { serveCleanly } from './support/clean-urls.js'
+import { drawLittle } from './support/frames.js'
+import { settled, shown } from './support/playground.js'
+
+const patience = { timeout: 120_000 }
+
+let browser, server, url
+before(async () => {
+  await buildSite()
+  browser = await launchBrowser()
+  server = await serveCleanly(path(folder), '/some/folder')
+  url = server.url
+})
+after(async () => {
+  await browser.close()
+  server.close()
+})
+
+test('once seen, all of it is there without a network', async () => {
+  const context = await browser.newContext(desktop)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, url)
+  // It takes over once it has kept all files.
+  await page.waitForFunction(() => navigator.serviceWorker.controller, null, patience)
+  await context.setOffline(true)
+  await page.reload(patience)
+  await page.waitForSelector('.hero canvas', patience)
+  await page.locator('#search').fill('noise')
+  await page.waitForSelector('#found a', patience)
+  // By the names of the files, as links have them, and as such a host has left them in the address before.
+  for (const [address, title] of [
+    ['docs/plots.html', /plotted/],
+    ['docs/plots', /plotted/],
+    ['gallery/lotus/', /Lotus/],
+    ['gallery/text-bulge', /./],
+    ['gallery/text-bulge/index.html', /./],
+  ]) {
+    await page.goto(url + address, patience)
+    assert.match(await page.locator('h1').textContent(), title)
+    const { width } = await page.locator('.bar').boundingBox()
+    assert.equal(width, desktop.viewport.width, `${address} has no style`)
+  }
+  const frame = await (await page.waitForSelector('iframe.shown', patience)).contentFrame()
+  await frame.waitForFunction(() => window.frameCount >= 2, null, patience)
+  await page.goto(`${url}playground/index.html#example=bunny`, patience)
+  await settled(page)
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  const bunny = await shown(page)
+  await bunny.waitForFunction(() => window.frameCount >= 2, null, patience)
+  await page.locator('#example').selectOption('airplane-twist')
+  await page.waitForFunction(() => document.querySelector('main').ariaBusy === 'true')
+  await settled(page)
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  assert.deepEqual(messages, [])
+  await context.close()
+})

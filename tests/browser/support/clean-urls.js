@@ -1,0 +1,42 @@
+// A server of files like many hosts of static sites: addresses have no .html, and whoever asks for one that has is led on.
+import { readFile, stat } from 'node:fs/promises'
+import { createServer } from 'node:http'
+import { extname, join } from 'node:path'
+
+const types = {
+  '.css': 'text/css',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.json': 'application/json',
+  '.svg': 'image/svg+xml',
+  '.webp': 'image/webp',
+}
+const kindOf = async (file) => {
+  const found = await stat(file).catch(() => undefined)
+  return found?.isDirectory() ? 'folder' : found && 'file'
+}
+
+/** Serves what lies in `folder` below `/base/` → { url, close() }. */
+export async function serveCleanly(folder, base) {
+  const server = createServer(async (request, response) => {
+    const { pathname, search } = new URL(request.url, 'http://localhost')
+    const lead = (path) => response.writeHead(308, { location: path + search }).end()
+    const clean = pathname.replace(/(?:(?<=\/)index)?\.html$/, '')
+    if (clean !== pathname) return lead(clean)
+    const asked = join(folder, decodeURIComponent(pathname.slice(base.length + 1)))
+    const kind = await kindOf(asked)
+    if (kind === 'folder' && !pathname.endsWith('/')) return lead(`${pathname}/`)
+    const file = kind === 'folder' ? join(asked, 'index.html') : kind ? asked : `${asked}.html`
+    const content = await readFile(file).catch(() => undefined)
+    if (content) response.setHeader('content-type', types[extname(file)] ?? 'text/plain')
+    response.writeHead(content ? 200 : 404).end(content)
+  })
+  await new Promise((resolve) => server.listen(0, resolve))
+  return {
+    url: `http://localhost:${server.address().port}${base}/`,
+    close() {
+      server.closeAllConnections()
+      server.close()
+    },
+  }
+}

@@ -1,0 +1,46 @@
+// Vectors and matrices in double: arrays of numbers, and of rows. Nothing of warpjet is in it.
+
+export const isMatrix = (x) => Array.isArray(x?.[0])
+const each = (f, ...values) =>
+  Array.isArray(values[0])
+    ? values[0].map((_, i) => each(f, ...values.map((v) => v[i])))
+    : f(...values)
+export const scaled = (x, by) => each((number) => number * by, x)
+
+export const add = (a, b) => each((x, y) => x + y, a, b)
+export const subtract = (a, b) => each((x, y) => x - y, a, b)
+export const dot = (a, b) => a.reduce((total, x, i) => total + x * b[i], 0)
+export const transpose = (m) => m[0].map((_, i) => m.map((row) => row[i]))
+const identity = (n) =>
+  Array.from({ length: n }, (_, i) => Array.from({ length: n }, (_, j) => +(i === j)))
+
+export function times(a, b) {
+  if (typeof a === 'number') return scaled(b, a)
+  if (typeof b === 'number') return scaled(a, b)
+  if (!isMatrix(a)) throw new Error('Two vectors side by side have no product.')
+  return isMatrix(b)
+    ? a.map((row) => transpose(b).map((column) => dot(row, column)))
+    : a.map((row) => dot(row, b))
+}
+
+export const cross = (a, b) =>
+  [0, 1, 2].map((i) => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
+
+/** By Gauss and Jordan, with the largest pivots: where warpjet has minors. */
+export function solved(m) {
+  const n = m.length
+  const rows = m.map((row, i) => [...row, ...identity(n)[i]])
+  let det = 1
+  for (let i = 0; i < n; i++) {
+    const best = rows
+      .slice(i)
+      .reduce((found, row, k) => (Math.abs(row[i]) > Math.abs(rows[found][i]) ? i + k : found), i)
+    if (best !== i) [rows[i], rows[best], det] = [rows[best], rows[i], -det]
+    const pivot = rows[i][i]
+    det *= pivot
+    rows[i] = scaled(rows[i], 1 / pivot)
+    for (let k = 0; k < n; k++)
+      if (k !== i) rows[k] = subtract(rows[k], scaled(rows[i], rows[k][i]))
+  }
+  return { det, inverse: rows.map((row) => row.slice(n)) }
+}
