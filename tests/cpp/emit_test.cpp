@@ -56,11 +56,12 @@ TEST_F(EmitTest, ParenthesesStandOnlyWhereTheyMatter) {
 TEST_F(EmitTest, AChoiceIsBetweenNamesAndNumbers) {
   const auto chosen = [&](Expression yes, Expression no) { return ifElse(lt(x, y), yes, no); };
   EXPECT_EQ(code(chosen(x, zero())), "float y;\n{\n  y = x < y ? x : 0.0;\n}\n");
-  EXPECT_EQ(code(chosen(-x, sin(y)) * 2.0),
+  const Expression yes = -x, no = sin(y);
+  EXPECT_EQ(code(chosen(yes, no) * 2.0),
             "float y;\n{\n"
-            "  float t0 = sin(y);\n"
-            "  float t1 = -x;\n"
-            "  y = (x < y ? t1 : t0) * 2.0;\n"
+            "  float t0 = -x;\n"
+            "  float t1 = sin(y);\n"
+            "  y = (x < y ? t0 : t1) * 2.0;\n"
             "}\n");
   EXPECT_EQ(code(ifElse(lt(x, 1.0), chosen(x, y), x)),
             "float y;\n{\n"

@@ -140,7 +140,8 @@ test('npm shows where the source is, and where to ask', () => {
   const { repository, homepage, bugs } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
   const source = 'https://github.com/warpjet/warpjet'
   assert.deepEqual(repository, { type: 'git', url: `git+${source}.git` })
-  assert.equal(homepage, `${source}#readme`)
+  // Where the workflow puts the site.
+  assert.equal(homepage, 'https://warpjet.github.io/warpjet/')
   assert.equal(bugs, `${source}/issues`)
 })
 
