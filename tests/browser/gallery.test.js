@@ -8,12 +8,24 @@ import { createServer } from 'vite'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { sections } from '../../web/catalogue.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { assertPicture, closeLowered, lower, plain, statistics, still } from './support/examples.js'
-import { fewFrames, keepFrames, rough } from './support/frames.js'
+import {
+  assertPicture,
+  lower,
+  plain,
+  sketchesForTests,
+  statistics,
+  still,
+} from './support/examples.js'
+import { drawLittle, fewFrames, keepFrames, rough } from './support/frames.js'
 import { serveSite } from './support/site.js'
 
 const path = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url))
-const config = { configFile: path('web/vite.config.js'), logLevel: 'warn', clearScreen: false }
+const config = {
+  configFile: path('web/vite.config.js'),
+  logLevel: 'warn',
+  clearScreen: false,
+  plugins: [sketchesForTests()],
+}
 const screenshots = path('.build/screenshots')
 const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
 
@@ -65,14 +77,14 @@ describe('the gallery of npm start', () => {
     let context, page, messages
     before(async () => {
       context = await browser.newContext(desktop)
-      await lower(context, { before: still })
+      await lower(context, url, { before: still })
       // The first frame is that of one moment: on a busy machine it comes late, and may show a thin side.
       await context.addInitScript('let now = 0; performance.now = () => (now += 100)')
       await context.addInitScript(keepFrames)
       // One page for all, which compiles p5 once.
       ;({ page, messages } = await openPage(context, `${url}recorder.js`))
     })
-    after(() => closeLowered(context))
+    after(() => context.close())
 
     // Those that go through the page are drawn there.
     const isDrawn = (name) =>
@@ -92,12 +104,12 @@ describe('the gallery of npm start', () => {
     let page, messages
     before(async () => {
       const context = await browser.newContext(desktop)
-      await lower(context, { exceptions: [asItIs], before: plain })
+      await lower(context, url, { exceptions: [asItIs], before: plain })
       for (const script of [stopWhenTimed, keepFrames, fewFrames])
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
     })
-    after(() => closeLowered(page.context()))
+    after(() => page.context().close())
 
     test('begins with a warp, and a picture of each example', async () => {
       await page.waitForSelector('.hero canvas', patience)
@@ -135,7 +147,7 @@ describe('the gallery of npm start', () => {
     test('fits a phone, and so does each example', async () => {
       const context = await browser.newContext(phone)
       await context.addInitScript(rough)
-      await lower(context, { before: still })
+      await lower(context, url, { before: still })
       const { page, messages } = await openPage(context, url)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)
       assert.equal(width, phone.viewport.width)
@@ -153,7 +165,7 @@ describe('the gallery of npm start', () => {
         assert.equal(await frame.locator('.lil-gui.root:not(.closed)').count(), 0, name)
         await page.screenshot({ path: `${screenshots}/phone-${name}.png` })
       }
-      await closeLowered(context)
+      await context.close()
       assert.deepEqual(messages, [])
     })
 })
@@ -164,10 +176,10 @@ if (isRun('the gallery built, and on a phone'))
     try {
       const url = server.resolvedUrls.local[0]
       const context = await browser.newContext(desktop)
-      await lower(context)
+      await drawLittle(context)
       const { page, messages } = await openPage(context, url)
       assertPicture(await statistics(await playing(page, url, 'text-bulge')))
-      await closeLowered(context)
+      await context.close()
       assert.deepEqual(messages, [])
     } finally {
       await server.close()

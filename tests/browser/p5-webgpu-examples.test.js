@@ -7,7 +7,7 @@ import { sections } from '../../web/catalogue.js'
 import { converted } from '../../web/playground/convert.js'
 import { launchBrowserWithWebGPU, openPage } from './support/browser.js'
 import { config, path } from './support/bench.js'
-import { coarseShapes } from './support/examples.js'
+import { answering, ask, coarseShapes, cookie } from './support/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from './support/pixels.js'
 
 const screenshots = path('.build/screenshots/webgpu')
@@ -26,6 +26,7 @@ before(async () => {
   browser = await launchBrowserWithWebGPU()
   server = await createServer({
     ...config,
+    plugins: [answering(forHost)],
     server: { port: 5210, watch: null },
   })
   await server.listen()
@@ -39,19 +40,20 @@ after(async () => {
 
 async function openFor(host) {
   const context = await browser.newContext()
-  await context.route('**/examples/*/sketch.js', async (route) => {
-    const response = await route.fetch()
-    const sketch = converted(await response.text(), host)
-    await route.fulfill({ response, body: `${sketch}${still}{${coarseShapes}}` })
-  })
-  const withWebGPU = async (route) => {
-    const response = await route.fetch()
-    const webgpu = readFileSync(path('node_modules/p5/lib/p5.webgpu.min.js'), 'utf8')
-    await route.fulfill({ response, body: `${await response.text()}\n${webgpu}` })
-  }
-  if (host === 'p5-webgpu') await context.route('**/p5.min.js', withWebGPU)
+  await ask(context, url, 'host', host)
   return openPage(context, `${url}recorder.js`)
 }
+
+/** What WEBGPU needs comes with p5. */
+function forHost(request, path, content) {
+  const host = cookie(request, 'host')
+  if (/^\/examples\/[\w-]+\/sketch\.js$/.test(path))
+    return `${converted(String(content), host)}${still}{${coarseShapes}}`
+  const isP5 = host === 'p5-webgpu' && path.endsWith('/p5.min.js')
+  return isP5 ? `${content}\n${webgpu}` : content
+}
+
+const webgpu = readFileSync(path('node_modules/p5/lib/p5.webgpu.min.js'), 'utf8')
 
 /** Time stands still, chance repeats itself, and pixels are few. */
 const still = `

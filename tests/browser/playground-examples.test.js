@@ -5,24 +5,28 @@ import { createServer } from 'vite'
 import { sections } from '../../web/catalogue.js'
 import { config, desktop } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { assertPicture, closeLowered, lower, statistics, still } from './support/examples.js'
+import { assertPicture, lower, sketchesForTests, statistics, still } from './support/examples.js'
 import { keepFrames } from './support/frames.js'
 import { settled, shown } from './support/playground.js'
 
 let browser, server, page, messages
 before(async () => {
   browser = await launchBrowser()
-  server = await createServer({ ...config, server: { port: 5250, watch: null } })
+  server = await createServer({
+    ...config,
+    plugins: [sketchesForTests()],
+    server: { port: 5250, watch: null },
+  })
   await server.listen()
   const context = await browser.newContext(desktop)
-  await lower(context, { before: still })
-  await context.addInitScript(keepFrames)
   const [url] = server.resolvedUrls.local
+  await lower(context, url, { before: still })
+  await context.addInitScript(keepFrames)
   ;({ page, messages } = await openPage(context, `${url}playground/index.html`))
   await settled(page)
 })
 after(async () => {
-  await closeLowered(page.context())
+  await page.context().close()
   await browser.close()
   await server.close()
 })

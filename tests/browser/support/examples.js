@@ -3,20 +3,54 @@ import assert from 'node:assert/strict'
 import { coarsenShapes } from './frames.js'
 
 /**
- * Sketches other than `exceptions` are drawn with a sixteenth of their pixels and coarse shapes: without a GPU these are what
- * takes long, lit triangles smaller than a pixel most of all.
+ * Vite plugin for a server of the tests: it gives each context the sketches that `lower` asked for, and libraries for a browser to
+ * keep, with what it compiled of them. (Of what the driver answers in the server's place a browser keeps nothing.)
  */
-export const lower = (context, { exceptions = [], before = '' } = {}) =>
-  context.route('**/examples/*/sketch.js', async (route) => {
-    const [, name] = /([\w-]+)\/sketch\.js/.exec(route.request().url())
-    const response = await route.fetch()
-    if (exceptions.includes(name)) return route.fulfill({ response })
-    if (name.startsWith('three-'))
-      return route.fulfill({
-        response,
-        body: (before === still ? twoFrames : '') + (await smaller(response)),
-      })
-    const body = `${await response.text()}
+export const sketchesForTests = () =>
+  answering((request, path, content) => {
+    const [, name] = /^\/examples\/([\w-]+)\/sketch\.js$/.exec(path) ?? []
+    const wish = cookie(request, 'sketches')
+    return name && wish ? lowered(name, String(content), JSON.parse(wish)) : content
+  })
+
+/** Vite plugin: what the server answers by itself, in development, is what `change(request, path, content)` makes of it. */
+export const answering = (change) => ({
+  name: 'answering',
+  enforce: 'pre',
+  configureServer({ middlewares }) {
+    middlewares.use((request, response, next) => {
+      const { end, setHeader } = response
+      const path = request.url.split('?')[0]
+      response.end = (content, ...how) =>
+        end.call(response, content && change(request, path, content), ...how)
+      if (/^\/(?:dist|node_modules)\//.test(path))
+        response.setHeader = (name, value) =>
+          setHeader.call(response, name, name === 'Cache-Control' ? 'max-age=86400' : value)
+      next()
+    })
+  },
+})
+
+export function cookie({ headers }, name) {
+  const found = (headers.cookie ?? '').split('; ').find((each) => each.startsWith(`${name}=`))
+  return found && decodeURIComponent(found.slice(name.length + 1))
+}
+
+/** Asks the server at `url`, one of `answering`, for something in all requests of the context. */
+export const ask = (context, url, name, value) =>
+  context.addCookies([{ name, value: encodeURIComponent(value), url }])
+
+/**
+ * Sketches other than `exceptions` are drawn with a sixteenth of their pixels and coarse shapes: without a GPU these are what
+ * takes long, lit triangles smaller than a pixel most of all. `before` is what p5 does first, or `still`.
+ */
+export const lower = (context, url, { exceptions = [], before = '' } = {}) =>
+  ask(context, url, 'sketches', JSON.stringify({ exceptions, before }))
+
+function lowered(name, text, { exceptions, before }) {
+  if (exceptions.includes(name)) return text
+  if (name.startsWith('three-')) return (before === still ? twoFrames : '') + smaller(text)
+  return `${text}
 {
   const { createCanvas, pixelDensity } = p5.prototype
   p5.prototype.createCanvas = function (...size) {
@@ -30,16 +64,6 @@ export const lower = (context, { exceptions = [], before = '' } = {}) =>
     return pixelDensity.call(this, density && density / 4)
   }
 ${coarseShapes}}`
-    await route.fulfill({ response, body })
-  })
-
-/**
- * Closes a context of `lower`. The site's worker fetches sketches in the background: one that is under way would fail the whole file
- * of tests, whose tests all passed.
- */
-export async function closeLowered(context) {
-  await context.unrouteAll({ behavior: 'ignoreErrors' })
-  await context.close()
 }
 
 /** p5's shapes with a tenth of their triangles, as text for a sketch. */
@@ -47,8 +71,8 @@ export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 48)
 `
 
 /** A sketch of three.js likewise; without a GPU its thousands of instances are what takes longest. */
-const smaller = async (response) =>
-  (await response.text())
+const smaller = (text) =>
+  text
     .replaceAll(/setPixelRatio\(.*\)/g, 'setPixelRatio(0.25)')
     .replaceAll(/mapSize\.set\(.*\)/g, 'mapSize.set(256, 256)')
     .replaceAll('10_000', '800')
