@@ -66,10 +66,10 @@ async function nodeTests(folder, { atOnce = availableParallelism(), longest = []
 }
 
 // Browsers wait for each other: two on two cores leave a sixth of the time idle, three none.
-const browsersAtOnce = availableParallelism() + 1
+const browsersAtOnce = availableParallelism() + 2
 /** Each takes 40 seconds of a core and more. */
 const longest =
-  'gallery site p5-webgpu-examples playground-examples three docs random operations glsl three-webgpu'.split(
+  'playground gallery site p5-webgpu-examples playground-examples three docs random operations glsl three-webgpu'.split(
     ' ',
   )
 const browser = () =>
@@ -99,7 +99,7 @@ export const checks = [
   { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
   { group: 'cpp', title: 'The same under ASan and UBSan', work: () => cpp('sanitize') },
   // From the committed seeds alone, so that it takes the same time everywhere.
-  { group: 'fuzz', title: 'Fuzzing', work: () => fuzz({ seconds: 60, isKept: false }) },
+  { group: 'fuzz', title: 'Fuzzing', work: () => fuzz({ seconds: 30, isKept: false }) },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },
   { group: 'browser', title: 'Browser tests', work: browser },
   { group: 'package', title: 'The package in its environments', work: environments },

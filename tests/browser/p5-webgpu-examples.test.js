@@ -72,8 +72,10 @@ const still = `
   // The warp draws no edges, and p5 takes seconds to work out those of a model.
   p5.Geometry.prototype._edgesToVertices = function () { return this }
   p5.prototype.specularMaterial = p5.prototype.shininess = function () { return this }
-  const own = setup
-  window.setup = async () => { await own(); pixelDensity(0.5); noLoop() }
+  const own = { setup, draw }
+  window.setup = async () => { await own.setup(); pixelDensity(0.5); noLoop() }
+  // The first frame, which p5 draws by itself, is looked at by nobody.
+  window.draw = () => (window.draw = own.draw)
 }`
 
 async function pictureOf(name, host) {

@@ -1,6 +1,6 @@
 // The examples without a GPU: with fewer pixels and frames, and what can be said of the picture that they draw.
 import assert from 'node:assert/strict'
-import { coarsenShapes } from './frames.js'
+import { coarsenShapes, rough } from './frames.js'
 
 /**
  * Vite plugin for a server of the tests: it gives each context the sketches that `lower` asked for, and libraries for a browser to
@@ -49,7 +49,7 @@ export const lower = (context, url, { exceptions = [], before = '' } = {}) =>
 
 function lowered(name, text, { exceptions, before }) {
   if (exceptions.includes(name)) return text
-  if (name.startsWith('three-')) return (before === still ? twoFrames : '') + smaller(text)
+  if (name.startsWith('three-')) return (before.endsWith(still) ? twoFrames : '') + smaller(text)
   return `${text}
 {
   const { createCanvas, pixelDensity } = p5.prototype
@@ -67,8 +67,13 @@ ${coarseShapes}}`
 }
 
 /** p5's shapes with a tenth of their triangles, as text for a sketch. */
-export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 48)
+export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 32)
 `
+
+/** The examples without smooth edges, but for two that have few colours, or cover little, otherwise; for `addInitScript`. */
+export const roughExamples = {
+  content: `/deformer-wave|spoon/.test(top.location.href) || (${rough})()`,
+}
 
 /** A sketch of three.js likewise; without a GPU its thousands of instances are what takes longest. */
 const smaller = (text) =>
@@ -93,6 +98,10 @@ export const plain = `
 /** One frame of that. */
 export const still = `
     this.noLoop()${plain}`
+
+/** A frame with nothing on it. */
+export const bare = `
+    window.draw = () => {}${still}`
 
 /** How many colours the canvas has, in steps of 8, and which share of it is not background. */
 export const statistics = (frame) =>
