@@ -16,7 +16,7 @@ set(small_sources ${core_sources})
 list(REMOVE_ITEM small_sources ${fast_sources} ${fast_evaluation_sources})
 set_source_files_properties(${small_sources} js-bindings/wasm/core.cpp js-bindings/wasm/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
 
-# Of meshes, what runs once per file or name in it; but its JSON can be most of a file (json_text.cpp).
+# Of meshes, what runs once per file or name in it; not json_text.cpp, since JSON can be most of a file.
 set_source_files_properties(
   src/mesh/gltf/container.cpp src/mesh/gltf/export.cpp src/mesh/gltf/gltf.cpp src/mesh/load.cpp src/mesh/gltf/look.cpp
   src/mesh/gltf/scene.cpp src/mesh/gltf/schema.cpp src/mesh/sentences.cpp src/mesh/gltf/tinygltf.cpp src/mesh/gltf/uri.cpp

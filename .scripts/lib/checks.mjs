@@ -65,13 +65,21 @@ async function nodeTests(folder, { atOnce = availableParallelism(), longest = []
   await node(...printing, ours('run-tests.mjs'), `${atOnce}`, ...files)
 }
 
-// Browsers wait for each other: two on two cores leave a sixth of the time idle, three none.
-const browsersAtOnce = availableParallelism() + 2
-/** Each takes 40 seconds of a core and more. */
-const longest =
-  'playground gallery site p5-webgpu-examples playground-examples three docs random operations glsl three-webgpu'.split(
-    ' ',
-  )
+// Tests wait for their pages: with two on two cores a sixth of the time is idle, with three nothing, and with four it takes longer.
+const browsersAtOnce = availableParallelism() + 1
+/** Each takes 40 seconds of a core and more, or waits for long. */
+const longest = [
+  ...[
+    'playground',
+    'gallery',
+    'site',
+    'p5-webgpu-examples',
+    'playground-examples',
+    'three',
+    'docs',
+  ],
+  ...['random', 'operations', 'glsl', 'three-webgpu'],
+]
 const browser = () =>
   withBrowsers(browsersAtOnce, () =>
     nodeTests('tests/browser', { atOnce: browsersAtOnce, longest }),
@@ -98,7 +106,7 @@ export const checks = [
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
   { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
   { group: 'cpp', title: 'The same under ASan and UBSan', work: () => cpp('sanitize') },
-  // From the committed seeds alone, so that it takes the same time everywhere.
+  // From the committed seeds alone, so that it takes the same time everywhere; longer by `npm run fuzz`.
   { group: 'fuzz', title: 'Fuzzing', work: () => fuzz({ seconds: 30, isKept: false }) },
   { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },
   { group: 'browser', title: 'Browser tests', work: browser },

@@ -23,8 +23,7 @@ constexpr double shifts[] = {0.6180339887498949, 0.7548776662466927, 0.819172513
 //   three levels of it, GLSL 3.00   6940   156       1560   143
 //
 // Frames of one level in GLSL 3.00 are the slower for it, by half where it was measured again, and
-// the first picture comes more than a second sooner. In four dimensions every octave stands in the
-// text: SwiftShader compiled a loop of them, with second derivatives, for three minutes.
+// the first picture comes more than a second sooner.
 Expression fractalNoise(Library& library, const Noise& noise, const Point& p,
                         const Expression* parameters, Expression (*shaped)(Expression)) {
   const Expression seed = parameters[0], lacunarity = parameters[1], gain = parameters[2];

@@ -1,5 +1,6 @@
-// The sketch of the README and the blocks of the docs that say “Run”, run in the playground as a reader does: they draw or print, and nothing goes wrong. Of the
-// lines below plots, which are all of one make, one of each group: tests/js/plots.test.js holds what each of them computes.
+// The sketch of the README and the blocks of the docs that say “Run”, run in the playground as a reader does: they draw or print, and
+// nothing goes wrong. Of the lines below plots, which are all of one make, one of each group: tests/js/plots.test.js holds what each of
+// them computes.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
@@ -17,7 +18,8 @@ const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
   const text = readFileSync(path(file), 'utf8')
   const runnable = blocksOf(text).filter(({ sketch }) => sketch)
   const groups = text.split('\n').flatMap((line, i) => (line.startsWith('## ') ? [i + 1] : []))
-  const firsts = groups.map((from) => runnable.find(({ line }) => line > from))
+  const within = (i) => runnable.find(({ line }) => line > groups[i] && !(line > groups[i + 1]))
+  const firsts = groups.map((_, i) => within(i)).filter(Boolean)
   const tried = /\/plots/.test(file) ? firsts : runnable
   return tried.map((block) => ({ ...block, place: `${file}:${block.line}` }))
 })

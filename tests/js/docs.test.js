@@ -1,5 +1,5 @@
-// The sketch of the README, and every block of the docs that says “Run”, without a browser: what stands for p5 and three.js here does nothing but hand each
-// offset to the compiler. tests/browser/docs.test.js runs the same blocks as a reader does.
+// The sketch of the README, and every block of the docs that says “Run”, without a browser: what stands for p5 and three.js here does
+// nothing but hand each offset to the compiler. tests/browser/docs.test.js runs the same blocks as a reader does.
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
 import { test } from 'node:test'

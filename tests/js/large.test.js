@@ -55,7 +55,9 @@ test('results', () =>
 
 test('functions', () => {
   const source = (i) => `float f${i}(float x) { return x; }`
-  isLinear(compileSum((glsl, i) => glsl.fn({ name: `f${i}`, arity: 1, source: source(i) })(i)))
+  return isLinear(
+    compileSum((glsl, i) => glsl.fn({ name: `f${i}`, arity: 1, source: source(i) })(i)),
+  )
 })
 
 test('derivatives by parameters', () =>

@@ -1,7 +1,7 @@
 // The workflow that publishes: what npm says of the tarball, what it sends, and each line that the workflow runs.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
-import { accessSync, constants, mkdtempSync, readFileSync, readdirSync } from 'node:fs'
+import { accessSync, constants, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs'
 import { createServer } from 'node:http'
 import { tmpdir } from 'node:os'
 import { after, before, test } from 'node:test'
@@ -38,7 +38,10 @@ before(async () => {
   })
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve))
 })
-after(() => server.close())
+after(() => {
+  server.close()
+  rmSync(home, { recursive: true })
+})
 
 /** A line of the workflow, in a shell, for that registry → { output, status }. The test itself has to answer npm meanwhile. */
 async function run(line, cwd, env = {}) {

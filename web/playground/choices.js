@@ -43,7 +43,7 @@ export function makeChoices(editor, complain) {
     })
   const note = make('span', {
     className: 'note',
-    textContent: 'Import warpjet/deformers, warpjet/glsl; no operators',
+    textContent: "Import 'warpjet/deformers' or 'warpjet/glsl'; no operators",
   })
   document.querySelector('.choices fieldset').append(note)
 

@@ -89,7 +89,9 @@ export async function project(sketch, dropped = {}) {
       .filter((name) => !name.includes('/'))
       .map(async (name) => {
         const response = dropped[name] ? await fetch(dropped[name]) : await read(name)
-        return [name, new Uint8Array(await response.arrayBuffer())]
+        // What lies in `public` is built, too.
+        const place = isThree(sketch.host) ? `public/${name}` : name
+        return [place, new Uint8Array(await response.arrayBuffer())]
       }),
   )
   return zip({

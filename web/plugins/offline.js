@@ -43,14 +43,20 @@ function worker({ name, files, models, same }) {
     const path = url.href.slice(scope.length)
     const file = [path, `${path}.html`, `${path}index.html`].find((file) => known.has(file)) ?? path
     // What such a page names is beside its folder otherwise.
-    if (known.has(`${path}/index.html`)) return Response.redirect(`${url}/`)
+    if (known.has(`${path}/index.html`)) {
+      const folder = new URL(request.url)
+      folder.pathname += '/'
+      return Response.redirect(folder)
+    }
     const address = scope + (same[file] ?? file)
     const cache = await caches.open(name)
     const kept = await cache.match(address)
     if (kept) return kept
     const response = await fetch(request)
     if (request.method === 'GET' && response.status === 200)
-      cache.put(address, await plain(response.clone()))
+      plain(response.clone())
+        .then((copy) => cache.put(address, copy))
+        .catch(() => {})
     return response
   }
 

@@ -143,12 +143,18 @@ export async function startHero(place) {
   })
   let isSeen = false
   let isRunning = false
+  let heavyFrames = 0
+  let mayBeFine = true
   async function run() {
     if (isRunning) return
     isRunning = true
     while (isSeen) {
       draw(await new Promise(requestAnimationFrame))
-      if (await rest(gl)) isFine = true
+      const isLight = await rest(gl)
+      heavyFrames = isLight ? 0 : heavyFrames + 1
+      // Where the fine ball turns out to be heavy, and not for a moment only, it is not tried again.
+      if (isFine && heavyFrames === 10) mayBeFine = isFine = false
+      else if (isLight) isFine = mayBeFine
     }
     isRunning = false
   }

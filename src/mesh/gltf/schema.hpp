@@ -6,10 +6,10 @@
 
 namespace warpjet {
 
-// Leaves nothing but known members of the right types: indices are whole numbers from 0 to 2^31 -
-// 1, sizes from 0 to 2^32 - 1, lists of numbers have their length. Whether an index has its element
-// is for whoever follows it. Throws a FileProblem that names the member. Nothing is copied: a
-// description can be most of a file.
+// Leaves nothing but known members of the right types: indices are whole numbers below 2^31, sizes
+// below 2^32, lists of numbers have their length. Whether an index has its element is for whoever
+// follows it. Throws a FileProblem that names the member. Nothing is copied: a description can be
+// most of a file.
 void reduceToSchema(nlohmann::json& tree);
 
 }  // namespace warpjet

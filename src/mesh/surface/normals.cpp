@@ -40,7 +40,7 @@ class Normals {
       : places_(weldedVertices(mesh.positions)),
         sheets_(findSheets(mesh, places_)),
         sums_(mesh.vertexCount(), glm::dvec3(0)),
-        sumsOfSheets_(sheets_.ofCorners.size(), glm::dvec3(0)),
+        sumsOfSheets_(sheets_.count, glm::dvec3(0)),
         ofVertices_(sheets_.isOnBothSides.size(), none) {
     for (std::size_t i = 0; i < mesh.triangleCount(); ++i) addTriangle(mesh, i);
   }

@@ -59,7 +59,7 @@ class Search {
       for (const std::uint32_t i : *triangles)
         forEachEdge(i, [&](const Use& use) { joinAlong(use, groups); });
     }
-    return {numbered(groups), std::move(isOnBothSides_)};
+    return numbered(groups);
   }
 
  private:
@@ -182,22 +182,21 @@ class Search {
     }
   }
 
-  Ids numbered(Groups& groups) const {
-    Ids ofCorners(3 * mesh_.triangleCount(), none);
-    Ids ofGroups(ofCorners.size(), none);
-    std::uint32_t count = 0;
+  Sheets numbered(Groups& groups) {
+    Sheets sheets{Ids(3 * mesh_.triangleCount(), none), 0, std::move(isOnBothSides_)};
+    Ids ofGroups(sheets.ofCorners.size(), none);
     for (const auto* triangles : {&twoSided_, &others_}) {
       for (const std::uint32_t i : *triangles) {
         const Three p = placesOf(i);
         for (std::uint32_t k = 0; k < 3; ++k) {
           if (!isThere_[p[k]]) continue;
           std::uint32_t& number = ofGroups[groups.find(3 * i + k)];
-          if (number == none) number = count++;
-          ofCorners[3 * i + k] = number;
+          if (number == none) number = sheets.count++;
+          sheets.ofCorners[3 * i + k] = number;
         }
       }
     }
-    return ofCorners;
+    return sheets;
   }
 
   const Mesh& mesh_;

@@ -14,6 +14,7 @@ struct Sheets {
   // are on the same side of the same sheet. `none` away from two-sided triangles, and in triangles
   // without area.
   std::vector<std::uint32_t> ofCorners;
+  std::uint32_t count = 0;  // of those numbers
   // By vertex: whether a triangle and the one that faces the other way both use it.
   std::vector<bool> isOnBothSides;
 };

@@ -70,9 +70,9 @@ ${coarseShapes}}`
 export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 32)
 `
 
-/** The examples without smooth edges, but for two that have few colours, or cover little, otherwise; for `addInitScript`. */
+/** The examples without smooth edges, but for those that have few colours, or cover little, otherwise; for `addInitScript`. */
 export const roughExamples = {
-  content: `/deformer-wave|spoon/.test(top.location.href) || (${rough})()`,
+  content: `/deformer-(?:wave|spherify)|spoon/.test(top.location.href) || (${rough})()`,
 }
 
 /** A sketch of three.js likewise; without a GPU its thousands of instances are what takes longest. */

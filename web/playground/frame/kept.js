@@ -50,10 +50,10 @@
     return code
   }
 
-  /** The numbers of a list, or of a vector of p5 or three.js. An image on the page has a place, too. */
+  /** The numbers of a list, or of a vector of p5 or three.js. An image on the page has a place, too, and three's have a width. */
   function numbersOf(value) {
     if (Array.isArray(value) || ArrayBuffer.isView(value)) return [...value]
-    if (!('x' in value) || 'width' in value) return []
+    if (!('x' in value) || ('width' in value && !value.toArray)) return []
     const names = value.isVector4 || value.isQuaternion ? 'xyzw' : 'xyz'
     return [...names].filter((name) => name in value).map((name) => value[name])
   }
