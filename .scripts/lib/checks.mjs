@@ -65,7 +65,7 @@ async function nodeTests(folder, { atOnce = availableParallelism(), longest = []
   await node(...printing, ours('run-tests.mjs'), `${atOnce}`, ...files)
 }
 
-// Tests wait for their pages: with two on two cores a sixth of the time is idle, with three nothing, and with four it takes longer.
+// Tests wait for their pages: with two on two cores a sixth of the time is idle, with three nothing is.
 const browsersAtOnce = availableParallelism() + 1
 /** Each takes 40 seconds of a core and more, or waits for long. */
 const longest = [

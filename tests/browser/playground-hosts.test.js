@@ -167,11 +167,13 @@ const uniformBall = ball
   .replace(
     /^warp\(.*$/m,
     `const center = new THREE.Vector3(0, 0.25, 0)
+const aside = new THREE.Vector2(0, 0)
 const tint = new THREE.Color('#ff0000')
 const warped = warp(
   mesh,
-  ({ position, uniforms }) => position.mult(uniforms.more).add(uniforms.center),
-  { uniforms: { more: 0, center, tint } },
+  ({ glsl, position, uniforms: { more, center, aside } }) =>
+    position.mult(more).add(center).add(glsl.vec3(aside, 0)),
+  { uniforms: { more: 0, center, aside, tint } },
 )
 renderer.setAnimationLoop(() => {
   mesh.material.color.copy(warped.uniforms.tint.value)
@@ -185,7 +187,12 @@ test('shows normals of three.js as colours, and its uniforms as sliders and fiel
   assert.equal(await mistake(), '')
   await becomes([255, 0, 0])
   const labels = await page.locator('.sliders label').allTextContents()
-  assert.deepEqual(labels, ['more', 'center.x', 'center.y', 'center.z', 'tint'])
+  assert.deepEqual(labels, [
+    'more',
+    ...['center.x', 'center.y', 'center.z'],
+    ...['aside.x', 'aside.y'],
+    'tint',
+  ])
   await page.getByLabel('tint').fill('#00ff00')
   await becomes([0, 255, 0])
   // One to the left and one upwards, where it covers the middle no more.
