@@ -10,7 +10,6 @@ import { sections } from '../../web/catalogue.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import {
   assertPicture,
-  bare,
   lower,
   plain,
   roughExamples,
@@ -157,11 +156,7 @@ describe('the gallery of npm start', () => {
 
       for (const name of names) {
         const frame = await playing(page, url, name, 1)
-        if (name === names[0]) {
-          assertPicture(await statistics(frame))
-          // That the others draw on a phone, too, is known then: what is asked is whether they fit.
-          await lower(context, url, { before: bare })
-        }
+        if (name === names[0]) assertPicture(await statistics(frame))
         for (const place of [page, frame])
           assert.equal(
             await place.evaluate('innerWidth >= document.documentElement.scrollWidth'),

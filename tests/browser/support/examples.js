@@ -49,7 +49,7 @@ export const lower = (context, url, { exceptions = [], before = '' } = {}) =>
 
 function lowered(name, text, { exceptions, before }) {
   if (exceptions.includes(name)) return text
-  if (name.startsWith('three-')) return (before.endsWith(still) ? twoFrames : '') + smaller(text)
+  if (name.startsWith('three-')) return (before === still ? twoFrames : '') + smaller(text)
   return `${text}
 {
   const { createCanvas, pixelDensity } = p5.prototype
@@ -98,10 +98,6 @@ export const plain = `
 /** One frame of that. */
 export const still = `
     this.noLoop()${plain}`
-
-/** A frame with nothing on it. */
-export const bare = `
-    window.draw = () => {}${still}`
 
 /** How many colours the canvas has, in steps of 8, and which share of it is not background. */
 export const statistics = (frame) =>
