@@ -1,9 +1,8 @@
 // What others' programs say of the tarball, and TypeScript of its types.
 import assert from 'node:assert/strict'
-import { readdirSync } from 'node:fs'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { load, project, runIn } from './support/project.js'
+import { load, project, runIn, tarball } from './support/project.js'
 
 test('publint', async () => {
   const { publint } = await load('publint')
@@ -12,10 +11,9 @@ test('publint', async () => {
 })
 
 test('attw --profile esm-only', () => {
-  const tarball = readdirSync(project).find((name) => name.endsWith('.tgz'))
   const { output, status } = runIn(process.execPath, [
     'node_modules/@arethetypeswrong/cli/dist/index.js',
-    tarball,
+    tarball(),
     '--profile=esm-only',
     '--no-color',
     '--format=ascii',

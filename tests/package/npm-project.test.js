@@ -1,7 +1,7 @@
 // The npm project that the playground packs: installed with the package that is tested, it starts, is built, and draws the same.
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
-import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { preview } from 'vite'
 import { difference, pixels } from '../browser/support/bench.js'
@@ -15,7 +15,7 @@ import {
   still,
   write,
 } from '../browser/support/playground.js'
-import { project } from './support/project.js'
+import { project, tarball } from './support/project.js'
 
 const folder = `${project}/npm-project`
 
@@ -65,10 +65,10 @@ async function npm(args, isDone = () => undefined) {
 async function install() {
   unpack(await bytesOf(await saved(page, 'npm project')))
   const file = `${folder}/package.json`
-  const tarball = readdirSync(project).find((name) => name.endsWith('.tgz'))
+  const name = tarball()
   const manifest = JSON.parse(readFileSync(file))
-  assert.ok(tarball.includes(manifest.dependencies.warpjet))
-  manifest.dependencies.warpjet = `file:../${tarball}`
+  assert.ok(name.includes(manifest.dependencies.warpjet))
+  manifest.dependencies.warpjet = `file:../${name}`
   writeFileSync(file, JSON.stringify(manifest))
   await npm(['install', '--prefer-offline', '--no-audit', '--no-fund'])
 }

@@ -6,7 +6,7 @@ import { createServer } from 'node:http'
 import { tmpdir } from 'node:os'
 import { after, before, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { project, runIn } from './support/project.js'
+import { project, runIn, tarball } from './support/project.js'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 const manifest = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
@@ -16,8 +16,6 @@ const runs = [...readFileSync(file, 'utf8').matchAll(/^ *(?:- )?run: (.+)$/gm)].
   ([, run]) => run,
 )
 const runOf = (pattern) => runs.find((run) => pattern.test(run))
-
-const tarball = () => readdirSync(project).find((name) => name.endsWith('.tgz'))
 
 /** A registry that knows no package yet, and keeps what it gets. */
 const received = []

@@ -1,5 +1,6 @@
 // The project that `npm test -- --all package` sets up, and the programs installed in it.
 import { spawnSync } from 'node:child_process'
+import { readdirSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { fileURLToPath, pathToFileURL } from 'node:url'
 
@@ -7,6 +8,9 @@ export const project = fileURLToPath(new URL('../../../.build/package', import.m
 export const folder = '.build/package'
 
 const require = createRequire(`${project}/package.json`)
+
+/** The name of the packed package, which lies there. */
+export const tarball = () => readdirSync(project).find((name) => name.endsWith('.tgz'))
 
 /** A program's module, from the project's own node_modules. */
 export const load = (name) => import(pathToFileURL(require.resolve(name)).href)
