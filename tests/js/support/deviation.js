@@ -1,21 +1,23 @@
 // How far warped triangles are from the warped surface, measured by dense samples and not by what `subdivide` looks at.
 
+/** Numbers of positions that are moved at once. */
+const batchSize = 6e5
+
 /**
  * The largest distance from a point of the true surface (a point inside a triangle of `mesh`, warped) to that triangle
  * with its corners warped: to the closest point of it. Samples lie in each triangle on a lattice no wider than
- * `spacing`, measured before the warp, and with at least four steps a side.
+ * `spacing`, measured before the warp, and with at least four steps a side. The warp is best one without normals, which
+ * nothing here reads.
  */
 export function deviation(mesh, warp, uniforms, spacing) {
-  // No warp that is measured reads normals, but each wants some.
-  const moved = (positions) =>
-    warp.evaluate({ positions, normals: new Float32Array(positions.length) }, { uniforms })
-      .positions
+  const moved = (positions) => warp.evaluate({ positions }, { uniforms }).positions
   const corners = moved(mesh.positions)
   let most = 0
   let batch = []
-  let positions = []
+  let positions = new Float32Array(batchSize)
+  let filled = 0
   const flush = () => {
-    const points = moved(Float32Array.from(positions))
+    const points = moved(positions.subarray(0, filled))
     let next = 0
     for (const { triangle, steps } of batch)
       for (const [s, t] of lattice(steps)) {
@@ -25,7 +27,7 @@ export function deviation(mesh, warp, uniforms, spacing) {
           most = Math.max(most, distanceToTriangle(sample, triangle))
       }
     batch = []
-    positions = []
+    filled = 0
   }
   for (let t = 0; t < mesh.indices.length / 3; t++) {
     const at = (from) => [0, 1, 2].map((side) => point(from, mesh.indices[3 * t + side]))
@@ -33,9 +35,16 @@ export function deviation(mesh, warp, uniforms, spacing) {
     const [a, b, c] = before
     const longest = Math.max(length(sub(b, a)), length(sub(c, b)), length(sub(a, c)))
     const steps = Math.max(4, Math.ceil(longest / spacing))
-    for (const [s, t] of lattice(steps)) positions.push(...between(before, s, t))
+    const size = 3 * lattice(steps).length
+    if (filled + size > positions.length) {
+      flush()
+      if (size > positions.length) positions = new Float32Array(size)
+    }
+    for (const [s, t] of lattice(steps)) {
+      positions.set(between(before, s, t), filled)
+      filled += 3
+    }
     batch.push({ triangle: at(corners), steps })
-    if (positions.length > 3e5) flush()
   }
   flush()
   return most

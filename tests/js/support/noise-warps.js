@@ -7,7 +7,7 @@ export const cube = box([90, 90, 90])
 
 const octaves = { octaves: 3 }
 
-/** By name. The last three have creases. */
+/** By name, without normals, which nobody asks them for. The last three have creases. */
 export const noiseWarps = Object.fromEntries(
   Object.entries({
     noise: (glsl, p) => glsl.noise(p),
@@ -18,9 +18,8 @@ export const noiseWarps = Object.fromEntries(
     ridged: (glsl, p) => glsl.ridged(p, octaves),
     turbulence: (glsl, p) => glsl.turbulence(p, octaves),
   }).map(([name, height]) => {
-    const warp = compileWarp(({ glsl, position }) =>
-      glsl.vec3(0, 0, height(glsl, position.div(60)).mult(20)),
-    )
-    return [name, warp]
+    const offset = ({ glsl, position }) =>
+      glsl.vec3(0, 0, height(glsl, position.div(60)).mult(20))
+    return [name, compileWarp(offset, { normals: false })]
   }),
 )
