@@ -18,8 +18,7 @@ export const noiseWarps = Object.fromEntries(
     ridged: (glsl, p) => glsl.ridged(p, octaves),
     turbulence: (glsl, p) => glsl.turbulence(p, octaves),
   }).map(([name, height]) => {
-    const offset = ({ glsl, position }) =>
-      glsl.vec3(0, 0, height(glsl, position.div(60)).mult(20))
+    const offset = ({ glsl, position }) => glsl.vec3(0, 0, height(glsl, position.div(60)).mult(20))
     return [name, compileWarp(offset, { normals: false })]
   }),
 )
