@@ -12,12 +12,11 @@ import {
   assertPicture,
   lower,
   plain,
-  roughExamples,
   sketchesForTests,
   statistics,
   still,
 } from './support/examples.js'
-import { drawLittle, fewFrames, keepFrames, rough } from './support/frames.js'
+import { drawLittle, fewFrames, keepFrames } from './support/frames.js'
 import { serveSite } from './support/site.js'
 
 const path = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url))
@@ -106,7 +105,7 @@ describe('the gallery of npm start', () => {
     before(async () => {
       const context = await browser.newContext(desktop)
       await lower(context, url, { exceptions: [asItIs], before: plain })
-      for (const script of [stopWhenTimed, keepFrames, fewFrames, roughExamples])
+      for (const script of [stopWhenTimed, keepFrames, fewFrames])
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
     })
@@ -147,7 +146,6 @@ describe('the gallery of npm start', () => {
   if (isRun('the gallery built, and on a phone'))
     test('fits a phone, and so does each example', async () => {
       const context = await browser.newContext(phone)
-      await context.addInitScript(rough)
       await lower(context, url, { before: still })
       const { page, messages } = await openPage(context, url)
       const width = await page.evaluate(() => document.documentElement.scrollWidth)

@@ -5,14 +5,7 @@ import { createServer } from 'vite'
 import { sections } from '../../web/catalogue.js'
 import { config, desktop } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import {
-  assertPicture,
-  lower,
-  roughExamples,
-  sketchesForTests,
-  statistics,
-  still,
-} from './support/examples.js'
+import { assertPicture, lower, sketchesForTests, statistics, still } from './support/examples.js'
 import { keepFrames } from './support/frames.js'
 import { settled, shown } from './support/playground.js'
 
@@ -28,7 +21,7 @@ before(async () => {
   const context = await browser.newContext(desktop)
   const [url] = server.resolvedUrls.local
   await lower(context, url, { before: still })
-  for (const script of [keepFrames, roughExamples]) await context.addInitScript(script)
+  await context.addInitScript(keepFrames)
   ;({ page, messages } = await openPage(context, `${url}playground/index.html`))
   await settled(page)
 })

@@ -41,17 +41,19 @@ export const ask = (context, url, name, value) =>
   context.addCookies([{ name, value: encodeURIComponent(value), url }])
 
 /**
- * Sketches other than `exceptions` are drawn with a sixteenth of their pixels and coarse shapes: without a GPU these are what
- * takes long, lit triangles smaller than a pixel most of all. `before` is what p5 does first, or `still`.
+ * Sketches are drawn without smooth edges, and those other than `exceptions` with a sixteenth of their pixels and coarse shapes:
+ * without a GPU these are what takes long, lit triangles smaller than a pixel most of all. `before` is what p5 does first, or
+ * `still`.
  */
 export const lower = (context, url, { exceptions = [], before = '' } = {}) =>
   ask(context, url, 'sketches', JSON.stringify({ exceptions, before }))
 
 function lowered(name, text, { exceptions, before }) {
-  if (exceptions.includes(name)) return text
-  if (name.startsWith('three-')) return (before === still ? twoFrames : '') + smaller(text)
+  const edges = needsSmoothEdges(name) ? '' : `;(${rough})()\n`
+  if (exceptions.includes(name)) return `${text}\n${edges}`
+  if (name.startsWith('three-')) return edges + (before === still ? twoFrames : '') + smaller(text)
   return `${text}
-{
+${edges}{
   const { createCanvas, pixelDensity } = p5.prototype
   p5.prototype.createCanvas = function (...size) {
     const canvas = createCanvas.apply(this, size)
@@ -70,10 +72,8 @@ ${coarseShapes}}`
 export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 32)
 `
 
-/** The examples without smooth edges, but for those that have few colours, or cover little, otherwise; for `addInitScript`. */
-export const roughExamples = {
-  content: `/deformer-(?:wave|spherify)|spoon/.test(top.location.href) || (${rough})()`,
-}
+/** Without smooth edges these have few colours, or cover little. */
+const needsSmoothEdges = (name) => /^(?:deformer-(?:wave|spherify)|spoon)$/.test(name)
 
 /** A sketch of three.js likewise; without a GPU its thousands of instances are what takes longest. */
 const smaller = (text) =>
