@@ -5,6 +5,7 @@ import { offline } from './plugins/offline.js'
 import { ownTypesPlugin } from './plugins/own-types.js'
 import { quietClient } from './plugins/quiet-client.js'
 import { sitePagesPlugin, siteScripts } from './plugins/site-pages.js'
+import { folderAddresses } from './site/folder-address.js'
 
 const path = (relative) => fileURLToPath(new URL(relative, import.meta.url))
 
@@ -15,7 +16,14 @@ export default {
   appType: 'mpa',
   publicDir: false,
   cacheDir: path('../.build/vite'),
-  plugins: [sitePagesPlugin(), exampleFiles(), ownTypesPlugin(), offline(), quietClient()],
+  plugins: [
+    sitePagesPlugin(),
+    folderAddresses(),
+    exampleFiles(),
+    ownTypesPlugin(),
+    offline(),
+    quietClient(),
+  ],
   server: { fs: { allow: [path('..')] } },
   optimizeDeps: {
     include: [

@@ -8,6 +8,7 @@ import { launchBrowser, openPage } from './support/browser.js'
 import { serveCleanly } from './support/clean-urls.js'
 import { drawLittle } from './support/frames.js'
 import { settled, shown } from './support/playground.js'
+import { calm, withoutWorker } from './support/site.js'
 
 const patience = { timeout: 120_000 }
 
@@ -58,6 +59,33 @@ test('once seen, all of it is there without a network', async () => {
   await page.waitForFunction(() => document.querySelector('main').ariaBusy === 'true')
   await settled(page)
   assert.equal(await page.locator('.mistake').textContent(), '')
+  assert.deepEqual(messages, [])
+  await context.close()
+})
+
+test('a host that gives x/index.html at x serves all of it, too', async (t) => {
+  const bare = await serveCleanly(path(folder), '/some/folder', { slashes: false })
+  t.after(() => bare.close())
+  const context = await browser.newContext(calm(desktop))
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, bare.url.slice(0, -1))
+  const places = ['', '/docs', '/gallery/lotus', '/drop', '/bench', '/playground']
+  for (const place of places) {
+    await page.goto(bare.url.slice(0, -1) + place, patience)
+    assert.equal(new URL(page.url()).pathname, `/some/folder${place}/`)
+    assert.ok(await page.evaluate(() => document.styleSheets.length), `${place} has no style`)
+    // What it links to is there.
+    const links = await page.locator('a[href]').evaluateAll((all) => all.map(({ href }) => href))
+    for (const link of new Set(links.filter((link) => link.startsWith(bare.url))))
+      assert.equal((await page.request.get(link)).status(), 200, `${place} leads to ${link}`)
+  }
+  await settled(page)
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  await page.goto(`${bare.url}gallery/lotus/index.html#main`, patience)
+  await page.getByRole('link', { name: 'Skip to the page' }).focus()
+  await page.keyboard.press('Enter')
+  await page.waitForFunction(() => document.activeElement.id === 'main', null, patience)
   assert.deepEqual(messages, [])
   await context.close()
 })

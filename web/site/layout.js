@@ -1,4 +1,5 @@
 /** The frame of every page of the site: head, bar, search, and what the page says. */
+import { folderAddress } from './folder-address.js'
 import { escaped } from './html.js'
 import { places } from './navigation.js'
 
@@ -21,6 +22,7 @@ export function frame({ url, title, description, kind, here, script, preload }, 
 <html lang="en" data-root="${root}">
   <head>
     <meta charset="utf-8" />
+    ${url.endsWith('index.html') ? folderAddress : ''}
     <meta name="viewport" content="width=device-width, initial-scale=1" />
     <meta name="color-scheme" content="dark light" />
     <meta name="description" content="${escaped(description)}" />

@@ -16,16 +16,19 @@ const kindOf = async (file) => {
   return found?.isDirectory() ? 'folder' : found && 'file'
 }
 
-/** Serves what lies in `folder` below `/base/` → { url, close() }. */
-export async function serveCleanly(folder, base) {
+/**
+ * Serves what lies in `folder` below `/base/` → { url, close() }. A folder is given at x/, and at x is led there; without
+ * `slashes` it is given at both, and who asks for its index.html is led to x.
+ */
+export async function serveCleanly(folder, base, { slashes = true } = {}) {
   const server = createServer(async (request, response) => {
     const { pathname, search } = new URL(request.url, 'http://localhost')
     const lead = (path) => response.writeHead(308, { location: path + search }).end()
-    const clean = pathname.replace(/(?:(?<=\/)index)?\.html$/, '')
+    const clean = pathname.replace(slashes ? /(?:(?<=\/)index)?\.html$/ : /(?:\/index)?\.html$/, '')
     if (clean !== pathname) return lead(clean)
     const asked = join(folder, decodeURIComponent(pathname.slice(base.length + 1)))
     const kind = await kindOf(asked)
-    if (kind === 'folder' && !pathname.endsWith('/')) return lead(`${pathname}/`)
+    if (slashes && kind === 'folder' && !pathname.endsWith('/')) return lead(`${pathname}/`)
     const file = kind === 'folder' ? join(asked, 'index.html') : kind ? asked : `${asked}.html`
     const content = await readFile(file).catch(() => undefined)
     if (content) response.setHeader('content-type', types[extname(file)] ?? 'text/plain')

@@ -75,12 +75,13 @@ export const coarseShapes = `;(${coarsenShapes})(p5.prototype, 32)
 /** Without smooth edges these have few colours, or cover little. */
 const needsSmoothEdges = (name) => /^(?:deformer-(?:wave|spherify)|spoon)$/.test(name)
 
-/** A sketch of three.js likewise; without a GPU its thousands of instances are what takes longest. */
+/** A sketch of three.js likewise; without a GPU its thousands of instances and triangles are what takes longest. */
 const smaller = (text) =>
   text
     .replaceAll(/setPixelRatio\(.*\)/g, 'setPixelRatio(0.25)')
     .replaceAll(/mapSize\.set\(.*\)/g, 'mapSize.set(256, 256)')
     .replaceAll('10_000', '800')
+    .replaceAll(/(PlaneGeometry\(\d+, \d+), \d{3}, \d{3}/g, '$1, 64, 64')
 
 /** The first shows what the second has to draw: then no more, which the next example would wait for. */
 const twoFrames = `
