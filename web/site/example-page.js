@@ -47,7 +47,7 @@ export function examplePage({ name, url, figure, title, text, section, source })
   const index = examples.findIndex((example) => example.name === name)
   const at = (step) => examples[(index + step + examples.length) % examples.length]
   const link = (step, rel, word) =>
-    `<a rel="${rel}" href="../${at(step).name}/index.html"><small>${word}</small>${escaped(at(step).title)}</a>`
+    `<a rel="${rel}" href="../${at(step).name}/"><small>${word}</small>${escaped(at(step).title)}</a>`
   return frame(
     {
       url,
@@ -59,7 +59,7 @@ export function examplePage({ name, url, figure, title, text, section, source })
       preload: `posters/${name}.webp`,
     },
     `<main id="main" tabindex="-1" data-name="${name}" data-title="${escaped(title)}">
-      <p class="back"><a href="../../index.html#gallery">All examples</a></p>
+      <p class="back"><a href="../../#gallery">All examples</a></p>
       <header>
         <p class="figure">${escaped(figure)}</p>
         <h1>${escaped(title)}</h1>
@@ -72,7 +72,7 @@ export function examplePage({ name, url, figure, title, text, section, source })
           <div class="under"><output class="rate"></output><button type="button" class="pause" aria-pressed="false">Pause</button></div>
           <div class="sliders">${sliders(name, sketch).map(control).join('\n')}</div>
           <p class="ways">
-            <a class="button" href="../../playground/index.html#example=${name}">Open in the playground</a>
+            <a class="button" href="../../playground/#example=${name}">Open in the playground</a>
             <a class="button quiet" href="full.html">Full page</a>
             ${filesOf(sketch)
               .map(

@@ -15,7 +15,7 @@ export const fullPage = ({ name, url, figure, title, text }) =>
     },
     `<main id="main" tabindex="-1" data-name="${name}" data-title="${escaped(title)}">
       <header>
-        <p class="back"><a href="index.html">Sketch and sliders</a></p>
+        <p class="back"><a href="./">Sketch and sliders</a></p>
         <h1>${escaped(title)} <small class="figure">${escaped(figure)}</small></h1>
         <button type="button" class="pause" aria-pressed="false">Pause</button>
         <p class="text">${escaped(text)}</p>

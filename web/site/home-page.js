@@ -9,7 +9,7 @@ export const scriptTag =
 const tile = (section) => (example) => {
   const { name, title, figure, text } = example
   const words = `${title} ${figure} ${section.title} ${text}`.toLowerCase()
-  return `<li data-section="${escaped(section.title)}" data-words="${escaped(words)}"><a href="gallery/${name}/index.html">
+  return `<li data-section="${escaped(section.title)}" data-words="${escaped(words)}"><a href="gallery/${name}/">
 <img src="posters/${name}.webp" width="480" height="360" loading="lazy" decoding="async" alt="" />
 <span><b>${escaped(title)}</b> <i>${escaped(figure)}</i></span></a></li>`
 }
@@ -36,7 +36,7 @@ export const homePage = () =>
           <div class="install"><code tabindex="0">${escaped(scriptTag)}</code><button type="button" class="copy">Copy</button></div>
           <p class="ways">
             <a class="button" href="docs/tutorial-1-first-warp.html">Your first warp</a>
-            <a class="button quiet" href="playground/index.html">Playground</a>
+            <a class="button quiet" href="playground/">Playground</a>
             <code>npm i warpjet</code>
           </p>
         </div>
@@ -61,6 +61,6 @@ ${sections.flatMap((section) => section.examples.map(tile(section))).join('\n')}
     <footer>
       <p>The method is Dave Pagurek van Mossel’s <i>Vertex Shader Domain Warping with Automatic Differentiation</i> (2024).
       What it costs beside every other way: <a href="bench/results.html">measured</a>, and
-      <a href="bench/index.html">live on your machine</a>. MIT licence.</p>
+      <a href="bench/">live on your machine</a>. MIT licence.</p>
     </footer>`,
   )

@@ -38,7 +38,7 @@ export function frame({ url, title, description, kind, here, script, preload }, 
   <body class="${kind}">
     <a class="skip" href="#main">Skip to the page</a>
     <header class="bar">
-      <a class="name" href="${root}index.html">warpjet</a>
+      <a class="name" href="${root}">warpjet</a>
       <nav aria-label="Site">${places.map(link(root, here)).join('')}</nav>
       <search>
         <input type="search" id="search" placeholder="Search" aria-label="Search the site" autocomplete="off"

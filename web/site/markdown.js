@@ -69,9 +69,7 @@ export function makeMarkdown() {
   rules.fence = (tokens, index) => {
     const { content, info } = tokens[index]
     const sketch = runnable(content, info, directive(tokens, index))
-    const run = sketch
-      ? `<a class="run" href="../playground/index.html${linkTo(sketch)}">Run</a>`
-      : ''
+    const run = sketch ? `<a class="run" href="../playground/${linkTo(sketch)}">Run</a>` : ''
     return `<div class="block">${run}<pre tabindex="0"><code>${coloured(content, info)}</code></pre></div>\n`
   }
 
@@ -97,7 +95,7 @@ export function makeMarkdown() {
     const text = tokens[index].content
     const [, name] = /^examples\/([\w-]+)$/.exec(text) ?? []
     const code = `<code>${escaped(text)}</code>`
-    return name ? `<a href="../gallery/${name}/index.html">${code}</a>` : code
+    return name ? `<a href="../gallery/${name}/">${code}</a>` : code
   }
 
   const image = rules.image

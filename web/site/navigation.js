@@ -78,9 +78,9 @@ export const pages = groups.flatMap(({ title: group, pages }) =>
 
 /** Above every page. `href` is from the first page. */
 export const places = [
-  { title: 'Gallery', href: 'index.html#gallery' },
-  { title: 'Docs', href: 'docs/index.html' },
-  { title: 'Playground', href: 'playground/index.html' },
-  { title: 'Your model', href: 'drop/index.html' },
+  { title: 'Gallery', href: '#gallery' },
+  { title: 'Docs', href: 'docs/' },
+  { title: 'Playground', href: 'playground/' },
+  { title: 'Your model', href: 'drop/' },
   { title: 'Measured', href: 'bench/results.html' },
 ]

@@ -21,7 +21,7 @@ function partsOf({ file, html }) {
 export const searchIndex = (docs) => [
   ...docs.flatMap(partsOf),
   ...examples.map(({ name, title, figure, text }) => ({
-    url: `gallery/${name}/index.html`,
+    url: `gallery/${name}/`,
     title,
     page: 'Gallery',
     text: `${figure} ${text}`,
