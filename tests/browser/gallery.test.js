@@ -41,6 +41,10 @@ const patience = { timeout: 180_000 }
 const desktop = { viewport: { width: 1280, height: 900 } }
 const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }
 
+/** Opened anew on a phone: those whose sketches ask for the size of the window, and a few. The others are turned into one. */
+const isOpenedOnPhone = (name) =>
+  name === names[0] || everyday.includes(name) || name.startsWith('three-')
+
 let browser
 before(async () => {
   mkdirSync(screenshots, { recursive: true })
@@ -101,15 +105,23 @@ describe('the gallery of npm start', () => {
   })
 
   describe('on a desktop', () => {
-    let page, messages
+    let page, messages, session
     before(async () => {
       const context = await browser.newContext(desktop)
       await lower(context, url, { exceptions: [asItIs], before: plain })
       for (const script of [stopWhenTimed, keepFrames, fewFrames])
         await context.addInitScript(script)
       ;({ page, messages } = await openPage(context, url))
+      session = await context.newCDPSession(page)
     })
     after(() => page.context().close())
+
+    /** Gives the page that is open the size and the touch of another screen, as long as the session lasts. */
+    async function turnInto({ viewport, isMobile = false }) {
+      const screen = { ...viewport, deviceScaleFactor: 1, mobile: isMobile }
+      await session.send('Emulation.setDeviceMetricsOverride', screen)
+      await session.send('Emulation.setTouchEmulationEnabled', { enabled: isMobile })
+    }
 
     test('begins with a warp, and a picture of each example', async () => {
       await page.waitForSelector('.hero canvas', patience)
@@ -129,6 +141,11 @@ describe('the gallery of npm start', () => {
           .waitFor(patience)
         await page.screenshot({ path: `${screenshots}/${name}.png` })
         assert.equal(await page.locator('iframe').count(), 1)
+        if (isOpenedOnPhone(name)) return
+        await turnInto(phone)
+        assert.equal(await page.evaluate('innerWidth'), phone.viewport.width)
+        await assertFits(page, frame, name)
+        await turnInto(desktop)
       })
 
     test('lets the wheel scroll the page over a sketch', async () => {
@@ -152,15 +169,10 @@ describe('the gallery of npm start', () => {
       assert.equal(width, phone.viewport.width)
       await page.screenshot({ path: `${screenshots}/phone-top.png` })
 
-      for (const name of names) {
+      for (const name of names.filter(isOpenedOnPhone)) {
         const frame = await playing(page, url, name, 1)
         if (name === names[0]) assertPicture(await statistics(frame))
-        for (const place of [page, frame])
-          assert.equal(
-            await place.evaluate('innerWidth >= document.documentElement.scrollWidth'),
-            true,
-            `${name}, ${place === page ? 'its page' : 'the sketch'}`,
-          )
+        await assertFits(page, frame, name)
         assert.equal(await frame.locator('.lil-gui.root:not(.closed)').count(), 0, name)
         await page.screenshot({ path: `${screenshots}/phone-${name}.png` })
       }
@@ -192,4 +204,13 @@ async function playing(page, url, name, frames = 3) {
   const frame = await element.contentFrame()
   await frame.waitForFunction((frames) => window.frameCount >= frames, frames, patience)
   return frame
+}
+
+async function assertFits(page, frame, name) {
+  for (const place of [page, frame])
+    assert.equal(
+      await place.evaluate('innerWidth >= document.documentElement.scrollWidth'),
+      true,
+      `${name}, ${place === page ? 'its page' : 'the sketch'}`,
+    )
 }
