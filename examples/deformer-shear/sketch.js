@@ -6,9 +6,9 @@ async function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
   const font = await loadFont('fredoka.woff')
-  textSize(200)
+  textSize(172)
   textAlign(CENTER, CENTER)
-  word = font.textToModel('lean', 0, -20, { extrude: 60, sampleFactor: 1 })
+  word = font.textToModel('lean', 0, -20, { extrude: 52, sampleFactor: 1 })
   // WEBGPU asks for texture coordinates, which text does not bring.
   word.uvs = word.vertices.flatMap(() => [0, 0])
 
