@@ -114,8 +114,7 @@ test('the links and pictures of what is shipped live wherever it is shown', () =
   const paths = new Set(packedFiles().map(({ path }) => path))
   /** Each page of the docs is made of a file that is shipped, too. */
   const isOfSite = (page) =>
-    ['', 'docs/', 'playground/'].includes(page) ||
-    paths.has(`web/${page.replace(/html$/, 'md')}`)
+    ['', 'docs/', 'playground/'].includes(page) || paths.has(`web/${page.replace(/html$/, 'md')}`)
   const wrong = [...paths]
     .filter((path) => path.endsWith('.md'))
     .flatMap((path) => {
