@@ -55,9 +55,6 @@ distort = createWarp(twist({ axis: 'y', angle: ({ millis }) => millis.div(1000).
 })
 \`\`\`
 
-Lengths are in the units of the warp's space, and defaults suit pixels, which p5 has with \`space: 'world'\` and in models: in its
-own space, \`sphere()\` has a radius of 1.
-
 With script tags, \`dist/warpjet.deformers.min.js\` after \`dist/p5.warpjet.min.js\` adds them to the global \`warpjet\`:
 \`warpjet.twist({ angle: 1 })\`.
 

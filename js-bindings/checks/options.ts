@@ -9,7 +9,9 @@ export function checkOptions(method: string, options: unknown, known: readonly s
     throw new WarpError(`${method}: the options must be an object, but are ${describe(options)}.`)
   for (const key in options)
     if (Object.hasOwn(options, key) && !known.includes(key))
-      throw new WarpError(`${method}: there is no option "${key}"; there are ${known.join(', ')}.`)
+      throw new WarpError(
+        `${method}: there is no option "${key}"; there ${known.length > 1 ? 'are' : 'is'} ${known.join(', ')}.`,
+      )
 }
 
 export function checkCallback(method: string, callback: unknown) {

@@ -25,7 +25,7 @@ const instead: Record<string, string> = {
   constrain: 'glsl.clamp(x, low, high)',
   norm: 'x.sub(low).div(high - low)',
   map: 'x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow)',
-  noise: 'position.mult(0.01).noise(), or glsl.vec3(x, y, z).noise()',
+  noise: 'position.mult(3).noise(), or glsl.vec3(x, y, z).noise()',
   createVector: 'glsl.vec3(x, y, z)',
   color: 'glsl.vec4(red, green, blue, alpha)',
   millis: 'millis',

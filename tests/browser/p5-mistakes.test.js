@@ -86,7 +86,7 @@ const offsets = {
     'Math.max works on numbers, not on expressions of a warp; write glsl.max(x, y).',
   'glsl.vec3(Math.PI * position.y, 0, 0)': ownOperators,
   'glsl.vec3(sin(position.y), 0, 0)': `p5's sin works on numbers, not on expressions of a warp; write x.sin().`,
-  'glsl.vec3(noise(position.x, position.y), 0, 0)': `p5's noise works on numbers, not on expressions of a warp; write position.mult(0.01).noise(), or glsl.vec3(x, y, z).noise().`,
+  'glsl.vec3(noise(position.x, position.y), 0, 0)': `p5's noise works on numbers, not on expressions of a warp; write position.mult(3).noise(), or glsl.vec3(x, y, z).noise().`,
   'glsl.vec3(map(position.y, -1, 1, 0, 10), 0, 0)': `p5's map works on numbers, not on expressions of a warp; write x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow).`,
   'glsl.vec3(lerp(0, 10, position.y), 0, 0)': `p5's lerp works on numbers, not on expressions of a warp; write glsl.mix(from, to, amount).`,
   'glsl.vec3(constrain(position.y, 0, 1), 0, 0)': `p5's constrain works on numbers, not on expressions of a warp; write glsl.clamp(x, low, high).`,

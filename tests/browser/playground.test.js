@@ -209,9 +209,20 @@ describe('the playground', () => {
     await settled(page)
   })
 
+  test('names the box to tick for what needs a script', async () => {
+    const mistake = page.locator('.mistake')
+    await write(page, still('#ff00ff').replace('warp =', 'warpjet.melt(0.5); warp ='))
+    assert.match(
+      await mistake.textContent(),
+      /warpjet\.melt.*warpjet\.deformers\.min\.js.*Here, tick “Deformers” above\.$/,
+    )
+    await write(page, still('#ff00ff', "warpjet.glslOffset('')"))
+    assert.match(await mistake.textContent(), /Here, tick “Shader text” above\.$/)
+  })
+
   test('runs operators with their script, and says so without it', async () => {
     await write(page, still('#ff00ff', '[position.y * 0.5, 0, 0]'))
-    assert.notEqual(await page.locator('.mistake').textContent(), '')
+    assert.match(await page.locator('.mistake').textContent(), /Here, tick “Operators” above\.$/)
     await page.getByLabel('Operators').check()
     await settled(page)
     assert.equal(await page.locator('.mistake').textContent(), '')

@@ -282,7 +282,7 @@ describe('a warp of noise on the CPU', () => {
 
 describe('refusals', () => {
   const refusals = [
-    [(glsl, p) => p.noise({ sed: 1 }), /^noise: there is no option "sed"; there are seed\.$/],
+    [(glsl, p) => p.noise({ sed: 1 }), /^noise: there is no option "sed"; there is seed\.$/],
     [
       (glsl, p) => p.noise({ seed: 0.5 }),
       /^noise: the option "seed" must be a whole number from -8388608 to 8388608, but is the number 0\.5\.$/,

@@ -119,6 +119,10 @@ function complain(mistake) {
     mistakePlace.append(button, ' ')
   }
   mistakePlace.append(mistake.message)
+  const missing = Object.values(scripts).find(
+    ({ title, file }) => title && mistake.message.includes(file.split('/').at(-1)),
+  )
+  if (missing) mistakePlace.append(` Here, tick “${missing.title}” above.`)
 }
 
 /** Frames a second, as the frame counts them. */

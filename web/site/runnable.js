@@ -62,7 +62,7 @@ function draw() {
 
   fill('#ff8a5b')
   ${warp}()
-  ${space ? 'scale(0.4, 1, 0.4)\n  ' : ''}sphere(150, 160, 120)
+  ${space ? 'warpBox(110, 260, 110, 40)' : 'sphere(150, 160, 120)'}
 }
 `
 }
