@@ -8,7 +8,7 @@ import { config, desktop, difference, path, patience, pixels } from './support/b
 import { bytesOf, launchBrowser, openPage } from './support/browser.js'
 import { rough } from './support/frames.js'
 import { sphereMesh } from './support/mesh.js'
-import { png } from './support/png.js'
+import { png } from '../js/support/png.js'
 import { serveSite } from './support/site.js'
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }
@@ -278,7 +278,7 @@ describe('the page for one’s own model', () => {
       indices: [0, 1, 2, 0, 2, 3],
       material: {
         baseColor: [1, 1, 1, 1],
-        baseColorTexture: { bytes: png(1, [color]), mimeType: 'image/png' },
+        baseColorTexture: { bytes: png(1, 1, () => color), mimeType: 'image/png' },
       },
     })
     for (const color of colors) {

@@ -8,7 +8,7 @@ import { exportGLB } from '../../dist/mesh.js'
 import { bunny } from '../../web/models/bunny.js'
 import { launchBrowser, leavePage } from './support/browser.js'
 import { colorAt, litPixels, readPixels } from './support/pixels.js'
-import { png } from './support/png.js'
+import { png } from '../js/support/png.js'
 import { servePages } from './support/server.js'
 import { p5InThisRun, p5Versions, runSketch } from './support/sketch.js'
 
@@ -42,7 +42,7 @@ const files = {
     material: {
       baseColor: [1, 1, 1, 1],
       baseColorTexture: {
-        bytes: png(2, [red, white, white, [0, 0, 255]]),
+        bytes: png(2, 2, (x, y) => (x === y ? [red, [0, 0, 255]][x] : white)),
         mimeType: 'image/png',
       },
     },

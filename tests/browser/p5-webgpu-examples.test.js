@@ -1,11 +1,12 @@
 // Each example of the gallery on a WEBGPU canvas, in its own text but for `await createCanvas(…, WEBGPU)`: the same picture as in WEBGL.
 import assert from 'node:assert/strict'
-import { mkdirSync, readFileSync } from 'node:fs'
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { createServer } from 'vite'
 import { sections } from '../../web/catalogue.js'
 import { converted } from '../../web/playground/convert.js'
 import { launchBrowserWithWebGPU, openPage } from './support/browser.js'
+import { pngOf } from '../js/support/png.js'
 import { config, path } from './support/bench.js'
 import { answering, ask, coarseShapes, cookie } from './support/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from './support/pixels.js'
@@ -39,7 +40,7 @@ after(async () => {
 })
 
 async function openFor(host) {
-  const context = await browser.newContext()
+  const context = await browser.newContext({ viewport: { width: 640, height: 480 } })
   await ask(context, url, 'host', host)
   return openPage(context, `${url}recorder.js`)
 }
@@ -73,7 +74,12 @@ const still = `
   p5.Geometry.prototype._edgesToVertices = function () { return this }
   p5.prototype.specularMaterial = p5.prototype.shininess = function () { return this }
   const own = { setup, draw }
-  window.setup = async () => { await own.setup(); pixelDensity(0.5); noLoop() }
+  window.setup = async () => {
+    p5.instance._glAttributes = p5.instance._webgpuAttributes = { antialias: false }
+    await own.setup()
+    pixelDensity(0.5)
+    noLoop()
+  }
   // The first frame, which p5 draws by itself, is looked at by nobody.
   window.draw = () => (window.draw = own.draw)
 }`
@@ -89,7 +95,7 @@ async function pictureOf(name, host) {
     host === 'p5-webgpu'
       ? await readWebGPUPixels(page, draw)
       : (await page.evaluate(draw), await readPixels(page))
-  await page.screenshot({ path: `${screenshots}/${name}.${host}.png` })
+  writeFileSync(`${screenshots}/${name}.${host}.png`, pngOf(image))
   assert.deepEqual(messages.splice(0), [])
   return image
 }

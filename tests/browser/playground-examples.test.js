@@ -22,7 +22,7 @@ before(async () => {
   const [url] = server.resolvedUrls.local
   await lower(context, url, { before: still })
   await context.addInitScript(keepFrames)
-  ;({ page, messages } = await openPage(context, `${url}playground/index.html`))
+  ;({ page, messages } = await openPage(context, `${url}playground/index.html#example=displaced-plane`))
   await settled(page)
 })
 after(async () => {

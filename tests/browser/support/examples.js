@@ -1,6 +1,6 @@
 // The examples without a GPU: with fewer pixels and frames, and what can be said of the picture that they draw.
 import assert from 'node:assert/strict'
-import { coarsenShapes, rough } from './frames.js'
+import { coarsenShapes, fewSamples, rough } from './frames.js'
 
 /**
  * Vite plugin for a server of the tests: it gives each context the sketches that `lower` asked for, and libraries for a browser to
@@ -51,7 +51,8 @@ export const lower = (context, url, { exceptions = [], before = '' } = {}) =>
 function lowered(name, text, { exceptions, before }) {
   const edges = needsSmoothEdges(name) ? '' : `;(${rough})()\n`
   if (exceptions.includes(name)) return `${text}\n${edges}`
-  if (name.startsWith('three-')) return edges + (before === still ? twoFrames : '') + smaller(text)
+  if (name.startsWith('three-'))
+    return `${edges};(${fewSamples})()\n${before === still ? twoFrames : ''}${smaller(text)}`
   return `${text}
 ${edges}{
   const { createCanvas, pixelDensity } = p5.prototype

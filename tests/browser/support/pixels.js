@@ -51,9 +51,10 @@ export function colorAt({ width, data }, x, y) {
 export function litPixels({ width, height, data }) {
   const lit = []
   for (let i = 0; i < width * height; i++) {
-    const color = [...data.subarray(4 * i, 4 * i + 3)]
+    const color = data.subarray(4 * i, 4 * i + 3)
+    if (!color[0] && !color[1] && !color[2]) continue
     const [x, y] = [(i % width) + 0.5 - width / 2, Math.floor(i / width) + 0.5 - height / 2]
-    if (color.some(Boolean)) lit.push({ x, y, color })
+    lit.push({ x, y, color: [...color] })
   }
   return lit
 }

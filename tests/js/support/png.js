@@ -1,19 +1,32 @@
-// A picture as the bytes of a PNG file (PNG specification, section 5), 8 bits of red, green and blue.
+// A picture as the bytes of a PNG file (PNG specification, section 5), 8 bits a channel.
 import { crc32, deflateSync } from 'node:zlib'
 
 const crc = crc32 ?? slowCrc32
 
+/** `pixel(x, y)` gives [red, green, blue]. */
 export function png(width, height, pixel) {
   const rows = []
   for (let y = 0; y < height; y++)
     rows.push(0, ...Array.from({ length: width }, (_, x) => pixel(x, y)).flat())
+  return file(width, height, 2, Buffer.from(rows))
+}
+
+/** Of an image: bytes of red, green, blue and alpha, from the top left. */
+export function pngOf({ width, height, data }) {
+  const rows = Buffer.alloc(height * (1 + 4 * width))
+  for (let y = 0; y < height; y++)
+    rows.set(data.subarray(4 * width * y, 4 * width * (y + 1)), y * (1 + 4 * width) + 1)
+  return file(width, height, 6, rows)
+}
+
+function file(width, height, colorType, rows) {
   const header = Buffer.alloc(13)
   header.writeUInt32BE(width, 0)
   header.writeUInt32BE(height, 4)
-  header.set([8, 2, 0, 0, 0], 8)
+  header.set([8, colorType, 0, 0, 0], 8)
   const chunks = [
     ['IHDR', header],
-    ['IDAT', deflateSync(Buffer.from(rows))],
+    ['IDAT', deflateSync(rows)],
     ['IEND', Buffer.alloc(0)],
   ]
   const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a])
