@@ -70,7 +70,7 @@ export const leftOut = {
       'one run with the oldest TypeScript and one with the newest find nearly all there is to find',
     'a week of every warp': 'each is reduced in the same way; every day three go through it',
     'rare pages of p5': 'what a sketch seldom does changes seldom, and each page takes a second',
-    'ten thousand warps': 'a thousand show a leak of one byte a warp just as well',
+    'thousands of warps': 'fewer show a leak of one byte a warp just as well',
     'deep domain warping':
       'its texts take a compiler without a GPU half a minute; the others are drawn by gallery.test.js',
   },

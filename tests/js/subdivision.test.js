@@ -33,8 +33,9 @@ for (const [name, warp] of Object.entries(noiseWarps))
     for (const tolerance of [1, 0.5, 0.25]) {
       const fine = subdivide(large, { warp, tolerance, angle: Infinity })
       assert.equal(fine.warnings, undefined)
-      const error = deviation(fine, warp, {}, Math.min(1, 2 * tolerance))
-      assert.ok(error <= tolerance, `${error} of ${tolerance}`)
+      // Samples half as far apart, four times as many, have found 2% more.
+      const error = deviation(fine, warp, {}, 1)
+      assert.ok(error <= 0.97 * tolerance, `${error} of ${tolerance}`)
     }
   })
 
