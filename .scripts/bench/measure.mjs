@@ -20,12 +20,12 @@ export const thorough = {
 
 /** For finding out whether all of it works. */
 export const quick = {
-  size: 300,
+  size: 150,
   rounds: 3,
-  frames: 3,
-  turn: 100,
+  frames: 2,
+  turn: 30,
   runs: 5,
-  samples: 400,
+  samples: 100,
   millis: 1200,
   duration: 100,
 }
