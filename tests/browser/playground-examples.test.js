@@ -22,7 +22,10 @@ before(async () => {
   const [url] = server.resolvedUrls.local
   await lower(context, url, { before: still })
   await context.addInitScript(keepFrames)
-  ;({ page, messages } = await openPage(context, `${url}playground/index.html#example=displaced-plane`))
+  ;({ page, messages } = await openPage(
+    context,
+    `${url}playground/index.html#example=displaced-plane`,
+  ))
   await settled(page)
 })
 after(async () => {

@@ -54,9 +54,10 @@ export async function pixels(page) {
     const source = document.querySelector('canvas')
     const { width, height } = source
     const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })
-    // A browser empties the canvas once it has shown it, and not every frame is drawn anew.
+    // A browser empties the canvas once it has shown it, and not every frame is drawn anew. Who asks for the next frame between
+    // two frames comes after the page, which asks while it draws.
     for (let i = 0; i < 600; i++) {
-      await new Promise(requestAnimationFrame)
+      await new Promise((drawn) => setTimeout(() => requestAnimationFrame(drawn)))
       copy.drawImage(source, 0, 0)
       const { data } = copy.getImageData(0, 0, width, height)
       if (data[3]) return new Uint8Array(data.buffer).toBase64()
