@@ -78,7 +78,8 @@ const longest = [
     'three',
     'docs',
   ],
-  ...['random', 'operations', 'glsl', 'three-webgpu'],
+  ...['random', 'operations', 'glsl', 'three-webgpu', 'site-motion', 'site-offline'],
+  ...['playground-habits', 'playground-hosts', 'p5-webgpu'],
 ]
 const browser = () =>
   withBrowsers(browsersAtOnce, () =>

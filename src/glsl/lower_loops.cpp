@@ -147,6 +147,8 @@ bool Lowering::foldLoop(const Statement& statement) {
   const auto steps = stepsOf(folding);
   if (steps) {
     folding.steps = *steps;
+    // So that thousands of long loops end too, in a loop that is unrolled.
+    steps_ += *steps / 64;
   } else {
     if (maxIterations_ == 0) return false;
     folding.asks = true;

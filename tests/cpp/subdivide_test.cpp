@@ -50,8 +50,10 @@ TEST(Subdivide, ShapesOfTheTestsAreWhatTheySay) {
 }
 
 TEST(Subdivide, ClosedSurfacesStayClosedAndKeepAreaAndVolume) {
+  PairsInTurn pairs(smoothWarps.size());
   for (const auto& [name, mesh] : closedMeshes()) {
     for (const auto& [warpName, warp] : smoothWarps) {
+      if (pairs.skipNext()) continue;
       SCOPED_TRACE(name + ", " + warpName);
       const Refined result = refined(mesh, warp, 0.3f, 0.2f);
       EXPECT_GT(result.mesh.triangleCount(), mesh.triangleCount());
@@ -81,8 +83,10 @@ TEST(Subdivide, TheWarpedSurfaceIsWithinTheTolerance) {
   auto meshes = closedMeshes();
   meshes.push_back({"plane of 2 triangles", gridPlane(1, 100)});
   meshes.push_back({"plane", gridPlane(8, 100)});
+  PairsInTurn pairs(smoothWarps.size());
   for (const auto& [name, mesh] : meshes) {
     for (const auto& [warpName, warp] : smoothWarps) {
+      if (pairs.skipNext()) continue;
       for (const float tolerance : {1.0f, 0.25f}) {
         const Refined result = refined(mesh, warp, tolerance);
         EXPECT_TRUE(result.reachedTolerance);
