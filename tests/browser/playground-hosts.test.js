@@ -215,6 +215,13 @@ test('shows normals of three.js as colours, and its uniforms as sliders and fiel
   await page.getByLabel('Normals as colours').uncheck()
 })
 
+test('says of operators in three.js what is wrong, and names no box, which is not there', async () => {
+  await run('three')
+  await write(page, ball.replace('position.y().mult(3)', '(position * 3)'))
+  assert.match(await mistake(), /do not work on expressions/)
+  assert.doesNotMatch(await mistake(), /tick/)
+})
+
 test('downloads a page with three.js, its addons and warpjet that opens from a disk', async () => {
   await run('three')
   await write(page, ball)

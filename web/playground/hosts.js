@@ -52,6 +52,12 @@ export const scripts = {
 
 export const isThree = (host) => host === 'three'
 
+/** What is written beside the box for the script that a mistake says is missing; three.js has no boxes, but imports. */
+export function boxNamedIn(mistake, host) {
+  const isNamed = ({ title, file }) => title && mistake.includes(file.split('/').at(-1))
+  return isThree(host) ? undefined : Object.values(scripts).find(isNamed)?.title
+}
+
 /** The tags that a sketch needs → paths, in order. */
 export const tagsOf = ({ host, chosen }) =>
   isThree(host)

@@ -7,7 +7,7 @@ import { makeChoices } from './choices.js'
 import { takeFiles } from './drop.js'
 import { makeEditor } from './editor.js'
 import { help } from './help.js'
-import { hosts, scripts } from './hosts.js'
+import { boxNamedIn, hosts, scripts } from './hosts.js'
 import { fragmentOf, holdsSketch, sketchOf } from './link.js'
 import { makeMenu } from './menu.js'
 import { draggableNumbers } from './numbers.js'
@@ -119,10 +119,8 @@ function complain(mistake) {
     mistakePlace.append(button, ' ')
   }
   mistakePlace.append(mistake.message)
-  const missing = Object.values(scripts).find(
-    ({ title, file }) => title && mistake.message.includes(file.split('/').at(-1)),
-  )
-  if (missing) mistakePlace.append(` Here, tick “${missing.title}” above.`)
+  const box = boxNamedIn(mistake.message, editor.sketch().host)
+  if (box) mistakePlace.append(` Here, tick “${box}” above.`)
 }
 
 /** Frames a second, as the frame counts them. */

@@ -75,8 +75,5 @@
   const { compile, gen } = window.warpjet
   const hasGLSL = Object.hasOwn(window.warpjet, 'differentiate')
   const differentiate = hasGLSL && window.warpjet.differentiate
-  const kept = playground.keeping({ compile, compileWarp, gen, differentiate })
-  // What it says of a script that is missing comes from its prototype.
-  const refusing = Object.getPrototypeOf(window.warpjet)
-  window.warpjet = Object.setPrototypeOf({ ...window.warpjet, ...kept }, refusing)
+  Object.assign(window.warpjet, playground.keeping({ compile, compileWarp, gen, differentiate }))
 }
