@@ -12,28 +12,6 @@
 
 namespace warpjet {
 
-#if defined(__SANITIZE_ADDRESS__)
-inline constexpr bool isSanitized = true;
-#elif defined(__has_feature)
-inline constexpr bool isSanitized = __has_feature(address_sanitizer);
-#else
-inline constexpr bool isSanitized = false;
-#endif
-
-// Pairs of a mesh and a warp, one mesh after the other: with sanitizers, where all takes ten times
-// as long, every third, so that each mesh and each warp is among them.
-class PairsInTurn {
- public:
-  explicit PairsInTurn(std::size_t warps) : warps_(warps) {}
-  bool skipNext() {
-    const std::size_t pair = next_++;
-    return isSanitized && (pair + pair / warps_) % 3 != 0;
-  }
-
- private:
-  std::size_t warps_, next_ = 0;
-};
-
 using Point = std::array<double, 3>;
 using PointWarp = std::function<Point(const Point&)>;
 

@@ -6,14 +6,12 @@ const batchSize = 6e5
 /**
  * The largest distance from a point of the true surface (a point inside a triangle of `mesh`, warped) to that triangle
  * with its corners warped: to the closest point of it. Samples lie in each triangle on a lattice no wider than
- * `spacing`, measured before the warp, and with at least four steps a side; those of a side of two triangles are taken with
- * one of them, and corners are not: they are as they were warped. The warp is best one without normals, which nothing here
- * reads.
+ * `spacing`, measured before the warp, and with at least four steps a side. The warp is best one without normals, which
+ * nothing here reads.
  */
 export function deviation(mesh, warp, uniforms, spacing) {
   const moved = (positions) => warp.evaluate({ positions }, { uniforms }).positions
   const corners = moved(mesh.positions)
-  const isOwn = ownSides(mesh)
   let most = 0
   let batch = []
   let positions = new Float32Array(batchSize)
@@ -21,8 +19,8 @@ export function deviation(mesh, warp, uniforms, spacing) {
   const flush = () => {
     const points = moved(positions.subarray(0, filled))
     let next = 0
-    for (const { triangle, samples } of batch)
-      for (const [s, t] of samples) {
+    for (const { triangle, steps } of batch)
+      for (const [s, t] of lattice(steps)) {
         const sample = point(points, next++)
         // No point of the triangle is farther than the closest: most samples need no more than this.
         if (length(sub(sample, between(triangle, s, t))) > most)
@@ -37,17 +35,16 @@ export function deviation(mesh, warp, uniforms, spacing) {
     const [a, b, c] = before
     const longest = Math.max(length(sub(b, a)), length(sub(c, b)), length(sub(a, c)))
     const steps = Math.max(4, Math.ceil(longest / spacing))
-    const samples = lattice(steps, isOwn(3 * t))
-    const size = 3 * samples.length
+    const size = 3 * lattice(steps).length
     if (filled + size > positions.length) {
       flush()
       if (size > positions.length) positions = new Float32Array(size)
     }
-    for (const [s, t] of samples) {
+    for (const [s, t] of lattice(steps)) {
       positions.set(between(before, s, t), filled)
       filled += 3
     }
-    batch.push({ triangle: at(corners), samples })
+    batch.push({ triangle: at(corners), steps })
   }
   flush()
   return most
@@ -75,41 +72,15 @@ const between = ([a, b, c], s, t) => [
   a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]),
 ]
 
-/**
- * Which sides of a triangle are its own to sample, by its first index → [is from a to b, from b to c, from c to a]: of a side
- * that two triangles go along, in opposite directions, the one with the lower vertex first.
- */
-function ownSides({ indices, positions }) {
-  const count = positions.length / 3
-  const sideFrom = (i) => [indices[i], indices[i % 3 === 2 ? i - 2 : i + 1]]
-  const directed = new Set()
-  for (let i = 0; i < indices.length; i++) {
-    const [from, to] = sideFrom(i)
-    directed.add(from * count + to)
-  }
-  return (first) =>
-    [0, 1, 2].map((side) => {
-      const [from, to] = sideFrom(first + side)
-      return from < to || !directed.has(to * count + from)
-    })
-}
-
 const lattices = new Map()
-/** Points [s, t] inside, and on the sides that are wanted. */
-function lattice(steps, [ab, bc, ca]) {
-  const key = [steps, ab, bc, ca].join()
-  if (!lattices.has(key)) {
+function lattice(steps) {
+  if (!lattices.has(steps)) {
     const points = []
     for (let i = 0; i <= steps; i++)
-      for (let j = 0; j <= steps - i; j++) {
-        const on = [j === 0, i + j === steps, i === 0]
-        const isCorner = on.filter(Boolean).length === 2
-        const isUnwanted = on.some((isOn, side) => isOn && ![ab, bc, ca][side])
-        if (!isCorner && !isUnwanted) points.push([i / steps, j / steps])
-      }
-    lattices.set(key, points)
+      for (let j = 0; j <= steps - i; j++) points.push([i / steps, j / steps])
+    lattices.set(steps, points)
   }
-  return lattices.get(key)
+  return lattices.get(steps)
 }
 
 /** To the inside if the foot of the perpendicular is there, else to the nearest side. */
