@@ -83,27 +83,27 @@ export function createBuilder(session: Session): Builder {
     }
   // For front ends, which record functions in sessions of their own: no list has it.
   Object.defineProperty(builder, 'of', { value: createBuilder })
-  for (const { name, number, isListed } of getOperations())
-    Object.defineProperty(builder, name, {
-      value: (...operands: unknown[]) =>
-        session.call(
-          number,
-          name,
-          operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
-        ),
-      enumerable: isListed,
-    })
+  for (const { name, number, isListed } of getOperations()) {
+    const call = (...operands: unknown[]) =>
+      session.call(
+        number,
+        name,
+        operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
+      )
+    // Every warp has a builder of its own: an assignment takes a tenth of the time of a definition.
+    if (isListed) builder[name] = call
+    else Object.defineProperty(builder, name, { value: call })
+  }
   for (const kind of noiseKinds) builder[kind] = (...operands) => callNoise(session, kind, operands)
   for (const [alias, name] of Object.entries(sameAs)) builder[alias] = builder[name]!
   for (const [alias, make] of Object.entries(madeOf))
     builder[alias] = (operand, ...others) =>
       make(methodsOf(toExpression(session, alias, operand, 1)), ...others)
-  const names = Object.keys(builder)
   return Object.setPrototypeOf(
     builder,
     refusing(
       (name) =>
-        `glsl.${name}: there is no such function; ${didYouMean(name, names, lists, meantByFunctions)}`,
+        `glsl.${name}: there is no such function; ${didYouMean(name, Object.keys(builder), lists, meantByFunctions)}`,
     ),
   ) as Builder
 }

@@ -6,7 +6,7 @@ import { createServer } from 'vite'
 import { config, desktop, difference, path, phone } from './support/bench.js'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
 import { bytesOf, launchBrowser, openPage } from './support/browser.js'
-import { drawLittle } from './support/frames.js'
+import { drawLittle, framesInPlayground } from './support/frames.js'
 import {
   canvasPixels,
   dragNumber,
@@ -51,7 +51,7 @@ describe('the playground', () => {
   let page, messages, context
   before(async () => {
     context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })
-    await drawLittle(context)
+    await drawLittle(context, framesInPlayground)
     await context.grantPermissions(['clipboard-read', 'clipboard-write'])
     ;({ page, messages } = await openPage(context, url))
     await settled(page)
@@ -425,7 +425,7 @@ ${still('#40ff40')
 
 test('fits a phone, and opens an example of the gallery', async () => {
   const context = await browser.newContext({ ...phone, reducedMotion: 'reduce' })
-  await drawLittle(context)
+  await drawLittle(context, framesInPlayground)
   const { page, messages } = await openPage(context, `${url}#example=deformer-bend`)
   await settled(page)
   assert.match(await text(page), /warpjet\.bend/)

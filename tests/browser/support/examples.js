@@ -54,7 +54,7 @@ function lowered(name, text, { exceptions, before }) {
   if (name.startsWith('three-'))
     return `${edges};(${fewSamples})()\n${before === still ? twoFrames : ''}${smaller(text)}`
   return `${text}
-${edges}{
+${edges}${before === still ? standing : ''}{
   const { createCanvas, pixelDensity } = p5.prototype
   p5.prototype.createCanvas = function (...size) {
     const canvas = createCanvas.apply(this, size)
@@ -97,9 +97,12 @@ const twoFrames = `
 export const plain = `
     p5.Geometry.prototype._edgesToVertices = function () { return this }`
 
-/** One frame of that. */
+/** One frame of that, of the same time on every machine. */
 export const still = `
     this.noLoop()${plain}`
+
+const standing = `p5.prototype.millis = () => 2500
+`
 
 /** How many colours the canvas has, in steps of 8, and which share of it is not background. */
 export const statistics = (frame) =>

@@ -27,15 +27,17 @@ export function fewSamples() {
 }
 
 /**
- * Without a GPU frames are what takes long. A page that draws gets a handful as fast as it can, so that its picture comes, and
- * from then on one every 400 milliseconds.
+ * Without a GPU frames are what takes long. A page that draws gets `most` as fast as it can, so that its picture comes, and from
+ * then on one every 400 milliseconds.
  */
-export function fewFrames() {
+export function fewFrames(most = 3) {
+  // It draws in frames alone, and only asks whether there is a WebGL.
+  if (location.pathname.includes('/playground/')) return
   const { requestAnimationFrame, cancelAnimationFrame } = window
   const { getContext } = HTMLCanvasElement.prototype
   let free = Infinity
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
-    if (kind.startsWith('webgl')) free = Math.min(free, 3)
+    if (kind.startsWith('webgl')) free = Math.min(free, most)
     return getContext.call(this, kind, options)
   }
   window.requestAnimationFrame = (draw) =>
@@ -101,6 +103,11 @@ function coarsenCanvases(coarsen) {
  */
 export const coarse = { content: `(${coarsenCanvases})(${coarsenShapes})` }
 
-export async function drawLittle(context) {
-  for (const script of [rough, fewSamples, fewFrames, coarse]) await context.addInitScript(script)
+/** `frames` are those that a page gets as fast as it can. */
+export async function drawLittle(context, frames) {
+  for (const script of [rough, fewSamples, coarse]) await context.addInitScript(script)
+  await context.addInitScript(fewFrames, frames)
 }
+
+/** Of a sketch the playground waits for three frames after its first, and asks for them as often as it. */
+export const framesInPlayground = 9

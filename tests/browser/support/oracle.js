@@ -21,18 +21,23 @@ const oblique = [1, -1.1, 1.2]
 function slope(f, p, direction, h, middle) {
   const [x, y, z] = direction
   const at = (step) => f([p[0] + step * x, p[1] + step * y, p[2] + step * z])
-  const steps = [h, h / 2, h / 4]
-  const pairs = steps.map((step) => [at(step), at(-step)])
+  const [after1, before1] = [at(h), at(-h)]
+  const [after2, before2] = [at(h / 2), at(-h / 2)]
+  const [after4, before4] = [at(h / 4), at(-h / 4)]
   const slopes = []
   for (let i = 0; i < 3; i++) {
     // Central differences are f' + a h² + b h⁴ + …; Richardson's extrapolation takes a away, and then b.
-    const [d1, d2, d3] = pairs.map(([after, before], s) => (after[i] - before[i]) / (2 * steps[s]))
-    const [coarse, fine] = [(4 * d2 - d1) / 3, (4 * d3 - d2) / 3]
+    const d1 = (after1[i] - before1[i]) / (2 * h)
+    const d2 = (after2[i] - before2[i]) / h
+    const d4 = (after4[i] - before4[i]) / (h / 2)
+    const coarse = (4 * d2 - d1) / 3
+    const fine = (4 * d4 - d2) / 3
     // Bends are h f'' + O(h³). A kink at p itself shows only here.
-    const [b1, b2] = pairs.map(
-      ([after, before], s) => (after[i] - 2 * middle[i] + before[i]) / steps[s],
-    )
-    if (!(Math.abs(coarse - fine) <= roughness && Math.abs(b1 - 2 * b2) <= roughness)) return null
+    const bend1 = (after1[i] - 2 * middle[i] + before1[i]) / h
+    const bend2 = (after2[i] - 2 * middle[i] + before2[i]) / (h / 2)
+    const isSmooth =
+      Math.abs(coarse - fine) <= roughness && Math.abs(bend1 - 2 * bend2) <= roughness
+    if (!isSmooth) return null
     slopes.push((16 * fine - coarse) / 15)
   }
   return slopes

@@ -3,7 +3,7 @@ import { pathToFileURL } from 'node:url'
 import { createServer } from 'vite'
 import { config, desktop, pixels } from './bench.js'
 import { openPage } from './browser.js'
-import { drawLittle } from './frames.js'
+import { drawLittle, framesInPlayground } from './frames.js'
 
 const patience = { timeout: 120_000 }
 
@@ -114,7 +114,7 @@ export async function openPlayground(port, browser) {
   const server = await createServer({ ...config, server: { port, watch: null } })
   await server.listen()
   const context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })
-  await drawLittle(context)
+  await drawLittle(context, framesInPlayground)
   const [url] = server.resolvedUrls.local
   const { page, messages } = await openPage(context, `${url}playground/index.html`)
   await settled(page)

@@ -5,7 +5,11 @@
 
 const modulo = (x, n) => x - n * Math.floor(x / n)
 const sum = (numbers) => numbers.reduce((total, x) => total + x, 0)
-const dot = (a, b) => a.reduce((total, x, i) => total + x * b[i], 0)
+function dot(a, b) {
+  let total = 0
+  for (let i = 0; i < a.length; i++) total += a[i] * b[i]
+  return total
+}
 
 const prime = 4091
 
@@ -48,8 +52,6 @@ const lists = (choices, n) =>
 const fade = (t) => t ** 3 * (6 * t ** 2 - 15 * t + 10)
 const fadeSlope = (t) => 30 * t ** 2 * (t - 1) ** 2
 
-const product = (numbers) => numbers.reduce((total, x) => total * x, 1)
-
 const cornersOf = [0, 1, 2, 3, 4].map((n) => lists([0, 1], n))
 
 /** Adds up values with gradients, { value, gradient }. */
@@ -65,33 +67,34 @@ const total = (parts, scale = 1) => ({
 function lattice(p, seed, corner) {
   const cell = p.map(Math.floor)
   const inside = p.map((x, i) => x - cell[i])
-  const blends = inside.map(fade)
+  /** Of each axis that of the corner below and of the one above. */
+  const weights = inside.map((t) => [1 - fade(t), fade(t)])
 
-  /** The sum of weight(factors, step) times what `term` gives, over the corners. Called millions of times. */
-  function sumOver(weight, term) {
-    const [factors, offset] = [[...p], [...p]]
+  /** The sum over the corners of what `term` gives, times one of the `weights` of each axis. Called millions of times. */
+  function sumOver(weights, term) {
+    const offset = [...p]
     let total = 0
     for (const step of cornersOf[p.length]) {
       let h = seed
+      let weight = 1
       for (let i = 0; i < p.length; i++) {
         h = hash(h, cell[i] + step[i])
-        factors[i] = step[i] ? blends[i] : 1 - blends[i]
+        weight *= weights[i][step[i]]
         offset[i] = inside[i] - step[i]
       }
-      total += weight(factors, step) * term(h, offset)
+      total += weight * term(h, offset)
     }
     return total
   }
 
   return {
     get value() {
-      return sumOver(product, corner.value)
+      return sumOver(weights, corner.value)
     },
     get gradient() {
       return inside.map((t, axis) => {
-        const slope = (factors, step) =>
-          product(factors.with(axis, (step[axis] ? 1 : -1) * fadeSlope(t)))
-        return sumOver(slope, corner.value) + sumOver(product, (h) => corner.gradient(h)[axis])
+        const slopes = weights.with(axis, [-fadeSlope(t), fadeSlope(t)])
+        return sumOver(slopes, corner.value) + sumOver(weights, (h) => corner.gradient(h)[axis])
       })
     },
   }
