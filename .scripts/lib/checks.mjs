@@ -32,7 +32,10 @@ export async function format() {
 
 async function checkFormat() {
   const cpp = ['clang-format', ['--dry-run', '-Werror', ...cppFiles()]]
-  const failures = [await exitCode(...cpp), await exitCode(process.execPath, prettier('--check'))]
+  const failures = await Promise.all([
+    exitCode(...cpp),
+    exitCode(process.execPath, prettier('--check')),
+  ])
   if (failures.some(Boolean)) throw new Stop('`npm run format` puts this right.')
 }
 
@@ -53,13 +56,13 @@ async function cpp(preset) {
   ])
 }
 
-/** `longest` are names of files that take long: they begin first. `atOnce` is how many run beside each other. */
+/** `longest` are names of files that take long: they begin first, in this order. `atOnce` is how many run beside each other. */
 async function nodeTests(folder, { atOnce = availableParallelism(), longest = [] } = {}) {
   const isLeftOut = (file) => isEveryday() && file in leftOut.files
   const all = walk(folder, /\.test\.js$/).filter((file) => !isLeftOut(file))
   if (!all.length) throw new Stop(`There are no tests in ${folder}.`)
-  const isLong = (file) => longest.some((name) => file.endsWith(`/${name}.test.js`))
-  const files = [...all.filter(isLong), ...all.filter((file) => !isLong(file))]
+  const isNamed = (name) => (file) => file.endsWith(`/${name}.test.js`)
+  const files = new Set([...longest.flatMap((name) => all.filter(isNamed(name))), ...all])
   const ours = (name) => path('.scripts/lib', name)
   const printing = ['--import', pathToFileURL(ours('tests-console.mjs')).href]
   await node(...printing, ours('run-tests.mjs'), `${atOnce}`, ...files)
@@ -67,19 +70,11 @@ async function nodeTests(folder, { atOnce = availableParallelism(), longest = []
 
 // Tests wait for their pages: with two on two cores a sixth of the time is idle, with three nothing is.
 const browsersAtOnce = availableParallelism() + 1
-/** Each takes 40 seconds of a core and more, or waits for long. */
+/** Each takes 40 seconds of a core and more, or waits for long: then it stands among those that work. */
 const longest = [
-  ...[
-    'playground',
-    'gallery',
-    'site',
-    'p5-webgpu-examples',
-    'playground-examples',
-    'three',
-    'docs',
-  ],
-  ...['random', 'operations', 'glsl', 'three-webgpu', 'site-motion', 'site-offline'],
-  ...['playground-habits', 'playground-hosts', 'p5-webgpu'],
+  ...['playground', 'gallery', 'site', 'p5-webgpu-examples', 'playground-habits'],
+  ...['playground-examples', 'three', 'playground-hosts', 'docs', 'random', 'site-offline'],
+  ...['operations', 'playground-help', 'glsl', 'three-webgpu', 'site-motion', 'p5-webgpu'],
 ]
 const browser = () =>
   withBrowsers(browsersAtOnce, () =>

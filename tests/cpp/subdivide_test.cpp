@@ -8,6 +8,7 @@
 #include <string>
 
 #include "conformity.hpp"
+#include "sanitized.hpp"
 #include "shapes.hpp"
 #include "warped.hpp"
 
@@ -37,22 +38,14 @@ std::vector<NamedMesh> closedMeshes() {
           {"sphere with a seam", sphereWithSeam(16, 8, 50)}};
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-inline constexpr bool isSanitized = true;
-#elif defined(__has_feature)
-inline constexpr bool isSanitized = __has_feature(address_sanitizer);
-#else
-inline constexpr bool isSanitized = false;
-#endif
-
 struct Pair {
   std::string name;
   const Mesh& mesh;
   const PointWarp& warp;
 };
 
-// Of each mesh and each warp; with sanitizers, where all takes ten times as long, every third of
-// them, so that each mesh and each warp is among them.
+// Of each mesh and each warp; with sanitizers every third of them, so that each mesh and each warp
+// is among them.
 std::vector<Pair> pairsOf(const std::vector<NamedMesh>& meshes) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < meshes.size(); ++i)

@@ -13,8 +13,8 @@ export function randomOf(seed) {
 /** What the JavaScript calls: by component, where a number beside a vector counts for each. */
 export const library = {
   each(f, ...x) {
-    const size = Math.max(...x.map((each) => (Array.isArray(each) ? each.length : 0)))
-    if (size === 0) return f(...x)
+    const size = x.find(Array.isArray)?.length
+    if (size === undefined) return f(...x)
     return Array.from({ length: size }, (_, i) =>
       f(...x.map((each) => (Array.isArray(each) ? each[i] : each))),
     )

@@ -7,13 +7,14 @@ const types = /^(?:float|int|bool|vec[234]|void)$/
 const each = (f) => ({
   type: (operands) => operands.find((type) => type in vectors) ?? 'float',
   run: (...x) => {
-    const size = Math.max(...x.map((value) => (Array.isArray(value) ? value.length : 0)))
-    if (size === 0) return f(...x)
+    const size = x.find(Array.isArray)?.length
+    if (size === undefined) return f(...x)
     const part = (i) => x.map((value) => (Array.isArray(value) ? value[i] : value))
     return Array.from({ length: size }, (_, i) => f(...part(i)))
   },
 })
-const dot = (x, y) => [x].flat().reduce((sum, value, i) => sum + value * [y].flat()[i], 0)
+const dot = (x, y) =>
+  Array.isArray(x) ? x.reduce((sum, value, i) => sum + value * y[i], 0) : x * y
 const number = (run) => ({ type: () => 'float', run })
 
 const builtIns = {
@@ -196,9 +197,10 @@ export function interpret(text) {
     if (!isInt && [x.type, y.type].includes('int')) fail(`${x.type} ${op} ${y.type}`)
     const f =
       isInt && op === '/' ? (a, b) => Math.trunc(a / b) : (arithmetic[op] ?? ((a, b) => a % b))
+    const { run } = each(f)
     return {
       type: isInt ? 'int' : x.type in vectors ? x.type : y.type,
-      run: (frame) => each(f).run(x.run(frame), y.run(frame)),
+      run: (frame) => run(x.run(frame), y.run(frame)),
     }
   }
 

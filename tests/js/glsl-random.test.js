@@ -19,7 +19,10 @@ function slopeOf(f, p, k) {
     moved[k] += h
     return f(moved)
   }
-  const central = (h) => at(h).map((high, i) => (high - at(-h)[i]) / (2 * h))
+  const central = (h) => {
+    const low = at(-h)
+    return at(h).map((high, i) => (high - low[i]) / (2 * h))
+  }
   const [wide, narrow] = [central(2e-5), central(1e-5)]
   return narrow.map((slope, i) =>
     Math.abs(slope - wide[i]) <= 1e-4 * Math.max(1, Math.abs(slope)) ? slope : undefined,
