@@ -8,7 +8,7 @@ export const leftOut = {
     'The same under ASan and UBSan':
       'compiling it takes twice as long as for the native tests; these have the checks of the standard library',
     Fuzzing:
-      'searching takes half a minute of each core; its corpus is run every day with the C++ tests',
+      'searching takes twenty seconds of each core; its corpus is run every day with the C++ tests',
     'The package in its environments':
       'it installs 900 MB of bundlers and needs the npm registry; what it proves changes only with package.json and the build',
   },
