@@ -101,6 +101,7 @@ export const plain = `
 export const still = `
     this.noLoop()${plain}`
 
+/** A warp that moves shows little at some moments: a spoon, bent most, less than is asked. */
 const standing = `p5.prototype.millis = () => 2500
 `
 
