@@ -1,12 +1,10 @@
 // The benchmark by hand as a visitor sees it, and both of its pages as they are built.
 import assert from 'node:assert/strict'
 import { after, before, describe, test } from 'node:test'
-import { createServer } from 'vite'
 import { methods } from '../../web/bench/methods.js'
 import {
   cells,
   choose,
-  config,
   desktop,
   difference,
   measured,
@@ -16,7 +14,7 @@ import {
   readOuts,
 } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
-import { serveSite } from './support/site.js'
+import { serveSite, serveSources } from './support/site.js'
 
 const names = methods.map(({ name }) => name)
 /** Time stands still at first, so that all methods show the same moment. */
@@ -25,8 +23,7 @@ const still = { ...desktop, reducedMotion: 'reduce' }
 let browser, server, url
 before(async () => {
   browser = await launchBrowser()
-  server = await createServer({ ...config, server: { port: 5210, watch: null } })
-  await server.listen()
+  server = await serveSources(5210)
   url = server.resolvedUrls.local[0]
 })
 after(async () => {

@@ -2,13 +2,13 @@
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
-import { createServer } from 'vite'
 import { placeBeside, spread } from '../../web/bench/labels.js'
 import { methods } from '../../web/bench/methods.js'
 import { deviceOf, parseRecords, runsOf } from '../../web/bench/records.js'
 import { costAgainstNodes, costAgainstVertices, errorAgainstCost } from '../../web/bench/series.js'
-import { cells, config, desktop, path, patience, phone } from './support/bench.js'
+import { cells, desktop, path, patience, phone } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
+import { serveSources } from './support/site.js'
 
 const names = methods.map(({ name }) => name)
 
@@ -152,8 +152,7 @@ describe('the measured results', () => {
   let browser, server
   before(async () => {
     browser = await launchBrowser()
-    server = await createServer({ ...config, server: { port: 5220, watch: null } })
-    await server.listen()
+    server = await serveSources(5230)
   })
   after(async () => {
     await browser.close()

@@ -2,14 +2,13 @@
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
-import { createServer } from 'vite'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
-import { config, desktop, difference, path, patience, pixels } from './support/bench.js'
+import { desktop, difference, path, patience, pixels } from './support/bench.js'
 import { bytesOf, launchBrowser, openPage } from './support/browser.js'
 import { rough } from './support/frames.js'
 import { sphereMesh } from './support/mesh.js'
 import { png } from '../js/support/png.js'
-import { serveSite } from './support/site.js'
+import { serveSite, serveSources } from './support/site.js'
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }
 /** Time stands still at first, so that nothing moves but by the test; with a quarter of the pixels. */
@@ -42,8 +41,7 @@ let browser, server, url
 before(async () => {
   mkdirSync(screenshots, { recursive: true })
   browser = await launchBrowser()
-  server = await createServer({ ...config, server: { port: 5220, watch: null } })
-  await server.listen()
+  server = await serveSources(5220)
   url = `${server.resolvedUrls.local[0]}drop/index.html`
 })
 after(async () => {

@@ -4,7 +4,6 @@ import assert from 'node:assert/strict'
 import { mkdirSync, readdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { createServer } from 'vite'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { sections } from '../../web/catalogue.js'
 import { launchBrowser, openPage } from './support/browser.js'
@@ -17,15 +16,9 @@ import {
   still,
 } from './support/examples.js'
 import { drawLittle, fewFrames, keepFrames } from './support/frames.js'
-import { serveSite } from './support/site.js'
+import { serveSite, serveSources } from './support/site.js'
 
 const path = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url))
-const config = {
-  configFile: path('web/vite.config.js'),
-  logLevel: 'warn',
-  clearScreen: false,
-  plugins: [sketchesForTests()],
-}
 const screenshots = path('.build/screenshots')
 const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
 
@@ -70,9 +63,7 @@ function stopWhenTimed() {
 describe('the gallery of npm start', () => {
   let server, url
   before(async () => {
-    // Nobody edits the files meanwhile, and an edit would reload the page.
-    server = await createServer({ ...config, server: { port: 5200, watch: null } })
-    await server.listen()
+    server = await serveSources(5200, [sketchesForTests()])
     url = server.resolvedUrls.local[0]
   })
   after(() => server.close())

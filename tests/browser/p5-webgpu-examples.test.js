@@ -2,14 +2,14 @@
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
-import { createServer } from 'vite'
 import { sections } from '../../web/catalogue.js'
 import { converted } from '../../web/playground/convert.js'
 import { launchBrowserWithWebGPU, openPage } from './support/browser.js'
 import { pngOf } from '../js/support/png.js'
-import { config, path } from './support/bench.js'
+import { path } from './support/bench.js'
 import { answering, ask, coarseShapes, cookie } from './support/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from './support/pixels.js'
+import { serveSources } from './support/site.js'
 
 const screenshots = path('.build/screenshots/webgpu')
 
@@ -25,12 +25,7 @@ const pages = {}
 before(async () => {
   mkdirSync(screenshots, { recursive: true })
   browser = await launchBrowserWithWebGPU()
-  server = await createServer({
-    ...config,
-    plugins: [answering(forHost)],
-    server: { port: 5210, watch: null },
-  })
-  await server.listen()
+  server = await serveSources(5260, [answering(forHost)])
   url = server.resolvedUrls.local[0]
   for (const host of hosts) pages[host] = await openFor(host)
 })

@@ -1,23 +1,18 @@
 // Every example of the gallery, opened in the playground by its link: it draws what it draws in the gallery, and nothing goes wrong.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
-import { createServer } from 'vite'
 import { sections } from '../../web/catalogue.js'
-import { config, desktop } from './support/bench.js'
+import { desktop } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import { assertPicture, lower, sketchesForTests, statistics, still } from './support/examples.js'
 import { keepFrames } from './support/frames.js'
 import { settled, shown } from './support/playground.js'
+import { serveSources } from './support/site.js'
 
 let browser, server, page, messages
 before(async () => {
   browser = await launchBrowser()
-  server = await createServer({
-    ...config,
-    plugins: [sketchesForTests()],
-    server: { port: 5250, watch: null },
-  })
-  await server.listen()
+  server = await serveSources(5250, [sketchesForTests()])
   const context = await browser.newContext(desktop)
   const [url] = server.resolvedUrls.local
   await lower(context, url, { before: still })

@@ -2,8 +2,7 @@
 import assert from 'node:assert/strict'
 import { mkdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
-import { createServer } from 'vite'
-import { config, desktop, difference, path, phone } from './support/bench.js'
+import { desktop, difference, path, phone } from './support/bench.js'
 import { exportGLB, loadMesh } from '../../dist/mesh.js'
 import { bytesOf, launchBrowser, openPage } from './support/browser.js'
 import { drawLittle, framesInPlayground } from './support/frames.js'
@@ -19,6 +18,7 @@ import {
   text,
   write,
 } from './support/playground.js'
+import { serveSources } from './support/site.js'
 
 const screenshots = path('.build/screenshots')
 
@@ -26,8 +26,7 @@ let browser, server, url
 before(async () => {
   mkdirSync(screenshots, { recursive: true })
   browser = await launchBrowser()
-  server = await createServer({ ...config, server: { port: 5240, watch: null } })
-  await server.listen()
+  server = await serveSources(5240)
   url = `${server.resolvedUrls.local[0]}playground/index.html`
 })
 after(async () => {

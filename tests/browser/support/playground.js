@@ -1,9 +1,9 @@
 // What the tests of the playground do with it.
 import { pathToFileURL } from 'node:url'
-import { createServer } from 'vite'
-import { config, desktop, pixels } from './bench.js'
+import { desktop, pixels } from './bench.js'
 import { openPage } from './browser.js'
 import { drawLittle, framesInPlayground } from './frames.js'
+import { serveSources } from './site.js'
 
 const patience = { timeout: 120_000 }
 
@@ -111,8 +111,7 @@ export async function openFromDisk(page, file, isReady = () => window.frameCount
 
 /** A playground of its own server, open and at rest → { page, messages, context, close }. */
 export async function openPlayground(port, browser) {
-  const server = await createServer({ ...config, server: { port, watch: null } })
-  await server.listen()
+  const server = await serveSources(port)
   const context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })
   await drawLittle(context, framesInPlayground)
   const [url] = server.resolvedUrls.local

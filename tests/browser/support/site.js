@@ -1,5 +1,5 @@
-// The site as it is built for a server of files: built once for all tests that look at it.
-import { preview } from 'vite'
+// The site as it is built for a server of files, once for all tests that look at it; and as `npm start` serves it.
+import { createServer, preview } from 'vite'
 import { buildSite, folder } from '../../../.scripts/site.mjs'
 import { config, path } from './bench.js'
 
@@ -7,6 +7,21 @@ import { config, path } from './bench.js'
 export async function serveSite(port, base = './') {
   await buildSite()
   return preview({ ...config, base, preview: { port }, build: { outDir: path(folder) } })
+}
+
+/**
+ * Serves it as `npm start` does → Vite's server. Each port has a folder of its own for the libraries that Vite bundles: servers that
+ * begin at once would replace what another is about to send, and other plugins have all bundled anew.
+ */
+export async function serveSources(port, plugins = []) {
+  const server = await createServer({
+    ...config,
+    plugins,
+    cacheDir: path(`.build/vite-tests/${port}`),
+    // Nobody edits the files meanwhile, and an edit would reload the page.
+    server: { port, watch: null },
+  })
+  return server.listen()
 }
 
 /** So that what is looked at is what the server gives: for `addInitScript`. */
