@@ -3,11 +3,6 @@ import assert from 'node:assert/strict'
 import { fileURLToPath } from 'node:url'
 
 export const path = (relative) => fileURLToPath(new URL(`../../../${relative}`, import.meta.url))
-export const config = {
-  configFile: path('web/vite.config.js'),
-  logLevel: 'warn',
-  clearScreen: false,
-}
 
 export const patience = { timeout: 60_000 }
 export const desktop = { viewport: { width: 1280, height: 900 } }

@@ -1,7 +1,13 @@
 // The site as it is built for a server of files, once for all tests that look at it; and as `npm start` serves it.
 import { createServer, preview } from 'vite'
 import { buildSite, folder } from '../../../.scripts/site.mjs'
-import { config, path } from './bench.js'
+import { path } from './bench.js'
+
+const config = {
+  configFile: path('web/vite.config.js'),
+  logLevel: 'warn',
+  clearScreen: false,
+}
 
 /** Serves it → Vite's server. `base` is the folder of the server that it stands in. */
 export async function serveSite(port, base = './') {
