@@ -1,7 +1,14 @@
 // npm run fuzz: gives the fuzz targets of tests/fuzz new bytes for a time, under the sanitizers. What reached new places in
 // the code is kept in .build/fuzz/corpus, so that the next run goes on from there.
 import { spawn } from 'node:child_process'
-import { createWriteStream, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import {
+  createWriteStream,
+  mkdirSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs'
 import { createInterface } from 'node:readline'
 import { parseArgs } from 'node:util'
 import { cmakeBuild } from './lib/cmake.mjs'
@@ -15,11 +22,14 @@ const programs = '.build/sanitize'
 const folder = '.build/fuzz'
 const seeds = 'tests/fuzz/corpus'
 
-/** By name, what libFuzzer is told: the longest input, in bytes, and the words of the format. */
+/**
+ * By name, what libFuzzer is told: the longest input, in bytes, and the words of the format. `runs` is how many inputs
+ * the tests give it, about as many as it takes in 20 s beside the others on two cores.
+ */
 const targets = {
-  mesh: ['-max_len=8192', '-dict=tests/fuzz/gltf.dict'],
-  graph: ['-max_len=1024'],
-  glsl: ['-max_len=4096', '-dict=tests/fuzz/glsl.dict'],
+  mesh: { args: ['-max_len=8192', '-dict=tests/fuzz/gltf.dict'], runs: 14_000 },
+  graph: { args: ['-max_len=1024'], runs: 1_200 },
+  glsl: { args: ['-max_len=4096', '-dict=tests/fuzz/glsl.dict'], runs: 110_000 },
 }
 
 // One input may take 10 s and 2 GB, and ask for 1.5 GB at once: the largest mesh that a file may claim has 1.
@@ -30,31 +40,47 @@ const limits = [
   '-print_final_stats=1',
 ]
 
-/** Runs the targets at once; `isKept` says whether to go on from earlier runs. */
-export async function fuzz({ seconds, names = Object.keys(targets), isKept = true }) {
+/** Runs the targets at once for some seconds, with other random numbers each time, and goes on from what earlier runs kept. */
+export const fuzz = (seconds, names = Object.keys(targets)) =>
+  runTargets(names, (name) => ({
+    corpus: `${folder}/corpus/${name}`,
+    args: [`-max_total_time=${seconds}`],
+  }))
+
+/** For the tests: the same random numbers and the committed seeds each time, so that what it finds is no matter of luck. */
+export const fuzzRepeatably = () =>
+  runTargets(Object.keys(targets), (name) => {
+    const corpus = `${folder}/scratch/${name}`
+    rmSync(path(corpus), { recursive: true, force: true })
+    return { corpus, args: ['-seed=1', `-runs=${targets[name].runs}`] }
+  })
+
+async function runTargets(names, searchOf) {
   await cmakeBuild('sanitize', ...names.map((name) => `${name}_fuzz`))
-  const results = await Promise.all(names.map((name) => runTarget(name, seconds, isKept)))
+  const results = await Promise.all(names.map((name) => runTarget(name, searchOf(name))))
   const problems = results.filter(Boolean)
   if (problems.length) throw new Stop(problems.join('\n'))
 }
 
-/** A sentence if it found something. */
-async function runTarget(name, seconds, isKept) {
-  const corpus = `${folder}/${isKept ? 'corpus' : 'scratch'}/${name}`
-  if (!isKept) rmSync(path(corpus), { recursive: true, force: true })
+/** A sentence if it found something, with the bytes: the machine that found them may be out of reach. */
+async function runTarget(name, { corpus, args: search }) {
   const findings = `${folder}/findings`
   for (const needed of [corpus, findings]) mkdirSync(path(needed), { recursive: true })
   const known = new Set(readdirSync(path(findings)))
 
   const program = `${programs}/${name}_fuzz`
-  const args = [corpus, `${seeds}/${name}`, `-max_total_time=${seconds}`, ...limits]
+  const args = [corpus, `${seeds}/${name}`, ...search, ...limits]
   const log = `${findings}/${name}.log`
   const { code, progress, reason } = await follow(
     name,
-    spawn(path(program), [...args, `-artifact_prefix=${findings}/${name}-`, ...targets[name]], {
-      cwd: path(),
-      stdio: ['ignore', 'ignore', 'pipe'],
-    }),
+    spawn(
+      path(program),
+      [...args, `-artifact_prefix=${findings}/${name}-`, ...targets[name].args],
+      {
+        cwd: path(),
+        stdio: ['ignore', 'ignore', 'pipe'],
+      },
+    ),
     createWriteStream(path(log)),
   )
   if (code === 0) {
@@ -65,9 +91,10 @@ async function runTarget(name, seconds, isKept) {
     (file) => file.startsWith(`${name}-`) && !known.has(file),
   )
   const why = reason ?? `it ended with ${code}`
-  return input
-    ? `${name}: ${why}; see ${log}, and run it again with: ${program} ${findings}/${input}`
-    : `${name}: ${why}; see ${log}.`
+  if (!input) return `${name}: ${why}; see ${log}.`
+  const bytes = readFileSync(path(findings, input)).toString('base64')
+  return `${name}: ${why}; see ${log}, and run it again with: ${program} ${findings}/${input}
+The bytes of ${input} in base64: ${bytes}`
 }
 
 // What the sanitizers, the standard library, libFuzzer and tests/fuzz/require.hpp say of a finding.
@@ -149,7 +176,7 @@ async function start() {
   await setup()
   if (writes) return writeSeeds()
   heading(`Fuzzing for ${seconds} s`)
-  await fuzz({ seconds: Number(seconds), names: target ? [target] : Object.keys(targets) })
+  await fuzz(Number(seconds), target ? [target] : undefined)
 }
 
 if (isMain(import.meta)) await main(start)

@@ -27,6 +27,7 @@ await main(async () => {
   heading(tier === 'all' ? 'Everything' : 'The everyday run; `npm test -- --all` is everything')
   printTimes(results, performance.now() - start, groups.length ? null : limits[tier])
   const failed = results.filter(({ passed }) => !passed)
+  for (const { title, why } of failed) bad(`${title}: ${why}`)
   if (failed.length) throw new Stop(`Failed: ${failed.map(({ title }) => title).join(', ')}.`)
   const notRun = results.filter(({ notRun }) => notRun)
   if (notRun.length)
@@ -61,19 +62,17 @@ function select(groups, tier) {
 async function attempt({ title, work }) {
   heading(title)
   const start = performance.now()
-  let passed = true
+  let why
   let notRun
   try {
     await work()
   } catch (error) {
     if (error instanceof NotRun) notRun = error.message
-    else {
-      bad(error instanceof Stop ? error.message : error.stack)
-      passed = false
-    }
+    else bad((why = error instanceof Stop ? error.message : error.stack))
   }
   const time = performance.now() - start
+  const passed = why === undefined
   if (!passed) say(`${title}: FAILED`)
   if (notRun) say(`${title}: NOT RUN: ${notRun}`)
-  return { title, passed, notRun, time }
+  return { title, passed, why, notRun, time }
 }
