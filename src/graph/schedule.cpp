@@ -96,12 +96,13 @@ class Scheduler {
 }  // namespace
 
 // Counted, then put where those of the tasks before end.
-Readers::Readers(const Work& work) : ends_(work.tasks.size() + 2), all_(work.reads.size()) {
+Readers::Readers(const Work& work) : ends_(work.tasks.size() + 2) {
   const auto size = static_cast<std::uint32_t>(work.tasks.size());
   for (std::uint32_t i = 0; i < size; ++i) {
     for (const std::uint32_t read : work.readsOf(i)) ++ends_[read + 2];
   }
   for (std::uint32_t i = 2; i < size + 2; ++i) ends_[i] += ends_[i - 1];
+  all_.resize(ends_.back());
   for (std::uint32_t i = 0; i < size; ++i) {
     for (const std::uint32_t read : work.readsOf(i)) all_[ends_[read + 1]++] = i;
   }

@@ -8,8 +8,8 @@
 
 namespace warpjet {
 
-// A value that is computed: from which others, as a part of `Work::reads`, and whether it stays
-// alive after the last one that is computed from it.
+// A value that is computed: from which others, as a part of `Work::reads` that tasks may share, and
+// whether it stays alive after the last one that is computed from it.
 struct Task {
   std::uint32_t firstRead, readCount;
   bool isResult;
