@@ -1,7 +1,14 @@
 // npm run fuzz: gives the fuzz targets of tests/fuzz new bytes for a time, under the sanitizers. What reached new places in
 // the code is kept in .build/fuzz/corpus, so that the next run goes on from there.
 import { spawn } from 'node:child_process'
-import { createWriteStream, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import {
+  createWriteStream,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs'
 import { createInterface } from 'node:readline'
 import { parseArgs } from 'node:util'
 import { cmakeBuild } from './lib/cmake.mjs'
@@ -17,7 +24,7 @@ const seeds = 'tests/fuzz/corpus'
 
 /**
  * By name, what libFuzzer is told: the longest input, in bytes, and the words of the format. `runs` is how many inputs
- * the tests give it, about as many as it takes in 20 s beside the others on two cores.
+ * the tests give it: about what 20 s allow with all three at once on two cores.
  */
 const targets = {
   mesh: { args: ['-max_len=8192', '-dict=tests/fuzz/gltf.dict'], runs: 14_000 },
@@ -26,71 +33,71 @@ const targets = {
 }
 
 // One input may take 2 GB, and ask for 1.5 GB at once: the largest mesh that a file may claim has 1.
-const limits = ['-rss_limit_mb=2048', '-malloc_limit_mb=1536', '-print_final_stats=1']
+const limits = ['-rss_limit_mb=2048', '-malloc_limit_mb=1536']
 
 /**
  * Runs the targets at once for some seconds, with other random numbers each time, and goes on from what earlier runs kept.
  * An input that takes more than 10 s is a finding.
  */
 export const fuzz = (seconds, names = Object.keys(targets)) =>
-  runTargets(names, (name) => ({
-    corpus: `${folder}/corpus/${name}`,
-    args: [`-max_total_time=${seconds}`, '-timeout=10'],
-  }))
+  runTargets(names, 'corpus', () => [`-max_total_time=${seconds}`, '-timeout=10'])
 
 /**
- * For the tests: the same inputs each time, so that what it finds is no matter of luck. Addresses, which decide a branch
- * here and there, stay where they are if the system lets them; of comparisons, some of them of addresses, libFuzzer learns
- * nothing, nor does it read its folder again when the clock says so. What takes two minutes never ends.
+ * For the tests: the same inputs each time, so that a failure is never luck. What would differ is turned off: random
+ * addresses, where the system allows it; learning from compared values, some of which are addresses; and reading the corpus
+ * again by the clock. An input that runs for two minutes counts as endless.
  */
 export async function fuzzRepeatably() {
-  const isAllowed = (await capture('setarch', ['-R', 'true'])) !== null
-  await runTargets(Object.keys(targets), (name) => {
-    const corpus = `${folder}/scratch/${name}`
-    rmSync(path(corpus), { recursive: true, force: true })
-    return {
-      corpus,
-      args: ['-seed=1', '-use_cmp=0', '-reload=0', `-runs=${targets[name].runs}`, '-timeout=120'],
-      by: isAllowed ? ['setarch', '-R'] : [],
-    }
-  })
+  rmSync(path(folder, 'scratch'), { recursive: true, force: true })
+  const canFixAddresses = (await capture('setarch', ['-R', 'true'])) !== null
+  if (!canFixAddresses) say('Addresses differ with each start here, and the inputs a little.')
+  await runTargets(
+    Object.keys(targets),
+    'scratch',
+    ({ runs }) => ['-seed=1', '-use_cmp=0', '-reload=0', `-runs=${runs}`, '-timeout=120'],
+    canFixAddresses ? ['setarch', '-R'] : [],
+  )
 }
 
-async function runTargets(names, searchOf) {
+/** New inputs are kept in a folder beside the findings; `search` are libFuzzer's options for a target. */
+async function runTargets(names, kept, search, launcher = []) {
   await cmakeBuild('sanitize', ...names.map((name) => `${name}_fuzz`))
-  const results = await Promise.all(names.map((name) => runTarget(name, searchOf(name))))
+  const results = await Promise.all(
+    names.map((name) =>
+      runTarget(name, `${folder}/${kept}/${name}`, search(targets[name]), launcher),
+    ),
+  )
   const problems = results.filter(Boolean)
   if (problems.length) throw new Stop(problems.join('\n'))
 }
 
 /** A sentence if it found something, with the bytes: the machine that found them may be out of reach. */
-async function runTarget(name, { corpus, args: search, by = [] }) {
+async function runTarget(name, corpus, search, launcher) {
   const findings = `${folder}/findings`
   for (const needed of [corpus, findings]) mkdirSync(path(needed), { recursive: true })
 
   const program = `${programs}/${name}_fuzz`
   const log = `${findings}/${name}.log`
-  const told = [
-    ...search,
-    ...limits,
-    `-artifact_prefix=${findings}/${name}-`,
-    ...targets[name].args,
-  ]
-  const [command, ...args] = [...by, path(program), corpus, `${seeds}/${name}`, ...told]
+  // By name and in order, for the order of a folder is that of its file system.
+  const first = `-seed_inputs=${walk(`${seeds}/${name}`).join(',')}`
+  const options = [first, ...search, ...limits, ...targets[name].args, '-print_final_stats=1']
+  const [command, ...args] = [...launcher, path(program), corpus, ...options]
   const { code, progress, reason, input } = await follow(
     name,
-    spawn(command, args, { cwd: path(), stdio: ['ignore', 'ignore', 'pipe'] }),
+    spawn(command, [...args, `-artifact_prefix=${findings}/${name}-`], {
+      cwd: path(),
+      stdio: ['ignore', 'ignore', 'pipe'],
+    }),
     createWriteStream(path(log)),
   )
   if (code === 0) {
     good(`${name}: ${progress}; nothing found`)
     return null
   }
-  const why = reason ?? `it ended with ${code}`
-  if (!input) return `${name}: ${why}; see ${log}.`
+  const why = `${name}: ${reason ?? `it ended with ${code}`}; see ${log}`
+  if (!input || !existsSync(path(input))) return `${why}.`
   const bytes = readFileSync(path(input)).toString('base64')
-  return `${name}: ${why}; see ${log}, and run it again with: ${program} ${input}
-Its bytes in base64: ${bytes}`
+  return `${why}, and run it again with: ${[program, ...limits, input].join(' ')}\nIts bytes in base64: ${bytes}`
 }
 
 // What the sanitizers, the standard library, libFuzzer and tests/fuzz/require.hpp say of a finding.
@@ -115,7 +122,7 @@ async function follow(name, child, log) {
   for await (const line of createInterface(child.stderr)) {
     log.write(`${line}\n`)
     reason ??= reasons.map((pattern) => line.match(pattern)?.[1]).find(Boolean)
-    input ??= line.match(/Test unit written to (.*)/)?.[1]
+    input ??= line.match(/Test unit written to (.*-(?:crash|leak|oom|timeout)-.*)/)?.[1]
     const [, runs, places] = line.match(/^#(\d+)\s.*\bcov: (\d+)/) ?? []
     if (runs) progress = `${count(runs)} runs, ${count(places)} edges of the code covered`
     if (runs && performance.now() > next) {

@@ -28,7 +28,7 @@ await main(async () => {
   printTimes(results, performance.now() - start, groups.length ? null : limits[tier])
   const failed = results.filter(({ passed }) => !passed)
   for (const { title, why } of failed) bad(`${title}: ${why}`)
-  if (failed.length) throw new Stop(`Failed: ${failed.map(({ title }) => title).join(', ')}.`)
+  if (failed.length) throw new Stop(`Failed: ${failed.length} of ${results.length} steps.`)
   const notRun = results.filter(({ notRun }) => notRun)
   if (notRun.length)
     say(`What was run passed; NOT RUN: ${notRun.map(({ title }) => title).join(', ')}.`)
@@ -68,7 +68,7 @@ async function attempt({ title, work }) {
     await work()
   } catch (error) {
     if (error instanceof NotRun) notRun = error.message
-    else bad((why = error instanceof Stop ? error.message : error.stack))
+    else bad((why = error instanceof Stop ? error.message : (error?.stack ?? String(error))))
   }
   const time = performance.now() - start
   const passed = why === undefined

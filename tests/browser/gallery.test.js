@@ -3,9 +3,9 @@
 import assert from 'node:assert/strict'
 import { mkdirSync, readdirSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
-import { fileURLToPath } from 'node:url'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { sections } from '../../web/catalogue.js'
+import { path } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import {
   assertPicture,
@@ -18,7 +18,6 @@ import {
 import { drawLittle, fewFrames, keepFrames } from './support/frames.js'
 import { serveSite, serveSources } from './support/site.js'
 
-const path = (relative) => fileURLToPath(new URL(`../../${relative}`, import.meta.url))
 const screenshots = path('.build/screenshots')
 const names = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
 

@@ -119,16 +119,16 @@ TEST_F(ScheduleTest, EveryStatementIsWrittenOnceAndAfterWhatItReads) {
   }
 }
 
-// As statements do whose texts read the same.
+// As statements share it whose texts read the same values.
 TEST_F(ScheduleTest, TasksMayShareTheListOfWhatTheyRead) {
   const auto a = add({});
   const auto b = add({a}, result);
   work.tasks.push_back(work.tasks[b]);
   work.tasks.push_back(work.tasks[b]);
   EXPECT_EQ(schedule(work), (Order{a, b, b + 1, b + 2}));
-  const Readers all(work);
-  const auto readers = all.of(a);
-  EXPECT_EQ(Order(readers.begin(), readers.end()), (Order{b, b + 1, b + 2}));
+  const Readers readers(work);
+  const auto ofA = readers.of(a);
+  EXPECT_EQ(Order(ofA.begin(), ofA.end()), (Order{b, b + 1, b + 2}));
 }
 
 TEST_F(ScheduleTest, AHundredThousandStatementsAreNotTooMany) {

@@ -16,8 +16,9 @@ export async function serveSite(port, base = './') {
 }
 
 /**
- * Serves it as `npm start` does → Vite's server. Each port has a folder of its own for the libraries that Vite bundles: servers that
- * begin at once would replace what another is about to send, and other plugins have all bundled anew.
+ * Serves it as `npm start` does → Vite's server. Each port has a folder of its own for the libraries that Vite
+ * bundles: in a shared one, a server that starts with other plugins bundles everything anew, and so replaces files that
+ * another is about to send.
  */
 export async function serveSources(port, plugins = []) {
   const server = await createServer({
