@@ -1,6 +1,6 @@
 // The two tiers of the tests, named here and nowhere else: `npm test` is the everyday run, `npm test -- --all` is everything.
-// On two quiet cores, with everything built, they take at most 6 and 15 minutes; from a fresh clone, where nothing was ever
-// compiled, 10 and 20.
+// On two quiet cores, with everything built, they take at most 6 and 15 minutes. Where nothing was ever compiled, the everyday
+// run takes at most 10; building adds five minutes or more to everything.
 // What is not left out below is run every day. What is started by hand, such as one file by `node --test`, is run whole.
 
 /** What an everyday run leaves out, each with the reason: whole steps by title, whole files, and parts that files ask `isRun` for. */
