@@ -4,19 +4,8 @@
 #   mesh        files of meshes, and what is done to meshes
 #   glsl        shader text as a list of the core's operations
 
-# What runs per vertex is compiled for speed, and the core for size, but for the graph, which runs several times per node:
-# -O2 in the differentiator too would save a tenth of the time, for 1 KB gzipped, in eight files more a fifth, for 9 KB. It is
-# linked at -O3, which puts together what is called per node: at -Oz a warp of 3,000 nodes takes 2.7 times as long.
-set(fast_sources src/graph/graph.cpp)
-set(fast_evaluation_sources
-  src/eval/blocks.cpp src/eval/idioms.cpp src/eval/interval_program.cpp)
-list(TRANSFORM fast_sources PREPEND "${PROJECT_SOURCE_DIR}/")
-list(TRANSFORM fast_evaluation_sources PREPEND "${PROJECT_SOURCE_DIR}/")
-set(small_sources ${core_sources})
-list(REMOVE_ITEM small_sources ${fast_sources} ${fast_evaluation_sources})
-set_source_files_properties(${small_sources} js-bindings/wasm/core.cpp js-bindings/wasm/mesh.cpp PROPERTIES COMPILE_OPTIONS -Oz)
-
-# Of meshes, what runs once per file or name in it; not json_text.cpp, since JSON can be most of a file.
+# Everything is compiled with CMake's -O3 (Release), but for what runs once per glTF file: checks of its JSON, which nobody waits
+# for. The core at -Oz took 2.8 times as long for a warp of 3,000 nodes, and saved 40 KB gzipped.
 set_source_files_properties(
   src/mesh/gltf/container.cpp src/mesh/gltf/export.cpp src/mesh/gltf/gltf.cpp src/mesh/load.cpp src/mesh/gltf/look.cpp
   src/mesh/gltf/scene.cpp src/mesh/gltf/schema.cpp src/mesh/sentences.cpp src/mesh/gltf/tinygltf.cpp src/mesh/gltf/uri.cpp
@@ -28,10 +17,9 @@ set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp TARGET_DIRECTORY warpje
 # What computes four vertices at a time. The core links none of it, for link-time optimisation would give SIMD to all
 # functions of a module that has one with it.
 set_source_files_properties(js-bindings/wasm/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
-set_source_files_properties(src/eval/blocks.cpp TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
 set_source_files_properties(
-  src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp
-  TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS "-msimd128;-Oz")
+  src/eval/blocks.cpp src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp
+  TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
 
 # emcc renamed the setting in 3.1.25. No function calls itself over nodes, so the stack can be small.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)
@@ -56,13 +44,6 @@ endfunction()
 # Two that need none of Emscripten's JavaScript: js-bindings/wasm/start.ts has the little that they import. No exception crosses
 # the border: a throw that is left in the code does not link.
 warpjet_module(core .wasm js-bindings/wasm/core.cpp)
-# Of a template that several files use, the linker keeps the first one that it meets: let that be a fast one.
-add_library(warpjet_fast OBJECT ${fast_sources})
-target_include_directories(warpjet_fast PRIVATE src)
-target_compile_options(warpjet_fast PRIVATE -fno-exceptions -fno-rtti -O2)
-list(REMOVE_ITEM core_sources ${fast_sources})
-set_property(TARGET warpjet_core PROPERTY SOURCES ${core_sources} $<TARGET_OBJECTS:warpjet_fast>)
-target_sources(warpjet_core_wasm PRIVATE $<TARGET_OBJECTS:warpjet_fast>)
 warpjet_module(evaluation .wasm js-bindings/wasm/evaluation.cpp)
 foreach(target warpjet_core_wasm warpjet_evaluation_wasm)
   target_link_libraries(${target} PRIVATE warpjet_core)
@@ -72,7 +53,6 @@ foreach(target warpjet_core_wasm warpjet_evaluation_wasm)
     -sMALLOC=emmalloc                     # the smallest allocator that frees
     -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
     -s${stack_setting}=262144
-    -sBINARYEN_EXTRA_PASSES=--converge,--flexible-inline-max-function-size=10  # not 20, what Binaryen copies into callers: 5% fewer bytes; below 10 it gets slow
     -sJS_MATH                             # C's mathematics, from JavaScript: 20 KB less than musl's, tables that do not pack
     -sWARN_ON_UNDEFINED_SYMBOLS=0         # which that leaves
     -sERROR_ON_UNDEFINED_SYMBOLS=0)
@@ -84,14 +64,13 @@ target_link_options(warpjet_core_wasm PRIVATE
 # A text nests as deep as the parser lets it, and each level takes less than 1 KB.
 warpjet_module(glsl .wasm js-bindings/wasm/glsl.cpp)
 target_link_libraries(warpjet_glsl_wasm PRIVATE warpjet_glsl)
-target_compile_options(warpjet_glsl_wasm PRIVATE -fno-exceptions -fno-rtti -Oz)
+target_compile_options(warpjet_glsl_wasm PRIVATE -fno-exceptions -fno-rtti)
 target_link_options(warpjet_glsl_wasm PRIVATE
   -fno-exceptions
   -sMALLOC=emmalloc
   -sINITIAL_MEMORY=2MB
   -s${stack_setting}=1048576
   -Wl,--stack-first
-  -sBINARYEN_EXTRA_PASSES=--converge,--flexible-inline-max-function-size=10
   "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"
   -sJS_MATH
   -sWARN_ON_UNDEFINED_SYMBOLS=0
