@@ -1,0 +1,24 @@
+// A file that grows is warned of, and never fails the build.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { growthWarnings } from '../../.scripts/lib/sizes.mjs'
+
+const before = { 'dist/a.js': 10_240, 'dist/b.js': 10_240 }
+
+test('a file that grew by more than 5% is named with both sizes', () => {
+  const rows = [
+    { file: 'dist/a.js', gzipped: 11_264 },
+    { file: 'dist/b.js', gzipped: 10_752 },
+  ]
+  assert.deepEqual(growthWarnings(rows, before), [
+    'Warning: dist/a.js grew by 10%, from 10.0 KB to 11.0 KB gzipped. If that is meant, `npm run sizes` records it.',
+  ])
+})
+
+test('a new file and a smaller one are no reason to warn', () => {
+  const rows = [
+    { file: 'dist/new.js', gzipped: 99_999 },
+    { file: 'dist/a.js', gzipped: 1 },
+  ]
+  assert.deepEqual(growthWarnings(rows, before), [])
+})
