@@ -43,7 +43,6 @@ const single = [
   'mesh',
   'warpjet.glsl',
   'p5.warpjet',
-  'p5.warpjet.slim',
   'warpjet.deformers',
   'warpjet.operators',
 ]

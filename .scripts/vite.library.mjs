@@ -121,21 +121,6 @@ export const singleModules = [
   single('js-bindings/mesh.ts', 'mesh.min.js', 'es', { wasm: ['mesh'] }),
 ]
 
-/** `alias` names modules that are others in it. */
-const p5Script = (fileName, wasm, alias = []) =>
-  single('js-bindings/p5.global.ts', fileName, 'iife', {
-    wasm,
-    // What reads models is fetched when it is needed.
-    resolve: {
-      alias: [
-        { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
-        { find: './cpu-module.js', replacement: path('js-bindings/p5/cpu-module.global.ts') },
-        ...alias,
-      ],
-    },
-    define: { meshIntegrity: JSON.stringify(integrityOf('dist/mesh.min.js')) },
-  })
-
 /** A script that stands beside the one with the compiler, and throws its errors. */
 const beside = (entry, fileName) =>
   single(entry, fileName, 'iife', {
@@ -148,19 +133,16 @@ const beside = (entry, fileName) =>
 
 /** Files for <script> tags, when those modules are there. */
 export const scripts = () => [
-  p5Script('p5.warpjet.min.js', ['core', 'evaluation']),
-  // Without what runs warps on the CPU, and what watches over the sketch.
-  p5Script(
-    'p5.warpjet.slim.min.js',
-    ['core'],
-    [
-      {
-        find: /^.*\/compile-warp\.js$/,
-        replacement: path('js-bindings/compile/compile-warp-text.ts'),
-      },
-      { find: './p5/uncaught.js', replacement: path('js-bindings/p5/uncaught.slim.ts') },
-    ],
-  ),
+  single('js-bindings/p5.global.ts', 'p5.warpjet.min.js', 'iife', {
+    wasm: ['core', 'evaluation'],
+    // The script fetches what reads models when a sketch first needs it.
+    resolve: {
+      alias: [
+        { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
+      ],
+    },
+    define: { meshIntegrity: JSON.stringify(integrityOf('dist/mesh.min.js')) },
+  }),
   // The compiler is that of the script of p5.
   single('js-bindings/glsl.global.ts', 'warpjet.glsl.min.js', 'iife', {
     resolve: {

@@ -26,12 +26,12 @@ const stages = (script, first, second) => `({
   'script': ${script}, 'first warp': ${first}, '  compile': inWasm.compile, '  instantiate': inWasm.instantiate, 'second warp': ${second},
 })`
 
-const page = (script) => `<!doctype html>
+const page = `<!doctype html>
 <meta charset="utf-8">
 <script src="/node_modules/p5/lib/p5.min.js"></script>
 <script>${watchWebAssembly}
 const start = performance.now()</script>
-<script src="/dist/${script}"></script>
+<script src="/dist/p5.warpjet.min.js"></script>
 <script>
 const loaded = performance.now()
 function setup() {
@@ -46,7 +46,7 @@ function setup() {
 }
 </script>`
 
-async function inChromium(script) {
+async function inChromium() {
   const { chromium } = await import('playwright-core')
   const browser = await chromium.launch({
     executablePath: await findBrowser(),
@@ -59,7 +59,7 @@ async function inChromium(script) {
       const context = await browser.newContext()
       await context.route('**/*', (route) => {
         const { pathname } = new URL(route.request().url())
-        if (pathname === '/') return route.fulfill({ contentType: 'text/html', body: page(script) })
+        if (pathname === '/') return route.fulfill({ contentType: 'text/html', body: page })
         if (pathname === '/favicon.ico') return route.fulfill({ status: 204 })
         return route.fulfill({
           contentType: 'text/javascript; charset=utf-8',
@@ -98,8 +98,7 @@ function inNode() {
 /** The median milliseconds of each stage, [{ where, stages }]. */
 export async function measureStartUp() {
   const measured = {
-    'Chromium, p5.warpjet.min.js': await inChromium('p5.warpjet.min.js'),
-    'Chromium, p5.warpjet.slim.min.js': await inChromium('p5.warpjet.slim.min.js'),
+    'Chromium, p5.warpjet.min.js': await inChromium(),
     'Node, warpjet': inNode(),
   }
   return Object.entries(measured).map(([where, runs]) => ({

@@ -18,7 +18,7 @@ const address = script?.src ?? ''
  * Whether the file beside this script is ours: not where the address only stands for the script, as a bare
  * `https://cdn.jsdelivr.net/npm/warpjet` does, beside which another package lies, nor where several files were made one.
  */
-const isNamed = /^[^,?#]*\/p5\.warpjet(\.slim)?\.min\.js([?#]|$)/.test(address)
+const isNamed = /^[^,?#]*\/p5\.warpjet\.min\.js([?#]|$)/.test(address)
 
 /** For `method`, which a sketch called. */
 export async function importMesh(method: string): Promise<typeof import('../mesh.js')> {

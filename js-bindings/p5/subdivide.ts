@@ -1,11 +1,10 @@
 /** `subdivide` of a p5.Geometry, by a number or by a warp: one of `compileWarp`, or what `createWarp` returned. */
-import { WarpError } from '../checks/errors.js'
+import { runOnCpu } from '../compile/compile-warp.js'
 import type { KeptWarp } from '../compile/warp-text.js'
 import type { Uniforms } from '../inputs/vertices.js'
 import type { Evaluates } from '../mesh/bake.js'
 import type { Makers, WarpModel } from '../mesh/p5-model.js'
 import type { AdaptiveOptions, LevelsOptions } from '../mesh/subdivide.js'
-import { importCpu } from './cpu-module.js'
 import type { Canvas } from './host.js'
 import { emptyModel } from './load-model.js'
 import { importMesh } from './mesh-module.js'
@@ -35,14 +34,9 @@ export type SubdivideOptions =
   LevelsOptions | (Omit<AdaptiveOptions, 'warp'> & { warp: Evaluates | Distort })
 
 /** As far as it is one of createWarp, with what the sketch's clock, mouse and canvas are now. */
-async function onCpu({ warp, uniforms, ...others }: AdaptiveOptions): Promise<AdaptiveOptions> {
+function onCpu({ warp, uniforms, ...others }: AdaptiveOptions): AdaptiveOptions {
   const how = made.get(warp)
   if (!how) return { warp, uniforms, ...others }
-  const { runOnCpu } = await importCpu()
-  if (!runOnCpu)
-    throw new WarpError(
-      'subdivide: the slim script runs no warp on the CPU; take p5.warpjet.min.js, or say how often each triangle becomes four, as in subdivide(shape, 2).',
-    )
   const { canvas, settings } = how
   const names = new Map([...settings.labels].map(([name, label]) => [label, name]))
   const nameOf = (label: string) => names.get(label) ?? label
@@ -68,6 +62,6 @@ export const subdivideShape = (
     const dense = emptyModel(p5, renderer)
     const given = options as number | AdaptiveOptions | LevelsOptions
     const isByWarp = typeof given === 'object' && given !== null && 'warp' in given
-    subdivideP5Model(dense, p5, shape, isByWarp ? await onCpu(given) : given)
+    subdivideP5Model(dense, p5, shape, isByWarp ? onCpu(given) : given)
     return dense
   })

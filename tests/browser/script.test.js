@@ -12,7 +12,6 @@ const path = (name) => fileURLToPath(new URL(`../..${name}`, import.meta.url))
 const dist = (name) => readFileSync(path(`/dist/${name}`), 'utf8')
 
 const script = '/dist/p5.warpjet.min.js'
-const slim = '/dist/p5.warpjet.slim.min.js'
 const deformers = '/dist/warpjet.deformers.min.js'
 const { version } = JSON.parse(readFileSync(path('/package.json'), 'utf8'))
 const cdn = 'https://cdn.jsdelivr.net'
@@ -148,27 +147,8 @@ describe('one script with all, one without the CPU', () => {
     return result
   }
 
-  test('the full script runs a warp on the CPU', async () => {
+  test('the script runs a warp on the CPU', async () => {
     assert.deepEqual(await evaluated(script), [3, 2, 3])
-  })
-
-  test('the slim one draws, and names the full one', async () => {
-    assert.match(
-      await evaluated(slim),
-      /^WarpError: evaluateAt: .* the script p5\.warpjet\.min\.js, [^.]*\.$/,
-    )
-  })
-
-  test('the slim one takes what lies beside it', async () => {
-    const folder = `${cdn}/npm/warpjet@0.1/dist`
-    const { context, asked } = await withHosts({
-      [`${folder}/p5.warpjet.slim.min.js`]: dist('p5.warpjet.slim.min.js'),
-      [`${folder}/mesh.min.js`]: dist('mesh.min.js'),
-    })
-    const { result } = await loadedBy(context, `${folder}/p5.warpjet.slim.min.js`)
-    await context.close()
-    assert.equal(result, 3)
-    assert.ok(asked.includes(`${folder}/mesh.min.js`))
   })
 })
 

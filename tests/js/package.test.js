@@ -52,13 +52,7 @@ test('the package holds what a user needs and nothing else', () => {
     'babylon',
     'react',
   ]
-  const single = [
-    'warpjet.min',
-    'mesh.min',
-    'p5.warpjet.min',
-    'p5.warpjet.slim.min',
-    'warpjet.deformers.min',
-  ]
+  const single = ['warpjet.min', 'mesh.min', 'p5.warpjet.min', 'warpjet.deformers.min']
   for (const file of [...modules, ...single])
     assert.ok(
       files.some(({ path }) => path === `dist/${file}.js`),

@@ -1,2 +1,0 @@
-/** `uncaught.ts` for the slim script, which leaves it out. */
-export const tellWhatIsUncaught = () => {}
