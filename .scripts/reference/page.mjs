@@ -149,16 +149,24 @@ out if nothing is derived; a warp's normal needs it.
 \`glsl.texture(image, uv, { filter, wrap })\` is the colour of an image at \`uv\`, a vec4: (0, 0) is its top left corner and (1, 1) its
 bottom right one. \`image\` is one of the option \`uniforms\`, or the name of the shader's \`sampler2D\`. It may displace a surface, by
 \`glsl.texture(uniforms.heights, position.xy().add(0.5)).r()\`, and its derivatives are exactly those of what it gives, since it reads
-texels and mixes them itself, whatever filter the image has.
+texels and mixes them itself.
 
 | filter | between the texels |
 | ------ | ------------------ |
-| \`'bilinear'\`, unless given | the mix of four; its slope, and so light, jumps at every row and column of texels |
+| \`'bilinear'\` | the mix of four; its slope, and so light, jumps at every row and column of texels |
 | \`'bicubic'\` | a smooth curve through the texels (Keys, 1981: Catmull-Rom), a little beyond them beside edges |
 | \`'bspline'\` | a cubic B-spline, smooth up to its second derivatives, which blurs the image by about a texel; best for heights |
 | \`'nearest'\` | the texel itself, for images that hold data; its derivative is 0 |
 
-Beyond 0 and 1, \`wrap\` is \`'clamp'\` unless given, \`'repeat'\` or \`'mirror'\`. A transparent image's colours are as the host keeps them:
+Beyond 0 and 1, \`wrap\` is \`'clamp'\` (the colour of the edge), \`'repeat'\`, \`'mirror'\`, or \`'sampler'\`: what your own shader's sampler
+does, in GLSL; in WGSL, where an image has none, it clamps.
+
+Left out, both are what the host draws with, for an image among the \`uniforms\` of \`createWarp\`, \`warp\` and \`BabylonWarp\`: p5's \`textureWrap\`,
+\`wrapS\`, \`wrapT\` and \`magFilter\` of a texture of three.js, \`wrapU\`, \`wrapV\` and the sampling mode of one of Babylon.js, read anew for every
+frame. Such a texture's \`offset\`, \`repeat\` and \`rotation\`, or its matrix, move \`uv\` first; \`transform: false\` leaves \`uv\` as it is. Everywhere
+else the defaults are \`'bilinear'\` and \`'clamp'\`. \`texture()\` in GLSL that warpjet reads wraps as the host's sampler does, and never moves \`uv\`.
+
+A transparent image's colours are as the host keeps them:
 p5 multiplies them by alpha. WebGL 1 must be told the size: \`uniform vec2 heightsSize\` beside \`uniform sampler2D heights\`.
 The CPU cannot read images.
 

@@ -1,5 +1,6 @@
 // The uniforms of a warp in Babylon.js: the option's values, and those that are set in their place.
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
+import { samplingOf } from './sampling.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { isCallable } from '../checks/options.js'
 import { type Shape, imageShape } from '../expression/shapes.js'
@@ -8,6 +9,7 @@ import {
   numbersFor,
   readDeclaredOf,
   unknownUniform,
+  withSampling,
   withUniforms,
 } from '../inputs/declared-uniforms.js'
 import type { OffsetFunction } from '../types/types.js'
@@ -43,10 +45,10 @@ function vectorOf(value: unknown): unknown {
 const now = (given: unknown) => plain(isCallable(given) ? (given as () => unknown)() : given)
 
 export function readUniforms(method: string, offset: OffsetFunction, option: object | undefined) {
-  const declared = readDeclaredOf(method, option, plain)
+  const declared = withSampling(readDeclaredOf(method, option, plain), { hasTransform: true })
   const labels = new Map([...declared.keys()].map((name, i) => [name, `warpjet${i}`]))
   const values: Record<string, unknown> = {}
-  const uniforms = [...declared].map(([name, { shape }]): BabylonUniform => {
+  const uniforms = [...declared].flatMap(([name, { shape }]): BabylonUniform[] => {
     const label = labels.get(name)!
     let given: unknown = (option as Record<string, unknown>)[name]
     const read = readerOf(`The warp's uniform "${name}"`, shape)
@@ -60,8 +62,9 @@ export function readUniforms(method: string, offset: OffsetFunction, option: obj
         given = value
       },
     })
-    if (shape !== imageShape) return { label, shape, numbers: () => read(given) as number[] }
-    return { label, shape, numbers: () => [], image: () => read(given) as BaseTexture }
+    if (shape !== imageShape) return [{ label, shape, numbers: () => read(given) as number[] }]
+    const image = () => read(given) as BaseTexture
+    return [{ label, shape, numbers: () => [], image }, ...samplingOf(label, image)]
   })
   const onCpu: DeclaredUniforms = new Map(
     uniforms.map(({ label, shape, numbers, image }) => [

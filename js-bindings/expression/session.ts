@@ -9,6 +9,7 @@ import { isCallable } from '../checks/options.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
 import { noteIdle } from './idle.js'
 import { callerOutside } from './source-lines.js'
+import type { HostSampling } from './texture.js'
 import { failed, needsPartials } from '../wasm/tables.js'
 
 /** A function of the host from numbers to a number, as the sketch declared it. */
@@ -39,6 +40,8 @@ export interface Recording {
 export class Session {
   /** The inputs that are no floats of the host, by their number. */
   private readonly others = new Map<number, ReadAsFloats>()
+  /** The images whose sampling the host tells, by what the shader calls them. */
+  readonly samplings = new Map<string, HostSampling>()
   /** The functions of the host, by their number. */
   readonly functions: HostFunction[] = []
   private readonly core: Core = getCore()
@@ -227,10 +230,16 @@ export class Session {
     }
   }
 
-  /** The host's image of that name at a vec2, with filter and wrap by number. */
-  callTexture(image: string, uv: Expression, filter: number, wrap: number): Expression {
+  /** The host's image of that name at a vec2, with filter and wrap by number; `settings` is a vec3 that these may read. */
+  callTexture(
+    image: string,
+    uv: Expression,
+    filter: number,
+    wrap: number,
+    settings?: Expression,
+  ): Expression {
     const id = this.open('texture')
-    this.push(id, [uv])
+    this.push(id, settings ? [uv, settings] : [uv])
     return this.expression(this.core.callTexture(id, image, filter, wrap))
   }
 

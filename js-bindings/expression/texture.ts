@@ -5,8 +5,31 @@ import { type Expression, toExpression } from './expression.js'
 import { checkOptions } from '../checks/options.js'
 import { filters, wraps } from '../wasm/tables.js'
 
-/** In the order of their numbers in the wasm. */
-const choices: Record<string, readonly string[]> = { filter: filters, wrap: wraps }
+/** What an adapter tells the shader of an image among its uniforms, beside the image itself. */
+export interface HostSampling {
+  /** Whether texture coordinates go through a mat3 of the host first. */
+  hasTransform: boolean
+}
+
+/** The uniforms that carry it: a vec3 of how the image wraps in u and in v and 1 if it is read by its nearest texel, and the mat3. */
+export const samplingUniforms = (image: string) => ({
+  settings: `${image}Sampling`,
+  transform: `${image}Transform`,
+})
+
+/** How an image wraps, as numbers of the first of these uniforms. */
+export const hostWraps = { clamp: 0, repeat: 1, mirror: 2 } as const
+
+const isForUsers = (name: string) => name !== 'host'
+
+/** Reads the option; without it, `otherwise`. The result is its number in the wasm. */
+function readChoice(option: string, names: readonly string[], given: unknown, otherwise: string) {
+  const number = names.indexOf((given ?? otherwise) as string)
+  if (number >= 0 && (given === undefined || isForUsers(given as string))) return number
+  throw new WarpError(
+    `texture: the option "${option}" must be one of ${names.filter(isForUsers).join(', ')}, but is ${describe(given)}.`,
+  )
+}
 
 export function callTexture(
   session: Session,
@@ -16,22 +39,39 @@ export function callTexture(
     throw new WarpError(
       `texture: argument 1 must be the name of a sampler2D, such as "heightMap", but is ${describe(image)}.`,
     )
-  const operand = toExpression(session, 'texture', uv, 2)
-  const shape = session.shapeOf(operand)
+  const place = toExpression(session, 'texture', uv, 2)
+  const shape = session.shapeOf(place)
   if (`${shape}` !== '1,2')
     throw new WarpError(`texture: argument 2 must be a vec2, but is ${describeShape(shape)}.`)
   if (others.length > 0)
     throw new WarpError(
       `texture: it takes a name, a vec2 and options; ${describe(others[0])} is too many.`,
     )
-  checkOptions('texture', options, Object.keys(choices))
-  const [filter, wrap] = Object.entries(choices).map(([option, names]) => {
-    const { [option]: given = names[0] } = options as Record<string, unknown>
-    const number = names.indexOf(given as string)
-    if (number >= 0) return number
+  checkOptions('texture', options, ['filter', 'wrap', 'transform'])
+  const { filter, wrap, transform = true } = options as Record<string, unknown>
+  if (typeof transform !== 'boolean')
     throw new WarpError(
-      `texture: the option "${option}" must be one of ${names.join(', ')}, but is ${describe(given)}.`,
+      `texture: the option "transform" must be true or false, but is ${describe(transform)}.`,
     )
-  })
-  return session.callTexture(image, operand, filter!, wrap!)
+  const sampling = session.samplings.get(image)
+  const uniforms = samplingUniforms(image)
+  return session.callTexture(
+    image,
+    transform && sampling?.hasTransform
+      ? transformed(session.input(uniforms.transform, [3, 3], 'texture'), place)
+      : place,
+    readChoice('filter', filters, filter, sampling ? 'host' : 'bilinear'),
+    readChoice('wrap', wraps, wrap, sampling ? 'host' : 'clamp'),
+    sampling && session.input(uniforms.settings, [1, 3], 'texture'),
+  )
+}
+
+/** matrix * (u, v, 1), without its third number. */
+function transformed(matrix: Expression, uv: Expression): Expression {
+  const methods = (value: Expression) =>
+    value as unknown as Record<string, (...operands: unknown[]) => Expression>
+  const column = (i: number) => methods(methods(matrix).column!(i)).xy!()
+  const across = methods(column(0)).mult!(methods(uv).x!())
+  const down = methods(column(1)).mult!(methods(uv).y!())
+  return methods(methods(across).add!(down)).add!(column(2))
 }

@@ -25,6 +25,10 @@ export const inputTypes: Readonly<Record<string, string>> = Object.assign(
   ),
 )
 
+/** How `texture()` reads an image that the host tells of, and one of which only the shader's sampler knows. */
+const asHostSamples = { transform: false }
+const bySampler = { wrap: 'sampler' }
+
 /** The inputs of an offset function, or none of them. */
 export type Inputs = Partial<WarpInputs>
 
@@ -76,9 +80,11 @@ export function bindExternals(
     },
     texture(place, at, isFetched) {
       const image = imageOf(place)
-      if (!isFetched) return glsl.texture!(image, at)
+      const { samplings } = glsl.val!(0).session as Session
+      if (!isFetched)
+        return glsl.texture!(image, at, samplings.has(String(image)) ? asHostSamples : bySampler)
       const uv = glsl.div!(glsl.add!(at, 0.5), imageSize(place))
-      return glsl.texture!(image, uv, { filter: 'nearest' })
+      return glsl.texture!(image, uv, { filter: 'nearest', wrap: 'clamp', transform: false })
     },
     imageSize,
   }

@@ -5,6 +5,7 @@ import type { Expression } from '../expression/expression.js'
 import { inputSizes, markWhole } from './inputs.js'
 import { isCallable, isList, own } from '../checks/options.js'
 import { type Shape, imageShape, typeOf } from '../expression/shapes.js'
+import type { HostSampling } from '../expression/texture.js'
 import type { ImageLike, OffsetFunction, UniformValue, WarpInputs } from '../types/types.js'
 
 type Given = UniformValue | (() => UniformValue)
@@ -19,6 +20,8 @@ export interface DeclaredUniform {
   isFunction: boolean
   /** Of an image, which has no numbers: what it is now. */
   image?: (() => ImageLike) | undefined
+  /** Of an image whose wrapping and filter the host tells the shader. */
+  sampling?: HostSampling | undefined
 }
 
 /** By the sketch's name. */
@@ -62,6 +65,18 @@ export function readDeclaredOf(
   ])
   return readDeclared(method, option && Object.fromEntries(converted))
 }
+
+/** The same where the host tells the shader how it samples each image. */
+export const withSampling = (
+  declared: DeclaredUniforms,
+  sampling: HostSampling,
+): DeclaredUniforms =>
+  new Map(
+    [...declared].map(([name, uniform]) => [
+      name,
+      uniform.image ? { ...uniform, sampling } : uniform,
+    ]),
+  )
 
 function declare(method: string, name: string, given: Given): DeclaredUniform {
   if (Object.hasOwn(inputSizes, name))
@@ -225,14 +240,15 @@ function expressions(
   labelOf: (name: string) => string,
 ): WarpInputs['uniforms'] {
   const known = Object.create(null) as object
-  for (const [name, { shape }] of declared)
+  for (const [name, { shape, sampling }] of declared) {
+    const label = labelOf(name)
+    if (sampling) session.samplings.set(label, sampling)
     Object.defineProperty(known, name, {
       enumerable: true,
       get: () =>
-        shape === imageShape
-          ? labelOf(name)
-          : session.input(labelOf(name), shape, `${method} uniforms.${name}`),
+        shape === imageShape ? label : session.input(label, shape, `${method} uniforms.${name}`),
     })
+  }
   Object.defineProperty(known, markWhole, {
     value: (name: string) => {
       const { shape, isFunction, numbers } = declared.get(name)!

@@ -2,6 +2,7 @@
  * What the addon touches of p5, the same on 2.x and 1.11 unless a comment says otherwise. p5's own types are not used:
  * 1.11 ships none, and nobody should need p5's types to use warpjet.
  */
+import type { Texture } from './sampling.js'
 
 export interface Uniform {
   readonly isArray?: boolean
@@ -13,7 +14,7 @@ export interface Uniform {
   /** On WebGPU, of a mat3. */
   readonly packInPlace?: boolean
   /** Of an image that was set: what p5 draws with. */
-  readonly texture?: { readonly width: number; readonly height: number }
+  readonly texture?: Texture
 }
 
 /** What `modify` takes: the texts of hooks by their names, and more for which p5 has other names. */

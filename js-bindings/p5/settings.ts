@@ -3,7 +3,7 @@ import { WarpError, describe } from '../checks/errors.js'
 import { checkOptions } from '../checks/options.js'
 import type { UniformOptions, UniformValues } from '../types/types.js'
 import type { Shader } from './host.js'
-import { type DeclaredUniforms, readDeclared } from '../inputs/declared-uniforms.js'
+import { type DeclaredUniforms, readDeclared, withSampling } from '../inputs/declared-uniforms.js'
 
 /** Which of p5's materials the warp continues. */
 export type WarpType = 'specular' | 'normal'
@@ -119,7 +119,9 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
     throw new WarpError(
       `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
     )
-  const uniforms = readDeclared('createWarp', options.uniforms)
+  const uniforms = withSampling(readDeclared('createWarp', options.uniforms), {
+    hasTransform: false,
+  })
   const labels = new Map([...uniforms.keys()].map((name, i) => [name, `uWarpjet${i}`]))
   const defined = uniformsIn(defs)
   for (const name of uniforms.keys())

@@ -6,6 +6,7 @@ import { lazily } from '../module/lazily.js'
 import { type FrameUniforms, frameOf } from '../compile/frame.js'
 import { type KeptWarp, isOfFrame } from '../compile/warp-text.js'
 import { type Variable, typeOf } from '../expression/shapes.js'
+import { samplingUniforms } from '../expression/texture.js'
 import {
   componentsOf,
   imageFor,
@@ -14,6 +15,7 @@ import {
   unlisted,
 } from '../inputs/declared-uniforms.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
+import { samplingNumbers } from './sampling.js'
 import { glslType } from './styles.js'
 import { own } from '../checks/options.js'
 import { type WarpSettings, uniformsIn } from './settings.js'
@@ -70,7 +72,13 @@ export function declaredUniforms(
   parameters: readonly Variable[],
   target: Target,
 ): Declared[] {
-  const all = new Set([...labels.values()].flatMap((label) => [label, `${label}Size`]))
+  const all = new Set(
+    [...labels.values()].flatMap((label) => [
+      label,
+      `${label}Size`,
+      samplingUniforms(label).settings,
+    ]),
+  )
   if (target === 'wgsl') for (const name of uniformsIn(defs)) all.add(name)
   return parameters.filter(({ name }) => all.has(name)).map(declaredOf)
 }
@@ -187,11 +195,14 @@ function p5Image(name: string, value: unknown) {
   return image
 }
 
-/** An image, and its size in texels where the warp is told it, in WebGL 1. */
+/** Sets an image, how p5 samples it and, in WebGL 1, its size in texels. */
 function setImage(shader: Shader, label: string, name: string, image: unknown) {
   shader.setUniform(label, p5Image(name, image))
-  const { width, height } = shader.uniforms[label]!.texture!
-  if (shader.uniforms[`${label}Size`]) shader.setUniform(`${label}Size`, [width, height])
+  const texture = shader.uniforms[label]!.texture!
+  const { settings } = samplingUniforms(label)
+  if (shader.uniforms[settings]) shader.setUniform(settings, samplingNumbers(texture))
+  if (shader.uniforms[`${label}Size`])
+    shader.setUniform(`${label}Size`, [texture.width, texture.height])
 }
 
 /** Sets the sketch's own uniforms. One that `defs` declares but the warp never reads does not reach the shader. */

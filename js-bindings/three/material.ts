@@ -122,6 +122,12 @@ export interface ShadowMaterials {
   customDistanceMaterial?: Material | undefined
 }
 
+/** What WebGPURenderer adds to materials. */
+interface OfNodes {
+  isNodeMaterial?: boolean
+  positionNode?: { id: number }
+}
+
 /** Weaves the warp into a clone of the material, or into itself where it is shared. */
 export function weaveInto(
   material: Material,
@@ -149,10 +155,12 @@ export function weaveInto(
     shader.vertexShader = woven.get(source)!
   }
   const key = `warpjet ${warp.key()} ${earlierKey}`
-  made.customProgramCacheKey = function (this: Material & { isNodeMaterial?: boolean }) {
+  made.customProgramCacheKey = function (this: Material & OfNodes) {
     // WebGPURenderer copies this into a material of nodes, which knows better.
     const { customProgramCacheKey } = Object.getPrototypeOf(this) as Material
-    return this.isNodeMaterial ? customProgramCacheKey.call(this) : key
+    if (this.isNodeMaterial) return customProgramCacheKey.call(this)
+    // Its cache holds the uniforms beside the code, so that another warp with the same code needs another key.
+    return this.positionNode ? `${key} ${this.positionNode.id}` : key
   }
   made.needsUpdate = true
   mark(made, true)

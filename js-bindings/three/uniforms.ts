@@ -1,15 +1,30 @@
 // The uniforms of a warp, as three.js has them: objects with a `value`, which may be changed at any time.
-import type { Color, Matrix3, Matrix4, Quaternion, Texture, Vector2, Vector3, Vector4 } from 'three'
+import {
+  type Color,
+  type Matrix3,
+  type Matrix4,
+  MirroredRepeatWrapping,
+  NearestFilter,
+  type Quaternion,
+  RepeatWrapping,
+  type Texture,
+  type Vector2,
+  type Vector3,
+  type Vector4,
+  type Wrapping,
+} from 'three'
 import { WarpError, describe } from '../checks/errors.js'
 import { isCallable } from '../checks/options.js'
 import type { FrameUniforms } from '../compile/frame.js'
 import { type Shape, imageShape } from '../expression/shapes.js'
+import { hostWraps, samplingUniforms } from '../expression/texture.js'
 import {
   type DeclaredUniforms,
   numbersFor,
   readDeclaredOf,
   unknownUniform,
   unlisted,
+  withSampling,
 } from '../inputs/declared-uniforms.js'
 
 /** The value of a uniform. */
@@ -92,17 +107,47 @@ function plain(value: unknown): unknown {
 
 const valueOf = (given: unknown) => plain(isCallable(given) ? (given as () => unknown)() : given)
 
-function textureFor(place: string, value: unknown): unknown {
-  const { texture } = (value ?? {}) as { texture?: unknown }
+function textureFor(place: string, value: unknown): Texture {
+  const { texture } = (value ?? {}) as { texture?: Texture }
   if (texture) return texture
   throw new WarpError(`${place} must be a texture of three.js, but is ${describe(value)}.`)
 }
 
+const wrapNumber = (wrapping: Wrapping) => {
+  if (wrapping === RepeatWrapping) return hostWraps.repeat
+  return wrapping === MirroredRepeatWrapping ? hostWraps.mirror : hostWraps.clamp
+}
+
+/** What three.js sets of a texture besides its image: wrapping and filter, and where `offset`, `repeat` and `rotation` put it. */
+function samplingOf(label: string, read: () => Texture): Uniform[] {
+  const names = samplingUniforms(label)
+  const settings = () => {
+    const { wrapS, wrapT, magFilter } = read()
+    return [wrapNumber(wrapS), wrapNumber(wrapT), Number(magFilter === NearestFilter)]
+  }
+  const transform = () => {
+    const texture = read()
+    if (texture.matrixAutoUpdate) texture.updateMatrix()
+    return [...texture.matrix.elements]
+  }
+  const uniform = (label: string, shape: Shape, numbers: () => number[]): Uniform => ({
+    label,
+    shape,
+    numbers,
+    inShader: {
+      get value() {
+        return numbers()
+      },
+    },
+  })
+  return [uniform(names.settings, [1, 3], settings), uniform(names.transform, [3, 3], transform)]
+}
+
 /** Reads the option `uniforms`. */
 export function readUniforms(method: string, option: object | undefined) {
-  const declared = readDeclaredOf(method, option, plain)
+  const declared = withSampling(readDeclaredOf(method, option, plain), { hasTransform: true })
   const handles: Record<string, { value: unknown }> = {}
-  const uniforms = [...declared].map(([name, { shape, image }], i): Uniform => {
+  const uniforms = [...declared].flatMap(([name, { shape, image }], i): Uniform[] => {
     let given: unknown = (option as Record<string, unknown>)[name]
     const place = `The warp's uniform "${name}"`
     if (image) textureFor(place, valueOf(given))
@@ -125,9 +170,13 @@ export function readUniforms(method: string, option: object | undefined) {
         return read()
       },
     }
-    return { label: `warpjet${i}`, shape, numbers, inShader }
+    const label = `warpjet${i}`
+    const uniform = { label, shape, numbers, inShader }
+    return image
+      ? [uniform, ...samplingOf(label, () => textureFor(place, valueOf(given)))]
+      : [uniform]
   })
-  const labels = new Map([...declared.keys()].map((name, i) => [name, uniforms[i]!.label]))
+  const labels = new Map([...declared.keys()].map((name, i) => [name, `warpjet${i}`]))
   return { declared, uniforms, labels, handles: sealed(method, handles) }
 }
 

@@ -149,17 +149,31 @@ export interface SourceOptions {
 export interface TextureOptions {
   /**
    * How it goes on between the centres of texels.
-   * - `'bilinear'` unless given: the mix of four texels. Its slope jumps at every row and column of texels, and so does light.
+   * - `'bilinear'`: the mix of four texels. Its slope jumps at every row and column of texels, and so does light.
    * - `'bicubic'`, of 16 texels: goes through the texels without such jumps, and a little beyond them beside edges (the
    *   Catmull-Rom spline; Keys, "Cubic Convolution Interpolation for Digital Image Processing", 1981, with a = -1/2).
    * - `'bspline'`, of 16 texels: smooths the image by about a texel, and is smooth up to its second derivatives; for
    *   heights of 8 bits and for light that shows no texels (the uniform cubic B-spline; Sigg and Hadwiger, "Fast
    *   Third-Order Texture Filtering", GPU Gems 2, chapter 20, 2005).
    * - `'nearest'`: the texel itself, for images that hold data. Its derivative is 0.
+   *
+   * Default: for an image among the `uniforms` of `createWarp`, `warp` and `BabylonWarp` the magnification filter that the host
+   * has set for it, `'nearest'` or `'bilinear'`; elsewhere `'bilinear'`.
    */
   filter?: 'bilinear' | 'bicubic' | 'bspline' | 'nearest'
-  /** Beyond 0 and 1: the colour of the edge (`'clamp'` unless given), the image again, or its mirror image. */
-  wrap?: 'clamp' | 'repeat' | 'mirror'
+  /**
+   * Beyond 0 and 1: the colour of the edge, the image again, or its mirror image. `'sampler'` leaves it to the sampler of your own
+   * shader; in WGSL, where an image has none, that is `'clamp'`.
+   *
+   * Default: for an image among the `uniforms` of `createWarp`, `warp` and `BabylonWarp` what the host has set for it, as by p5's
+   * `textureWrap`; in GLSL that warpjet reads, `'sampler'`; elsewhere `'clamp'`.
+   */
+  wrap?: 'clamp' | 'repeat' | 'mirror' | 'sampler'
+  /**
+   * `false`: `uv` as it is. Otherwise a texture of three.js or Babylon.js among the `uniforms` moves, scales and rotates it first, by
+   * its `offset`, `repeat` and `rotation`, or by its matrix. `texture()` in GLSL never does.
+   */
+  transform?: boolean
 }
 
 export type FunctionArity = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 | 10 | 11 | 12 | 13 | 14 | 15 | 16

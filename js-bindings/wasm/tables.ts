@@ -16,8 +16,8 @@ export const noises = {
 } as const
 
 /** Of `glsl.texture`. */
-export const filters = ['bilinear', 'bicubic', 'bspline', 'nearest'] as const
-export const wraps = ['clamp', 'repeat', 'mirror'] as const
+export const filters = ['bilinear', 'bicubic', 'bspline', 'nearest', 'host'] as const
+export const wraps = ['clamp', 'repeat', 'mirror', 'host', 'sampler'] as const
 
 export const mostSeed = 8388608
 export const mostOctaves = 16

@@ -1,4 +1,4 @@
-// Calls of images.
+// Calls of images: at a vec2, and with the host's settings of the image, a vec3, if it has any.
 #include "texture/texture.hpp"
 
 #include <utility>
@@ -8,7 +8,8 @@
 namespace warpjet {
 
 int Builder::callTexture(const Sampling& sampling, std::string_view image) {
-  const Value uv = std::exchange(operands_, {})[0];
+  const std::vector<Value> operands = std::exchange(operands_, {});
+  const Value& uv = operands[0];
   const int handle = input("texture", image, oneImage);
   if (handle == failed) return failed;
   const std::size_t before = graph_.size();
@@ -16,7 +17,9 @@ int Builder::callTexture(const Sampling& sampling, std::string_view image) {
   const std::uint32_t number = graph_.sizeOf(inputOf(handle));
   nameInput(number, {}, "texture");
   const Value size = wholeInput(number), place = uv * size - constantLike(size, 0.5);
-  const Numbers arguments{place[0], place[1], texels[0], size[0], size[1]};
+  Numbers arguments{place[0], place[1], texels[0], size[0], size[1]};
+  if (sampling.isByHost())
+    for (int i = 0; i < 3; ++i) arguments.push_back(operands[1][i]);
   const Numbers values = module_.library.call(definitionOf(sampling), arguments);
   return finish(fill(graph_, vectorOf(4), [&](int i) { return values[i]; }), before, "texture");
 }

@@ -52,6 +52,7 @@ struct Dialect {
   std::string_view member;        // of type $0, named $1
   std::string_view imageSize;     // width and height of the image $0
   std::string_view texel;         // the function that reads a texel; see src/texture
+  std::string_view sampledTexel;  // the same beyond the edges, wrapped by the host's sampler
 
   static bool holds(std::string_view list, std::string_view word) {
     return list.find(' ' + std::string(word) + ' ') != list.npos;

@@ -56,6 +56,11 @@ const Dialect glsl100{
         R"(highp vec4 warpjetTexel(float x, float y, highp sampler2D image, float width, float height) {
   return texture2D(image, vec2((x + 0.5) / width, (y + 0.5) / height));
 }
+)",
+    .sampledTexel =
+        R"(highp vec4 warpjetSampledTexel(float x, float y, highp sampler2D image, float width, float height) {
+  return texture2D(image, vec2((x + 0.5) / width, (y + 0.5) / height));
+}
 )"};
 
 }  // namespace warpjet

@@ -73,6 +73,11 @@ const Dialect glsl300{
         R"(highp vec4 warpjetTexel(float x, float y, highp sampler2D image, float width, float height) {
   return texelFetch(image, ivec2(int(x), int(y)), 0);
 }
+)",
+    .sampledTexel =
+        R"(highp vec4 warpjetSampledTexel(float x, float y, highp sampler2D image, float width, float height) {
+  return textureLod(image, vec2((x + 0.5) / width, (y + 0.5) / height), 0.0);
+}
 )"};
 
 }  // namespace warpjet

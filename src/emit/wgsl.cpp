@@ -92,6 +92,12 @@ const Dialect wgsl{
         R"(fn warpjetTexel(x: f32, y: f32, image: texture_2d<f32>, width: f32, height: f32) -> vec4f {
   return textureLoad(image, vec2i(i32(x), i32(y)), 0);
 }
+)",
+    .sampledTexel =
+        R"(fn warpjetSampledTexel(x: f32, y: f32, image: texture_2d<f32>, width: f32, height: f32) -> vec4f {
+  let last = vec2f(width, height) - 1.0;
+  return textureLoad(image, vec2i(clamp(vec2f(x, y), vec2f(0.0), last)), 0);
+}
 )"};
 
 }  // namespace warpjet

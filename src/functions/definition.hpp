@@ -72,7 +72,8 @@ struct Definition {
   static constexpr std::string_view variableNames[] = {"x", "y", "z", "w"};
   static constexpr std::string_view noiseParameters[] = {"seed",  "lacunarity", "gain", "cellX",
                                                          "cellY", "cellZ",      "cellW"};
-  static constexpr std::string_view imageParameters[] = {"image", "width", "height"};
+  static constexpr std::string_view imageParameters[] = {"image", "width", "height",
+                                                         "wrapX", "wrapY", "isNearest"};
   static constexpr std::string_view recordedNames[Numbers::most] = {
       "x0", "x1", "x2",  "x3",  "x4",  "x5",  "x6",  "x7",
       "x8", "x9", "x10", "x11", "x12", "x13", "x14", "x15"};

@@ -10,12 +10,13 @@ constexpr int channels = 4, reach = 4;
 
 // By filter and texel, its weight times the divisor as a polynomial of where the point lies between
 // the middle two, from 0 to 1; the highest power first.
-constexpr std::int8_t weights[4][reach][4] = {
+constexpr std::int8_t weights[5][reach][4] = {
     {{}, {0, 0, -1, 1}, {0, 0, 1, 0}, {}},
     {{-1, 2, -1, 0}, {3, -5, 0, 2}, {-3, 4, 1, 0}, {1, -1, 0, 0}},
     {{-1, 3, -3, 1}, {3, -6, 0, 4}, {-3, 3, 3, 1}, {1, 0, 0, 0}},
-    {{}, {0, 0, 0, 1}, {}, {}}};
-constexpr double divisors[] = {1, 2, 6, 1};
+    {{}, {0, 0, 0, 1}, {}, {}},
+    {{}, {0, 0, -1, 1}, {0, 0, 1, 0}, {}}};
+constexpr double divisors[] = {1, 2, 6, 1, 1};
 
 // Formulas in half as many bytes of wasm as the operators of Expression take.
 struct Calculation {
@@ -27,28 +28,69 @@ struct Calculation {
 };
 
 constexpr Op add = ops::find("add"), sub = ops::find("sub"), mult = ops::find("mult");
+constexpr Op least = ops::find("min"), most = ops::find("max");
 
-// A whole number of any size as the number of a texel. The half keeps a quotient that a GPU rounds
-// away from whole numbers.
-NodeId wrapped(Calculation make, NodeId i, NodeId size, Wrap wrap) {
-  constexpr Op least = ops::find("min");
-  if (wrap == Wrap::Clamp) return make(least, make(ops::find("max"), i, 0.0), make(sub, size, 1.0));
-  const NodeId period = make(mult, size, wrap == Wrap::Mirror ? 2.0 : 1.0);
-  const NodeId times = make(ops::find("floor"), make(ops::find("div"), make(add, i, 0.5), period));
-  const NodeId inside = make(sub, i, make(mult, period, times));
-  if (wrap == Wrap::Repeat) return inside;
-  return make(least, inside, make(sub, make(sub, period, 1.0), inside));
+NodeId clamped(Calculation make, NodeId i, NodeId size) {
+  return make(least, make(most, i, 0.0), make(sub, size, 1.0));
 }
+
+// Where i lies in its period. The half keeps a quotient that a GPU rounds away from whole numbers.
+NodeId repeated(Calculation make, NodeId i, NodeId period) {
+  const NodeId times = make(ops::find("floor"), make(ops::find("div"), make(add, i, 0.5), period));
+  return make(sub, i, make(mult, period, times));
+}
+
+// The second half of two sizes runs backwards. What lies in the first half stays.
+NodeId mirrored(Calculation make, NodeId inside, NodeId size) {
+  return make(least, inside, make(sub, make(sub, make(mult, size, 2.0), 1.0), inside));
+}
+
+// `way` is the host's: 0 clamps, 1 repeats and 2 mirrors.
+NodeId wrappedByHost(Calculation make, NodeId i, NodeId size, NodeId way) {
+  const NodeId clamps = make(most, make(sub, make.graph.constant(1), way), 0.0);
+  const NodeId kept = make(add, i, make(mult, clamps, make(sub, clamped(make, i, size), i)));
+  const NodeId period = make(mult, size, make(most, way, 1.0));
+  return mirrored(make, repeated(make, kept, period), size);
+}
+
+// A whole number of any size as the number of a texel.
+NodeId wrapped(Calculation make, NodeId i, NodeId size, Wrap wrap, NodeId way) {
+  switch (wrap) {
+    case Wrap::Clamp:
+      return clamped(make, i, size);
+    case Wrap::Repeat:
+      return repeated(make, i, size);
+    case Wrap::Mirror:
+      return mirrored(make, repeated(make, i, make(mult, size, 2.0)), size);
+    case Wrap::Host:
+      return wrappedByHost(make, i, size, way);
+    case Wrap::Sampler:
+      break;
+  }
+  return i;
+}
+
+struct HostSettings {
+  NodeId wrapX{}, wrapY{}, isNearest{};
+};
 
 // Along one side of the image, the texels near a point, and how much of each there is.
 struct Axis {
   NodeId texels[reach], shares[reach];
 
-  Axis(Calculation make, NodeId x, NodeId size, std::uint32_t filter, Wrap wrap) {
-    if (Filter(filter) == Filter::Nearest) x = make(add, x, 0.5);
-    const NodeId first = make(ops::find("floor"), x), inside = make(ops::find("fract"), x);
+  Axis(Calculation make, NodeId x, NodeId size, Sampling sampling, NodeId way, NodeId isNearest) {
+    const auto [filterKind, wrap] = sampling;
+    const auto filter = static_cast<std::size_t>(filterKind);
+    constexpr Op floor = ops::find("floor");
+    if (filterKind == Filter::Nearest) x = make(add, x, 0.5);
+    const NodeId first = make(floor, x);
+    NodeId inside = make(ops::find("fract"), x);
+    if (filterKind == Filter::Host) {
+      const NodeId nearest = make(floor, make(add, inside, 0.5));
+      inside = make(add, inside, make(mult, isNearest, make(sub, nearest, inside)));
+    }
     for (int i = 0; i < reach; ++i) {
-      texels[i] = wrapped(make, make(add, first, i - 1.0), size, wrap);
+      texels[i] = wrapped(make, make(add, first, i - 1.0), size, wrap, way);
       shares[i] = make.graph.constant(0);
       for (const double weight : weights[filter][i])
         shares[i] = make(add, make(mult, shares[i], inside), weight / divisors[filter]);
@@ -56,16 +98,19 @@ struct Axis {
   }
 };
 
-Sampling unpack(std::uint32_t settings) { return {Filter(settings & 3), Wrap(settings >> 2)}; }
+Sampling unpack(std::uint32_t settings) { return {Filter(settings & 7), Wrap(settings >> 3)}; }
 
 Numbers body(Library& library, std::uint32_t settings, const Numbers& arguments) {
-  const auto [filterKind, wrap] = unpack(settings);
-  const auto filter = static_cast<std::uint32_t>(filterKind);
-  Numbers place = arguments;
-  const Calculation make{*place[0].graph};
-  const Axis across(make, place[0].id, place[3].id, filter, wrap);
-  const Axis down(make, place[1].id, place[4].id, filter, wrap);
-  const Definition texel{.function = {texelName, 5, channels, 0}};
+  const Sampling sampling = unpack(settings);
+  const Calculation make{*arguments[0].graph};
+  const HostSettings host = sampling.isByHost()
+                                ? HostSettings{arguments[5].id, arguments[6].id, arguments[7].id}
+                                : HostSettings{};
+  const Axis across(make, arguments[0].id, arguments[3].id, sampling, host.wrapX, host.isNearest);
+  const Axis down(make, arguments[1].id, arguments[4].id, sampling, host.wrapY, host.isNearest);
+  Numbers place{arguments[0], arguments[1], arguments[2], arguments[3], arguments[4]};
+  const char* name = sampling.wrap == Wrap::Sampler ? sampledTexelName : texelName;
+  const Definition texel{.function = {name, 5, channels, 0}};
   const Expression zero{&make.graph, make.graph.constant(0)};
   Numbers values{zero, zero, zero, zero};
   const auto addTo = [&](Numbers& sums, NodeId share, const Numbers& x) {
@@ -91,9 +136,9 @@ Definition definitionOf(const Sampling& sampling) {
   const auto wrap = static_cast<std::uint32_t>(sampling.wrap);
   const std::string name =
       "warpjet" + capitalized(filterNames[filter]) + capitalized(wrapNames[wrap]);
-  return {.function = {name, 5, channels, 2},
+  return {.function = {name, sampling.isByHost() ? 8 : 5, channels, 2},
           .body = body,
-          .settings = filter | wrap << 2,
+          .settings = filter | wrap << 3,
           .parameters = Definition::imageParameters,
           .maker = samplingFrom};
 }

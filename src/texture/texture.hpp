@@ -14,29 +14,38 @@ namespace warpjet {
 
 // Reads a texel; each language has a text for it.
 inline constexpr const char* texelName = "warpjetTexel";
+// The same for texels beyond the edges, which the host's sampler wraps as it is set to.
+inline constexpr const char* sampledTexelName = "warpjetSampledTexel";
 
 // Bilinear is continuous. Bicubic passes through the texels too and is continuously differentiable
 // (Keys, "Cubic Convolution Interpolation for Digital Image Processing", 1981, with a = -1/2: the
 // Catmull-Rom spline). Bspline is the uniform cubic B-spline with the texels as control points: it
 // smooths them and is twice continuously differentiable (Sigg, Hadwiger, "Fast Third-Order Texture
 // Filtering", GPU Gems 2, chapter 20, 2005). Nearest is the texel itself, for images that hold
-// data.
-enum class Filter : std::uint8_t { Bilinear, Bicubic, Bspline, Nearest };
+// data. Host is Bilinear, or Nearest where the third number of the host's settings is 1.
+enum class Filter : std::uint8_t { Bilinear, Bicubic, Bspline, Nearest, Host };
 
-// What is beyond the edges: the texels there, the image again, or its mirror image.
-enum class Wrap : std::uint8_t { Clamp, Repeat, Mirror };
+// What is beyond the edges: the texels there, the image again, or its mirror image. Host reads the
+// way of each axis from the host's settings: 0 is Clamp, 1 Repeat and 2 Mirror. Sampler leaves it
+// to the host's sampler, which WGSL lacks here; it clamps there.
+enum class Wrap : std::uint8_t { Clamp, Repeat, Mirror, Host, Sampler };
 
 // What sketches call them, by number.
-inline constexpr std::array<std::string_view, 4> filterNames{"bilinear", "bicubic", "bspline",
-                                                             "nearest"};
-inline constexpr std::array<std::string_view, 3> wrapNames{"clamp", "repeat", "mirror"};
+inline constexpr std::array<std::string_view, 5> filterNames{"bilinear", "bicubic", "bspline",
+                                                             "nearest", "host"};
+inline constexpr std::array<std::string_view, 5> wrapNames{"clamp", "repeat", "mirror", "host",
+                                                           "sampler"};
 
 struct Sampling {
   Filter filter;
   Wrap wrap;
+
+  // Whether it depends on the host's settings of the image.
+  bool isByHost() const { return filter == Filter::Host || wrap == Wrap::Host; }
 };
 
-// A function of x, y, an image, and its width and height.
+// A function of x, y, an image, its width and height and, where they count, the host's settings of
+// it: how it wraps across and down, and 1 where it takes the nearest texel.
 Definition definitionOf(const Sampling& sampling);
 // The same from its settings.
 Definition samplingFrom(std::uint32_t settings);

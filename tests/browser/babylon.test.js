@@ -105,6 +105,21 @@ function byImage(material, scene) {
   new BabylonWarp(material, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), { uniforms: { map } })
 }
 
+/** The texture's own settings, or the same said by hand. */
+function bySampling(material, scene, isByHand) {
+  const bytes = Uint8Array.from({ length: 4 * 15 }, (_, i) => (i * 89) % 256)
+  const map = new RawTexture(bytes, 5, 3, Constants.TEXTUREFORMAT_RGBA, scene, false, false,
+    Constants.TEXTURE_BILINEAR_SAMPLINGMODE)
+  Object.assign(map, { wrapU: Constants.TEXTURE_MIRROR_ADDRESSMODE, wrapV: Constants.TEXTURE_MIRROR_ADDRESSMODE,
+    uScale: 1.7, vScale: 2.2, uOffset: 0.2, vOffset: -0.4 })
+  const byHand = ({ glsl, uv, uniforms }) =>
+    glsl.texture(uniforms.map, uv.mult(glsl.vec2(1.7, 2.2)).add(glsl.vec2(0.2, -0.4)),
+      { wrap: 'mirror', filter: 'bilinear', transform: false })
+  const byHost = ({ glsl, uv, uniforms }) => glsl.texture(uniforms.map, uv)
+  const colour = isByHand ? byHand : byHost
+  new BabylonWarp(material, (inputs) => colour(inputs).xyz().mult(0.4), { uniforms: { map } })
+}
+
 window.draw = async (backend, kind, way) => {
   const engine = await engineFor(backend)
   const { scene, knot, material } = sceneOn(engine, kind)
@@ -114,6 +129,7 @@ window.draw = async (backend, kind, way) => {
   if (way === 'moved') move(knot)
   if (way === 'shifted') move(knot, Matrix.Translation(...amount))
   if (way === 'by an image') byImage(material, scene)
+  if (way.startsWith('sampled by')) bySampling(material, scene, way === 'sampled by hand')
   if (['warped', 'without its normals', 'without its shadow'].includes(way)) {
     const warp = warped(material)
     if (way === 'without its normals') withoutNormals(warp, material)
@@ -267,6 +283,16 @@ for (const backend of ['webgl', 'webgpu'])
         await draw(backend, 'Standard', 'shifted'),
       ]
       assert.equal(differing(shown, expected), 0)
+      assert.ok(differing(expected, await draw(backend, 'Standard', 'still')) > 300)
+      assert.deepEqual(printed(), [])
+    })
+
+    test('a texture wraps, is scaled and is moved as it is set', async () => {
+      const [shown, expected] = [
+        await draw(backend, 'Standard', 'sampled by Babylon.js'),
+        await draw(backend, 'Standard', 'sampled by hand'),
+      ]
+      assert.ok(differing(shown, expected) <= 4)
       assert.ok(differing(expected, await draw(backend, 'Standard', 'still')) > 300)
       assert.deepEqual(printed(), [])
     })

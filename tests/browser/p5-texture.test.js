@@ -135,6 +135,34 @@ for (const [version, p5] of p5InThisRun) {
       assert.ok(differingPixels(flat, byName, 30) > 5000, 'the image shows')
     })
 
+    test('an image wraps as textureWrap() says, and is read as its filter says', async () => {
+      const offset = (options) => `({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
+        .texture(uniforms.heights, position.xy().mult(2.6)${options}).r().mult(${height}))`
+      const made = (name, options) =>
+        `warps.${name} = createWarp(${offset(options)}, { type: 'normal', uniforms: { heights: warps.image } })`
+      const draws = (name, wrap) =>
+        `textureWrap(${wrap}); warps.${name}(); plane(${side}, ${side}, 160, 160)`
+      const pictures = await draw({
+        setup: `${setup}
+          ${made('host', '')}
+          ${made('clamp', ", { wrap: 'clamp', filter: 'bilinear' }")}
+          ${made('repeat', ", { wrap: 'repeat', filter: 'bilinear' }")}
+          ${made('mirror', ", { wrap: 'mirror', filter: 'bilinear' }")}`,
+        scenes: {
+          clamp: draws('clamp', 'CLAMP'),
+          repeat: draws('repeat', 'CLAMP'),
+          mirror: draws('mirror', 'CLAMP'),
+          clampOfHost: draws('host', 'CLAMP'),
+          repeatOfHost: draws('host', 'REPEAT'),
+          mirrorOfHost: draws('host', 'MIRROR'),
+        },
+      })
+      for (const wrap of ['clamp', 'repeat', 'mirror'])
+        assert.equal(differingPixels(pictures[`${wrap}OfHost`], pictures[wrap], 1), 0, wrap)
+      assert.ok(differingPixels(pictures.clamp, pictures.repeat, 30) > 3000)
+      assert.ok(differingPixels(pictures.mirror, pictures.repeat, 30) > 3000)
+    })
+
     test('in WebGL 1 the warp is told the size of an image among its uniforms', async () => {
       const displaced = `warps.displace = createWarp(({ glsl, position, uniforms }) => glsl.vec3(0, 0, glsl
         .texture(uniforms.heights, position.xy().add(0.5), { filter: 'bicubic' }).r()

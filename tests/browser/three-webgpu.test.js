@@ -92,6 +92,31 @@ for (const backend of ['webgl', 'webgpu'])
       assert.ok(moved > seen)
     })
 
+    test('each of several warps with one code has its own uniforms', async () => {
+      const [small, large, again] = await page.evaluate(
+        ([all, settings]) => three.amounts(all, settings),
+        [[0, 0.3, 0], { backend }],
+      )
+      // A sphere's outline is a circle, in perspective nearly as much larger as its radius.
+      assert.ok(large > 1.5 * small, `${large} pixels beside ${small}`)
+      assert.equal(again, small)
+    })
+
+    test('a texture is sampled as it is set, by glsl.texture and by texture() in GLSL', async () => {
+      for (const name of await page.evaluate(() => three.samplings))
+        for (const kind of ['builder', 'glsl']) {
+          messages.length = 0
+          const { differing, moved } = await page.evaluate(
+            ([name, kind, settings]) => three.sampling(name, kind, settings),
+            [name, kind, { backend }],
+          )
+          assert.deepEqual(messages, [])
+          // Vertices are moved in float32 and in double: an edge may fall into the next pixel.
+          assert.ok(differing <= 4, `${name}, ${kind}: ${differing} pixels differ`)
+          assert.ok(moved > seen, `${name}, ${kind}: only ${moved} pixels are moved`)
+        }
+    })
+
     test('soft, hard and variance shadows', async () => {
       for (const map of ['Basic', 'PCF', 'VSM'])
         for (const light of map === 'VSM'

@@ -101,6 +101,21 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
       assert.ok(moved > seen)
     })
 
+    test('a texture is sampled as it is set, by glsl.texture and by texture() in GLSL', async () => {
+      for (const name of await page.evaluate(() => three.samplings))
+        for (const kind of ['builder', 'glsl']) {
+          messages.length = 0
+          const { differing, moved } = await page.evaluate(
+            ([name, kind, settings]) => three.sampling(name, kind, settings),
+            [name, kind, {}],
+          )
+          assert.deepEqual(messages, [])
+          // Vertices are moved in float32 and in double: an edge may fall into the next pixel.
+          assert.ok(differing <= 4, `${name}, ${kind}: ${differing} pixels differ`)
+          assert.ok(moved > seen, `${name}, ${kind}: only ${moved} pixels are moved`)
+        }
+    })
+
     test('three-custom-shader-material takes the text as it is', async () => {
       messages.length = 0
       const { differing, moved } = await page.evaluate(() => three.custom())

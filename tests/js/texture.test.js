@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compile, compileWarp, targets, WarpError } from '../../dist/warpjet.js'
+import { glslOffset } from '../../dist/glsl.js'
 
 const inverted = ({ glsl, position }) =>
   glsl.vec3(0, 0, glsl.texture('heightMap', position.xy().add(0.5)).r())
@@ -95,7 +96,7 @@ test('what is refused', () => {
   )
   refuses(
     of('map', uv, { wrap: 3 }),
-    /texture: the option "wrap" must be one of clamp, repeat, mirror, but is the number 3/,
+    /texture: the option "wrap" must be one of clamp, repeat, mirror, sampler, but is the number 3/,
   )
   refuses(of('map', uv, {}, 1), /texture: it takes a name, a vec2 and options; the number 1/)
 })
@@ -128,4 +129,14 @@ test('the CPU cannot read images yet', () => {
     () => warp.bounds({ min: [0, 0, 0], max: [1, 1, 1] }),
     /bounds: .*reads an image by glsl\.texture/,
   )
+})
+
+test('texture() in GLSL leaves wrapping to the shader’s own sampler, but in WGSL, which has none there', () => {
+  const source =
+    'uniform sampler2D map; vec3 offset(vec3 position, vec2 uv) { return texture(map, uv).rgb; }'
+  const offset = glslOffset(`#version 300 es\n${source}`)
+  const read = (target) => compileWarp(offset, { target }).declarations
+  assert.match(read('glsl300'), /textureLod\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
+  assert.match(read('glsl100'), /texture2D\(image, vec2\(\(x \+ 0\.5\) \/ width, /)
+  assert.match(read('wgsl'), /textureLoad\(image, vec2i\(clamp\(/)
 })

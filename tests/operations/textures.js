@@ -39,7 +39,7 @@ const wrappers = {
 
 export const wraps = Object.keys(wrappers)
 
-/** Red, green, blue and alpha of { width, height, data }, bytes, at u, v. */
+/** Red, green, blue and alpha of { width, height, data }, bytes, at u, v. `wrap` is one way, or one for each axis. */
 export function sample(
   { width, height, data },
   u,
@@ -47,11 +47,12 @@ export function sample(
   { filter = 'bilinear', wrap = 'clamp' } = {},
 ) {
   const [x, y] = [u * width - 0.5, v * height - 0.5]
+  const [across, down = across] = [wrap].flat()
   const sums = [0, 0, 0, 0]
   for (let row = Math.floor(y) - 2; row <= y + 2; row++)
     for (let column = Math.floor(x) - 2; column <= x + 2; column++) {
       const share = kernels[filter](Math.abs(x - column)) * kernels[filter](Math.abs(y - row))
-      const at = wrappers[wrap](row, height) * width + wrappers[wrap](column, width)
+      const at = wrappers[down](row, height) * width + wrappers[across](column, width)
       for (let i = 0; i < 4; i++) sums[i] += (share * data[4 * at + i]) / 255
     }
   return sums

@@ -18,6 +18,7 @@ const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
     'three-custom-shader-material/vanilla':
       '/node_modules/three-custom-shader-material/vanilla/three-custom-shader-material.es.js',
     'warpjet/three': '/dist/three.js',
+    'warpjet/glsl': '/dist/glsl.js',
     'warpjet/three/webgpu': '/dist/three.webgpu.js',
     ...imports,
   },

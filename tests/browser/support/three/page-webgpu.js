@@ -4,6 +4,7 @@ import { WebGLRenderer } from 'three'
 import { warp } from 'warpjet/three'
 import { warpNode } from 'warpjet/three/webgpu'
 import * as scenes from './scenes.js'
+import { samplings, scenesOf } from './sampling.js'
 import * as wave from './wave.js'
 import { settledHeap } from './heap.js'
 import { differing } from './pixels.js'
@@ -117,6 +118,32 @@ async function image({ backend }) {
   }
 }
 
+/** The same warp on spheres of radius 1, each with an amount of its own → how many pixels each covers. */
+async function amounts(all, { backend }) {
+  const renderer = await rendererFor(backend)
+  const covered = []
+  for (const amount of all) {
+    const scene = new THREE.Scene()
+    const material = new THREE.MeshBasicMaterial({ color: 'white' })
+    const mesh = new THREE.Mesh(new THREE.SphereGeometry(1, 40, 20), material)
+    scene.add(mesh)
+    warp(mesh, ({ position, uniforms }) => position.mult(uniforms.amount), { uniforms: { amount } })
+    const pixels = await draw(renderer, scene)
+    covered.push(pixels.filter((byte, i) => i % 4 === 0 && byte > 200).length)
+  }
+  return covered
+}
+
+/** As page.js has it. */
+async function sampling(name, kind, { backend }) {
+  const renderer = await rendererFor(backend)
+  const { warped, expected, still } = scenesOf(name, kind)
+  const pictures = []
+  for (const scene of [warped, expected, still]) pictures.push(await draw(renderer, scene))
+  const [shown, wanted, before] = pictures
+  return { differing: differing(shown, wanted), moved: differing(wanted, before) }
+}
+
 /** A plane of twice its size that an offset moves along its normal, in the world, and by its place. */
 async function alongNormal({ backend }) {
   const renderer = await rendererFor(backend)
@@ -204,6 +231,9 @@ window.three = {
   names: Object.keys(scenes.shapes),
   normals,
   image,
+  amounts,
+  sampling,
+  samplings: Object.keys(samplings),
   alongNormal,
 }
 // Without somebody who holds it, the browser loses the device.

@@ -4,6 +4,7 @@ import { warp } from 'warpjet/three'
 import { settledHeap } from './heap.js'
 import { differing } from './pixels.js'
 import * as scenes from './scenes.js'
+import { samplings, scenesOf } from './sampling.js'
 import * as wave from './wave.js'
 
 const { size } = scenes
@@ -137,6 +138,14 @@ export function image() {
   return { differing: differing(shown, draw(scene)), moved: differing(shown, before) }
 }
 
+/** A sphere whose heights a texture holds, sampled as the texture is set, against vertices that were moved in double. */
+export function sampling(name, kind) {
+  renderer = rendererFor({})
+  const { warped, expected, still } = scenesOf(name, kind)
+  const [shown, wanted, before] = [warped, expected, still].map((scene) => draw(scene))
+  return { differing: differing(shown, wanted), moved: differing(wanted, before) }
+}
+
 /** The ten lines of web/docs/three.md, with three-custom-shader-material, against the motion by three.js. */
 export async function custom() {
   renderer = rendererFor({})
@@ -223,5 +232,14 @@ export async function churn(times, { isBeside = false } = {}) {
 
 export const names = Object.keys(scenes.shapes)
 
-window.three = { compare, names, normals, image, custom, churn }
+window.three = {
+  compare,
+  names,
+  normals,
+  image,
+  sampling,
+  samplings: Object.keys(samplings),
+  custom,
+  churn,
+}
 document.title = 'ready'

@@ -1,0 +1,109 @@
+// A sphere whose heights an image holds: moved by a warp, and moved vertex by vertex by the interpolant in double, at the
+// place that three.js gives by the texture's matrix.
+import * as THREE from 'three'
+import { warp } from 'warpjet/three'
+import { glslOffset } from 'warpjet/glsl'
+import { randomImage, sample } from '../../../operations/textures.js'
+
+const image = randomImage(7, 5, 3)
+/** Texture coordinates go far beyond 1, so that wrapping decides. */
+const reach = 2.3
+
+export function textureOf({ wrapS, wrapT, magFilter, ...transform }) {
+  const texture = new THREE.DataTexture(new Uint8Array(image.data), image.width, image.height)
+  texture.wrapS = THREE[wrapS]
+  texture.wrapT = THREE[wrapT]
+  texture.magFilter = THREE[magFilter]
+  const { offset = [0, 0], repeat = [1, 1], rotation = 0, center = [0, 0] } = transform
+  for (const [name, place] of Object.entries({ offset, repeat, center }))
+    texture[name].set(...place)
+  texture.rotation = rotation
+  texture.needsUpdate = true
+  return texture
+}
+
+export const heights = {
+  builder: ({ glsl, position, uv, uniforms }) =>
+    position.mult(glsl.texture(uniforms.map, uv.mult(reach)).r().mult(0.4)),
+  glsl: glslOffset(`#version 300 es
+    uniform sampler2D map;
+    vec3 offset(vec3 position, vec2 uv) { return position * texture(map, uv * ${reach}).r * 0.4; }`),
+}
+
+const ways = {
+  ClampToEdgeWrapping: 'clamp',
+  RepeatWrapping: 'repeat',
+  MirroredRepeatWrapping: 'mirror',
+}
+
+export const geometry = () => new THREE.SphereGeometry(1, 40, 24)
+
+function heightAt(texture, { wrapS, wrapT, magFilter }, place, isTransformed) {
+  if (isTransformed) {
+    texture.updateMatrix()
+    place.applyMatrix3(texture.matrix)
+  }
+  const filter = magFilter === 'NearestFilter' ? 'nearest' : 'bilinear'
+  return sample(image, place.x, place.y, { filter, wrap: [ways[wrapS], ways[wrapT]] })[0]
+}
+
+export function baked(settings, isTransformed) {
+  const texture = textureOf(settings)
+  const made = geometry()
+  const { position, uv } = made.attributes
+  for (let i = 0; i < position.count; i++) {
+    const place = new THREE.Vector2(uv.getX(i), uv.getY(i)).multiplyScalar(reach)
+    const scale = 1 + 0.4 * heightAt(texture, settings, place, isTransformed)
+    position.setXYZ(i, ...[0, 1, 2].map((k) => scale * position.getComponent(i, k)))
+  }
+  return made
+}
+
+/** What textures are set to, by what it shows. */
+export const samplings = {
+  'repeat across, mirror down': {
+    wrapS: 'RepeatWrapping',
+    wrapT: 'MirroredRepeatWrapping',
+    magFilter: 'LinearFilter',
+  },
+  'clamp across, repeat down': {
+    wrapS: 'ClampToEdgeWrapping',
+    wrapT: 'RepeatWrapping',
+    magFilter: 'LinearFilter',
+  },
+  'the nearest texel': {
+    wrapS: 'RepeatWrapping',
+    wrapT: 'RepeatWrapping',
+    magFilter: 'NearestFilter',
+  },
+  'offset, repeat and rotation': {
+    wrapS: 'MirroredRepeatWrapping',
+    wrapT: 'RepeatWrapping',
+    magFilter: 'LinearFilter',
+    offset: [0.13, -0.4],
+    repeat: [1.7, 0.8],
+    rotation: 0.6,
+    center: [0.5, 0.2],
+  },
+}
+
+/** The scenes of both, and one without a warp. */
+export function scenesOf(name, kind) {
+  const settings = samplings[name]
+  const sceneOf = (shape) => {
+    const scene = new THREE.Scene()
+    const mesh = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({ color: 'white' }))
+    scene.add(mesh)
+    return { scene, mesh }
+  }
+  const [warped, expected, still] = [
+    geometry(),
+    baked(settings, kind === 'builder'),
+    geometry(),
+  ].map(sceneOf)
+  warp(warped.mesh, heights[kind], {
+    uniforms: { map: textureOf(settings) },
+    surfaceVariation: false,
+  })
+  return { warped: warped.scene, expected: expected.scene, still: still.scene }
+}
