@@ -161,7 +161,7 @@ texels and mixes them itself.
 Beyond 0 and 1, \`wrap\` is \`'clamp'\` (the colour of the edge), \`'repeat'\`, \`'mirror'\`, or \`'sampler'\`: what your own shader's sampler
 does, in GLSL; in WGSL, where an image has none, it clamps.
 
-Left out, both are what the host draws with, for an image among the \`uniforms\` of \`createWarp\`, \`warp\` and \`BabylonWarp\`: p5's \`textureWrap\`,
+If you leave them out, both are what the host draws with, for an image among the \`uniforms\` of \`createWarp\`, \`warp\` and \`BabylonWarp\`: p5's \`textureWrap\`,
 \`wrapS\`, \`wrapT\` and \`magFilter\` of a texture of three.js, \`wrapU\`, \`wrapV\` and the sampling mode of one of Babylon.js, read anew for every
 frame. Such a texture's \`offset\`, \`repeat\` and \`rotation\`, or its matrix, move \`uv\` first; \`transform: false\` leaves \`uv\` as it is. Everywhere
 else the defaults are \`'bilinear'\` and \`'clamp'\`. \`texture()\` in GLSL that warpjet reads wraps as the host's sampler does, and never moves \`uv\`.

@@ -1,4 +1,4 @@
-// What Babylon.js sets of a texture besides its image: wrapping, filter and matrix, as uniforms of the warp.
+// Uniforms for the wrapping, the filter and the matrix of a texture of Babylon.js.
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import { Constants } from '@babylonjs/core/Engines/constants.js'
 import { hostWraps, samplingUniforms } from '../expression/texture.js'

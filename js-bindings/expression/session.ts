@@ -40,7 +40,7 @@ export interface Recording {
 export class Session {
   /** The inputs that are no floats of the host, by their number. */
   private readonly others = new Map<number, ReadAsFloats>()
-  /** The images whose sampling the host tells, by what the shader calls them. */
+  /** Maps the shader's name of an image → the sampling that its host passes. */
   readonly samplings = new Map<string, HostSampling>()
   /** The functions of the host, by their number. */
   readonly functions: HostFunction[] = []

@@ -5,19 +5,19 @@ import { type Expression, toExpression } from './expression.js'
 import { checkOptions } from '../checks/options.js'
 import { filters, wraps } from '../wasm/tables.js'
 
-/** What an adapter tells the shader of an image among its uniforms, beside the image itself. */
+/** The sampling that an adapter passes to the shader beside an image. */
 export interface HostSampling {
-  /** Whether texture coordinates go through a mat3 of the host first. */
+  /** `true` if the host multiplies texture coordinates by a mat3 first. */
   hasTransform: boolean
 }
 
-/** The uniforms that carry it: a vec3 of how the image wraps in u and in v and 1 if it is read by its nearest texel, and the mat3. */
+/** Names of the uniforms that carry it. `settings` is a vec3: the wrap number in u, the one in v, and 1 for the filter 'nearest'. */
 export const samplingUniforms = (image: string) => ({
   settings: `${image}Sampling`,
   transform: `${image}Transform`,
 })
 
-/** How an image wraps, as numbers of the first of these uniforms. */
+/** Wrap numbers in `settings`. */
 export const hostWraps = { clamp: 0, repeat: 1, mirror: 2 } as const
 
 const isForUsers = (name: string) => name !== 'host'
@@ -48,17 +48,17 @@ export function callTexture(
       `texture: it takes a name, a vec2 and options; ${describe(others[0])} is too many.`,
     )
   checkOptions('texture', options, ['filter', 'wrap', 'transform'])
-  const { filter, wrap, transform = true } = options as Record<string, unknown>
-  if (typeof transform !== 'boolean')
+  const { filter, wrap, transform: isTransformed = true } = options as Record<string, unknown>
+  if (typeof isTransformed !== 'boolean')
     throw new WarpError(
-      `texture: the option "transform" must be true or false, but is ${describe(transform)}.`,
+      `texture: the option "transform" must be true or false, but is ${describe(isTransformed)}.`,
     )
   const sampling = session.samplings.get(image)
   const uniforms = samplingUniforms(image)
   return session.callTexture(
     image,
-    transform && sampling?.hasTransform
-      ? transformed(session.input(uniforms.transform, [3, 3], 'texture'), place)
+    isTransformed && sampling?.hasTransform
+      ? transform(session.input(uniforms.transform, [3, 3], 'texture'), place)
       : place,
     readChoice('filter', filters, filter, sampling ? 'host' : 'bilinear'),
     readChoice('wrap', wraps, wrap, sampling ? 'host' : 'clamp'),
@@ -66,8 +66,8 @@ export function callTexture(
   )
 }
 
-/** matrix * (u, v, 1), without its third number. */
-function transformed(matrix: Expression, uv: Expression): Expression {
+/** Returns (matrix * (u, v, 1)).xy. */
+function transform(matrix: Expression, uv: Expression): Expression {
   const methods = (value: Expression) =>
     value as unknown as Record<string, (...operands: unknown[]) => Expression>
   const column = (i: number) => methods(methods(matrix).column!(i)).xy!()

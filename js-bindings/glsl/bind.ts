@@ -25,7 +25,7 @@ export const inputTypes: Readonly<Record<string, string>> = Object.assign(
   ),
 )
 
-/** How `texture()` reads an image that the host tells of, and one of which only the shader's sampler knows. */
+/** Options of `texture()` in GLSL: for an image with `HostSampling`, and for one whose sampler only the shader knows. */
 const asHostSamples = { transform: false }
 const bySampler = { wrap: 'sampler' }
 

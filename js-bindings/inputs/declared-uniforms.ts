@@ -20,7 +20,7 @@ export interface DeclaredUniform {
   isFunction: boolean
   /** Of an image, which has no numbers: what it is now. */
   image?: (() => ImageLike) | undefined
-  /** Of an image whose wrapping and filter the host tells the shader. */
+  /** Present for an image if the host passes its wrapping and filter to the shader. */
   sampling?: HostSampling | undefined
 }
 
@@ -66,7 +66,7 @@ export function readDeclaredOf(
   return readDeclared(method, option && Object.fromEntries(converted))
 }
 
-/** The same where the host tells the shader how it samples each image. */
+/** Adds `sampling` to each image. */
 export const withSampling = (
   declared: DeclaredUniforms,
   sampling: HostSampling,

@@ -1,4 +1,4 @@
-// How p5 samples an image, as the numbers of a uniform: see `samplingUniforms`.
+// Reads wrapping and filter of a p5.Texture as the numbers of a uniform; see `samplingUniforms`.
 import { hostWraps } from '../expression/texture.js'
 
 /** p5.Texture, as far as a warp reads it. p5 1.11 keeps WebGL's numbers, p5 2 its own words. */

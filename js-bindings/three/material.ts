@@ -122,7 +122,7 @@ export interface ShadowMaterials {
   customDistanceMaterial?: Material | undefined
 }
 
-/** What WebGPURenderer adds to materials. */
+/** Properties that materials have with WebGPURenderer. */
 interface OfNodes {
   isNodeMaterial?: boolean
   positionNode?: { id: number }

@@ -118,7 +118,7 @@ const wrapNumber = (wrapping: Wrapping) => {
   return wrapping === MirroredRepeatWrapping ? hostWraps.mirror : hostWraps.clamp
 }
 
-/** What three.js sets of a texture besides its image: wrapping and filter, and where `offset`, `repeat` and `rotation` put it. */
+/** Uniforms for a texture's wrapping and filter, and for the matrix of its `offset`, `repeat` and `rotation`. */
 function samplingOf(label: string, read: () => Texture): Uniform[] {
   const names = samplingUniforms(label)
   const settings = () => {

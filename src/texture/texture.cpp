@@ -34,7 +34,7 @@ NodeId clamped(Calculation make, NodeId i, NodeId size) {
   return make(least, make(most, i, 0.0), make(sub, size, 1.0));
 }
 
-// Where i lies in its period. The half keeps a quotient that a GPU rounds away from whole numbers.
+// Returns i modulo the period. The half keeps a quotient that a GPU rounds away from whole numbers.
 NodeId repeated(Calculation make, NodeId i, NodeId period) {
   const NodeId times = make(ops::find("floor"), make(ops::find("div"), make(add, i, 0.5), period));
   return make(sub, i, make(mult, period, times));

@@ -14,7 +14,7 @@ namespace warpjet {
 
 // Reads a texel; each language has a text for it.
 inline constexpr const char* texelName = "warpjetTexel";
-// The same for texels beyond the edges, which the host's sampler wraps as it is set to.
+// Reads a texel that may lie beyond the edges: the host's sampler wraps it.
 inline constexpr const char* sampledTexelName = "warpjetSampledTexel";
 
 // Bilinear is continuous. Bicubic passes through the texels too and is continuously differentiable
@@ -40,7 +40,7 @@ struct Sampling {
   Filter filter;
   Wrap wrap;
 
-  // Whether it depends on the host's settings of the image.
+  // True if it reads the host's settings of the image.
   bool isByHost() const { return filter == Filter::Host || wrap == Wrap::Host; }
 };
 

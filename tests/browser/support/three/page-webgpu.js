@@ -118,7 +118,7 @@ async function image({ backend }) {
   }
 }
 
-/** The same warp on spheres of radius 1, each with an amount of its own → how many pixels each covers. */
+/** Draws one warp on several spheres, each with its own amount → the pixels that each sphere covers. */
 async function amounts(all, { backend }) {
   const renderer = await rendererFor(backend)
   const covered = []
@@ -134,7 +134,7 @@ async function amounts(all, { backend }) {
   return covered
 }
 
-/** As page.js has it. */
+/** Mirrors `sampling` of page.js. */
 async function sampling(name, kind, { backend }) {
   const renderer = await rendererFor(backend)
   const { warped, expected, still } = scenesOf(name, kind)

@@ -47,7 +47,7 @@ function heightAt(texture, { wrapS, wrapT, magFilter }, place, isTransformed) {
   return sample(image, place.x, place.y, { filter, wrap: [ways[wrapS], ways[wrapT]] })[0]
 }
 
-export function baked(settings, isTransformed) {
+export function bakeGeometry(settings, isTransformed) {
   const texture = textureOf(settings)
   const made = geometry()
   const { position, uv } = made.attributes
@@ -59,7 +59,7 @@ export function baked(settings, isTransformed) {
   return made
 }
 
-/** What textures are set to, by what it shows. */
+/** Settings of a texture by title. */
 export const samplings = {
   'repeat across, mirror down': {
     wrapS: 'RepeatWrapping',
@@ -98,7 +98,7 @@ export function scenesOf(name, kind) {
   }
   const [warped, expected, still] = [
     geometry(),
-    baked(settings, kind === 'builder'),
+    bakeGeometry(settings, kind === 'builder'),
     geometry(),
   ].map(sceneOf)
   warp(warped.mesh, heights[kind], {
