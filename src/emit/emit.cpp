@@ -153,7 +153,7 @@ class Emitter {
   void writeStatements() {
     all_ = makeStatements(graph_, nodes_, uses_, loops_ ? &*loops_ : nullptr, outputs_, sums_,
                           products_, options_);
-    packStatements(graph_, packs_, all_, options_);
+    packStatements(graph_, nodes_, packs_, all_, options_);
     writeBody(all_[0]);
   }
 
@@ -179,8 +179,10 @@ class Emitter {
   std::optional<Packs::Turn> turnOf(const Statement& statement) const {
     if (statement.pack == none) return {};
     const Lanes lanes = packs_[statement.pack];
-    if (packs_.written(lanes, Packs::As::Statement).form != Packs::Form::Operation) return {};
-    return packs_.turnOf(lanes);
+    const auto turn = packs_.turnOf(lanes);
+    if (!turn || packs_.written(lanes, Packs::As::Statement).form != Packs::Form::Operation)
+      return {};
+    return turn;
   }
 
   void nameMatrix(const Packs::Matrix& matrix) {

@@ -17,10 +17,14 @@ void Packs::add(const Lanes& lanes) {
     places_[index(lanes[i])] = static_cast<std::uint32_t>(lanes_.size()) + i;
   lanes_.resize(lanes_.size() + Lanes::most, noNode);
   std::copy(lanes.begin(), lanes.end(), lanes_.end() - Lanes::most);
+  for (const NodeId id : lanes) lengths_.setName(id, Lengths::name + Lengths::member);
 }
 
 void Packs::dissolve(std::uint32_t pack) {
-  for (const NodeId id : (*this)[pack]) places_[index(id)] = none;
+  for (const NodeId id : (*this)[pack]) {
+    places_[index(id)] = none;
+    lengths_.setName(id, Lengths::name);
+  }
 }
 
 Lanes Packs::operator[](std::uint32_t pack) const {
@@ -182,23 +186,13 @@ bool Packs::isNamedSineOrCosine(NodeId id) const {
   return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
 }
 
-int Packs::length(NodeId id, int levels) const {
-  if (isStatement(id)) return packOf(id) == none ? name : name + member;
-  if (graph_.isInput(id)) {
-    const Input& input = graph_.input(graph_.node(id).operands[0]);
-    const int label = std::min(static_cast<int>(input.label.size()), 12);
-    return input.shape.isNumber() ? label : label + member;
-  }
-  return levels == 0 ? usualNumber : operationLength(Lanes({&id, 1}), levels);
-}
-
 int Packs::operationLength(const Lanes& lanes, int levels) const {
-  if (!graph_.isOperation(lanes[0])) return usualNumber;
-  int total = static_cast<int>(spellingOf(lanes).text.size());
-  for (int i = 0; i < graph_.arity(lanes[0]); ++i) {
+  const int arity = graph_.arity(lanes[0]);
+  int total = Lengths::around(spellingOf(lanes), arity);
+  for (int i = 0; i < arity; ++i) {
     const auto [form, length] = written(operandsOf(lanes, i), As::Operand, levels - 1);
-    total += length - member;
-    if (form == Form::Number && lanes.count > 1 && !takesNumber(lanes, i)) total += rowStart;
+    total += length;
+    if (form == Form::Number && !takesNumber(lanes, i)) total += rowStart;
   }
   return total;
 }
@@ -206,14 +200,15 @@ int Packs::operationLength(const Lanes& lanes, int levels) const {
 Packs::Written Packs::written(const Lanes& lanes, As as, int levels) const {
   bool isInPlace = true;
   if (as == As::Operand) {
-    if (areEqual(lanes)) return {Form::Number, length(lanes[0], levels)};
-    if (isPart(lanes)) return {Form::Part, length(lanes[0], levels) - 1 + lanes.count};
-    if (hopes_ && isHope(lanes)) return {Form::Part, name};
+    const int first = lengths_.whereRead(lanes[0], levels);
+    if (areEqual(lanes)) return {Form::Number, first};
+    if (isPart(lanes)) return {Form::Part, first - 1 + lanes.count};
+    if (hopes_ && isHope(lanes)) return {Form::Part, Lengths::name};
     for (const NodeId id : lanes) isInPlace &= !isStatement(id);
   }
   int row = rowStart + (lanes.count - 1) * separator;
   for (const NodeId id : lanes)
-    row += as == As::Operand ? length(id, levels) : operationLength(Lanes({&id, 1}), levels);
+    row += as == As::Operand ? lengths_.whereRead(id, levels) : lengths_.ofOperation(id, levels);
   // Found because it pays.
   if (isInPlace && productOf(lanes)) return {Form::Operation, 0};
   if (levels > 0 && isInPlace) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "emit/dialect.hpp"
+#include "emit/lengths.hpp"
 #include "emit/products.hpp"
 #include "graph/graph.hpp"
 
@@ -47,16 +48,25 @@ class Packs {
       : graph_(graph),
         language_(dialect.language),
         products_(products),
+        lengths_(graph, dialect.language),
         numbers_(graph.size(), none),
         places_(graph.size(), none) {}
 
   // The node has a statement of its own, with that number among those that might be shared.
-  void addStatement(NodeId id, std::uint32_t number) { numbers_[index(id)] = number; }
+  void addStatement(NodeId id, std::uint32_t number) {
+    numbers_[index(id)] = number;
+    lengths_.setName(id, Lengths::name);
+  }
   static constexpr std::uint32_t never = none - 1;
   std::uint32_t numberOf(NodeId id) const { return numbers_[index(id)]; }
   bool isStatement(NodeId id) const { return numberOf(id) != none; }
   // The node is written where it is read instead.
-  void removeStatement(NodeId id) { numbers_[index(id)] = none; }
+  void removeStatement(NodeId id) {
+    numbers_[index(id)] = none;
+    lengths_.removeName(id);
+  }
+  // `nodes` are all that are written, ascending, and all statements are there.
+  void measure(std::span<const NodeId> nodes) { lengths_.measure(nodes); }
 
   void add(const Lanes& lanes);
   void dissolve(std::uint32_t pack);
@@ -74,8 +84,8 @@ class Packs {
     Form form;
     int length;  // in characters, about
   };
-  Written written(const Lanes& lanes, As as, int levels = deepest) const;
-  int lengthOfStatement(NodeId id) const { return operationLength(Lanes({&id, 1}), deepest); }
+  Written written(const Lanes& lanes, As as, int levels = Lengths::deepest) const;
+  int lengthOfStatement(NodeId id) const { return lengths_.ofOperation(id, Lengths::deepest); }
 
   // Which component of which vector a node is, as four times the vector's key and the component;
   // fewer than four if it is none.
@@ -113,15 +123,12 @@ class Packs {
   bool isHope(const Lanes& lanes) const;
 
  private:
-  // Texts have fewer levels, unless somebody wants them deeper.
-  static constexpr int deepest = 16;
-  static constexpr int name = 3, member = 2, rowStart = 6, separator = 2, usualNumber = 5;
+  static constexpr int rowStart = 6, separator = 2;
   // Of `mat2(t12, t13, -t13, t12) * `, a name being three long.
   static constexpr int turnStart = 28;
   // An operation that is hardly shorter than a row is read less well.
   static constexpr int margin = 4;
 
-  int length(NodeId id, int levels) const;
   int operationLength(const Lanes& lanes, int levels) const;
   bool isOperation(const Lanes& lanes) const;
   bool isNamedSineOrCosine(NodeId id) const;
@@ -132,6 +139,7 @@ class Packs {
   const Graph& graph_;
   ops::Language language_;
   std::span<const MatrixProduct> products_;
+  Lengths lengths_;
   bool hopes_ = false;
   std::vector<std::uint32_t> numbers_;  // by node, of its statement
   std::vector<std::uint32_t> places_;   // by node, which lane it is

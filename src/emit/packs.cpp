@@ -120,8 +120,9 @@ class Packer {
       Lanes with = lanes;
       with.add(body_.all[reader].node);
       if (body_.all[reader].node == noNode || !packs_.isHope(with)) continue;
-      if (packs_.written(with, As::Statement).form != Form::Operation) continue;
-      const int gain = gainOf(with);
+      const auto [form, length] = packs_.written(with, As::Statement);
+      if (form != Form::Operation) continue;
+      const int gain = gainOf(with, length);
       if (gain <= most) continue;
       most = gain;
       best = body_.all[reader].node;
@@ -136,8 +137,9 @@ class Packer {
     return all.first(std::min(all.size(), mostReaders));
   }
 
-  int gainOf(const Lanes& lanes) const {
-    int gain = -frame - packs_.written(lanes, As::Statement).length;
+  // Of one statement in the place of each lane's.
+  int gainOf(const Lanes& lanes, int length) const {
+    int gain = -frame - length;
     for (const NodeId id : lanes) gain += frame + packs_.lengthOfStatement(id);
     return gain;
   }
@@ -266,7 +268,7 @@ class Packer {
   // What hoped for others in vain. A single number is read with `.x` behind it, where packs and
   // vectors need no `vec3( )`.
   bool isLoss(const Lanes& lanes) const {
-    int gain = gainOf(lanes);
+    int gain = gainOf(lanes, packs_.written(lanes, As::Statement).length);
     for (const NodeId id : lanes) {
       for (const std::uint32_t reader : readers_.of(numberOf(id))) {
         const Statement& statement = body_.all[reader];
@@ -289,8 +291,8 @@ class Packer {
 
 }  // namespace
 
-void packStatements(const Graph& graph, Packs& packs, std::vector<Statements>& bodies,
-                    const EmitOptions& options) {
+void packStatements(const Graph& graph, std::span<const NodeId> nodes, Packs& packs,
+                    std::vector<Statements>& bodies, const EmitOptions& options) {
   std::uint32_t number = 0;
   for (const Statements& body : bodies) {
     for (const auto& [id, output, pack] : body.all) {
@@ -300,6 +302,7 @@ void packStatements(const Graph& graph, Packs& packs, std::vector<Statements>& b
       ++number;
     }
   }
+  packs.measure(nodes);
   if (!options.vectors) return;
   number = 0;
   for (Statements& body : bodies) {

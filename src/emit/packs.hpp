@@ -30,7 +30,8 @@
 namespace warpjet {
 
 // Tells `packs` of all statements, and merges those of each body: of the text, and of its loops.
-void packStatements(const Graph& graph, Packs& packs, std::vector<Statements>& bodies,
-                    const EmitOptions& options);
+// `nodes` are all that they are made of, ascending.
+void packStatements(const Graph& graph, std::span<const NodeId> nodes, Packs& packs,
+                    std::vector<Statements>& bodies, const EmitOptions& options);
 
 }  // namespace warpjet

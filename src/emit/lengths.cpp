@@ -1,0 +1,99 @@
+#include "emit/lengths.hpp"
+
+#include <algorithm>
+
+namespace warpjet {
+
+void Lengths::setName(NodeId id, int length) {
+  Text& text = texts_[index(id)];
+  const int difference = length - text.whereRead;
+  text.whereRead = length;
+  text.isNamed = true;
+  changeReaders(id, difference);
+}
+
+void Lengths::removeName(NodeId id) {
+  Text& text = texts_[index(id)];
+  const int difference = text.operation - text.whereRead;
+  text.whereRead = text.operation;
+  text.isNamed = false;
+  changeReaders(id, difference);
+}
+
+void Lengths::measure(std::span<const NodeId> nodes) {
+  gatherUsers(nodes);
+  for (const NodeId id : nodes) {
+    Text& text = texts_[index(id)];
+    if (graph_.isOperation(id)) {
+      text.depth = static_cast<std::uint8_t>(depthOfOperation(id));
+      if (text.depth <= deepest) text.operation = measureOperation(id, deepest);
+    }
+    if (!text.isNamed) text.whereRead = graph_.isInput(id) ? lengthOfInput(id) : text.operation;
+  }
+}
+
+// Counted, then put where those of the nodes before end.
+void Lengths::gatherUsers(std::span<const NodeId> nodes) {
+  userEnds_.assign(graph_.size() + 2, 0);
+  const auto forEachRead = [&](auto visit) {
+    for (const NodeId id : nodes) {
+      if (!graph_.isOperation(id)) continue;
+      for (int i = 0; i < graph_.arity(id); ++i) visit(id, index(graph_.operand(id, i)));
+    }
+  };
+  forEachRead([&](NodeId, std::uint32_t read) { ++userEnds_[read + 2]; });
+  for (std::size_t i = 2; i < userEnds_.size(); ++i) userEnds_[i] += userEnds_[i - 1];
+  users_.resize(userEnds_.back());
+  forEachRead([&](NodeId id, std::uint32_t read) { users_[userEnds_[read + 1]++] = id; });
+}
+
+// At most as many levels of calls as texts have that are measured.
+void Lengths::changeReaders(NodeId id, int difference) {
+  if (users_.empty()) return;
+  const std::uint32_t end = userEnds_[index(id) + 1];
+  for (std::uint32_t i = userEnds_[index(id)]; i < end; ++i) {
+    Text& user = texts_[index(users_[i])];
+    if (user.depth > deepest) continue;
+    user.operation += difference;
+    user.depth = static_cast<std::uint8_t>(depthOfOperation(users_[i]));
+    if (user.isNamed) continue;
+    user.whereRead += difference;
+    changeReaders(users_[i], difference);
+  }
+}
+
+int Lengths::whereRead(NodeId id, int levels) const {
+  const Text& text = texts_[index(id)];
+  if (text.isNamed || text.depth <= levels) return text.whereRead;
+  return levels == 0 ? usualNumber : measureOperation(id, levels);
+}
+
+int Lengths::ofOperation(NodeId id, int levels) const {
+  const Text& text = texts_[index(id)];
+  return text.depth <= levels ? text.operation : measureOperation(id, levels);
+}
+
+int Lengths::measureOperation(NodeId id, int levels) const {
+  const int arity = graph_.arity(id);
+  int total = around(ops::info(graph_.node(id).op).spellings.in(language_), arity);
+  for (int i = 0; i < arity; ++i) total += whereRead(graph_.operand(id, i), levels - 1);
+  return total;
+}
+
+int Lengths::depthOfOperation(NodeId id) const {
+  int most = 0;
+  for (int i = 0; i < graph_.arity(id); ++i) {
+    const Text& operand = texts_[index(graph_.operand(id, i))];
+    if (!operand.isNamed) most = std::max<int>(most, operand.depth);
+  }
+  return std::min(most, deepest) + 1;
+}
+
+int Lengths::lengthOfInput(NodeId id) const {
+  constexpr int mostOfLabel = 12;
+  const Input& input = graph_.input(graph_.node(id).operands[0]);
+  const int label = std::min(static_cast<int>(input.label.size()), mostOfLabel);
+  return input.shape.isNumber() ? label : label + member;
+}
+
+}  // namespace warpjet
