@@ -3,7 +3,7 @@
 namespace warpjet {
 
 // The GLSL ES 3.00 specification, sections 3.8 and 8.
-const Dialect glsl300{
+constinit const Dialect glsl300{
     .name = "glsl300",
     .language = ops::Language::Glsl300,
     .family = "GLSL",

@@ -1,6 +1,7 @@
 #include "emit/names.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "module/syntax.hpp"
 #include "ops/ops.hpp"
@@ -9,20 +10,39 @@ namespace warpjet {
 
 namespace {
 
-// Whether our statements call a function of that name, such as `sin($0)`.
+// The functions that our statements call in a language, such as `sin($0)`, as a list of words.
+constexpr auto listCalled(ops::Language language) {
+  std::array<char, 2048> list{};
+  std::size_t size = 0;
+  const auto add = [&](std::string_view name) {
+    for (const char c : name) list[size++] = c;
+    list[size++] = ' ';
+  };
+  for (const std::string_view name : {"dot", "cross"}) add(name);  // of sums, by the writer
+  for (const ops::Info& info : ops::infos) {
+    const std::string_view text = info.spellings.in(language).text;
+    const std::size_t bracket = text.find('(');
+    const std::string_view name = text.substr(0, bracket);
+    if (bracket != text.npos && std::all_of(name.begin(), name.end(), isWordPart)) add(name);
+  }
+  return list;
+}
+
+constexpr auto called300 = listCalled(ops::Language::Glsl300),
+               called100 = listCalled(ops::Language::Glsl100),
+               calledWgsl = listCalled(ops::Language::Wgsl);
+constexpr std::array<Words, ops::languageCount> called{called300.data(), called100.data(),
+                                                       calledWgsl.data()};
+
 bool isCalledByUs(const Dialect& dialect, std::string_view word) {
-  if (word == "dot" || word == "cross") return true;  // of sums, by the writer
-  return std::any_of(ops::infos.begin(), ops::infos.end(), [&](const ops::Info& info) {
-    const std::string_view text = info.spellings.in(dialect.language).text;
-    return text.starts_with(word) && text.substr(word.size()).starts_with('(');
-  });
+  return called[static_cast<std::size_t>(dialect.language)].holds(word);
 }
 
 std::string reservedProblem(const Dialect& dialect, std::string_view word) {
   if (word.size() > dialect.longestName)
     return "it is longer than " + std::to_string(dialect.longestName) + " letters";
   const std::string language(dialect.family);
-  if (Dialect::holds(dialect.keywords, word))
+  if (dialect.keywords.holds(word))
     return quoted(word) + " is a word of " + language + " itself";
   for (const std::string_view prefix : {"gl_", "GL_", "webgl_", "_webgl_"}) {
     if (word.starts_with(prefix))

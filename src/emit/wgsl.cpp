@@ -3,7 +3,7 @@
 namespace warpjet {
 
 // The WebGPU Shading Language, W3C, sections 6, 16 and 17.
-const Dialect wgsl{
+constinit const Dialect wgsl{
     .name = "wgsl",
     .language = ops::Language::Wgsl,
     .family = "WGSL",
