@@ -29,7 +29,7 @@ const Partials& partialsOf(const Graph& graph, NodeId id) {
 // The sum of the products, without those whose factor is zero.
 class Sum {
  public:
-  explicit Sum(Graph& graph) : graph_(graph) {}
+  Sum(Graph& graph, NodeId zero) : graph_(graph), zero_(zero) {}
 
   template <class Product>
   void add(NodeId tangent, Product product) {
@@ -38,10 +38,11 @@ class Sum {
     sum_ = sum_ ? together(*sum_, term) : term;
   }
 
-  NodeId total() const { return sum_ ? sum_->id : graph_.constant(0); }
+  NodeId total() const { return sum_ ? sum_->id : zero_; }
 
  private:
   Graph& graph_;
+  NodeId zero_;
   std::optional<Expression> sum_;
 };
 
@@ -62,7 +63,7 @@ NodeId Differentiator::whole(const Tangent& tangent) {
 // begins with bases of its own: the one of the branch that is not taken may be infinite, and a
 // factor 0 before it would not keep it out.
 std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& direction) const {
-  const auto& [input, tangents, components] = direction;
+  const auto& [input, zero, one, tangents, components] = direction;
   if (graph_.isOperation(id) && ops::has(graph_.node(id).op, ops::Trait::Branches)) return {};
   std::optional<NodeId> base;
   const NodeId from = operandsOf(graph_, id);
@@ -80,16 +81,16 @@ std::optional<NodeId> Differentiator::commonBase(NodeId id, const Direction& dir
 
 void Differentiator::findTangent(NodeId id, const Direction& direction) {
   Tangents& tangents = direction.tangents;
-  auto& [factor, base] = tangents.set(id) = {graph_.constant(1), graph_.constant(1)};
+  auto& [factor, base] = tangents.set(id) = {direction.one, direction.one};
   // Not zero; who reads the call asks for the tangent of each argument.
   if (graph_.isList(id) || graph_.isOurCall(id)) return;
   if (const auto common = commonBase(id, direction)) {
-    factor = chainRule(id, tangents, &Differentiator::factorOf);
+    factor = chainRule(id, direction, &Differentiator::factorOf);
     base = *common;
     if (!canOverflow(id, tangents)) return;
-    factor = graph_.constant(1);
+    factor = direction.one;
   }
-  base = chainRule(id, tangents, &Differentiator::whole);
+  base = chainRule(id, direction, &Differentiator::whole);
 }
 
 // Whether the factor or the base may, though their product does not: 1 / r² near r = 0, where r
@@ -107,9 +108,9 @@ bool Differentiator::canOverflow(NodeId id, const Tangents& tangents) {
   return false;
 }
 
-NodeId Differentiator::chainRule(NodeId id, const Tangents& tangents, Part part) {
-  Sum sum(graph_);
-  const auto tangent = [&](NodeId operand) { return (this->*part)(tangents[operand]); };
+NodeId Differentiator::chainRule(NodeId id, const Direction& direction, Part part) {
+  Sum sum(graph_, direction.zero);
+  const auto tangent = [&](NodeId operand) { return (this->*part)(direction.tangents[operand]); };
   if (graph_.isCall(id) || graph_.isResult(id)) {
     for (const auto& [argument, partial] : slopesOf(graph_, id))
       sum.add(tangent(argument), [&, by = partial](Expression d) {
@@ -143,19 +144,18 @@ std::uint32_t Differentiator::componentsOf(NodeId id, const Direction& direction
 }
 
 void Differentiator::visit(NodeId id, const Direction& direction) {
-  Tangents& tangents = direction.tangents;
-  const NodeId zero = graph_.constant(0), one = graph_.constant(1);
+  const auto& [input, zero, one, tangents, components] = direction;
   const auto dependsOnInput = [&] {
     for (int i = 0; i < graph_.arity(id); ++i) {
-      if (tangents[graph_.operand(id, i)].factor != zero) return true;
+      if (direction.tangents[graph_.operand(id, i)].factor != direction.zero) return true;
     }
     return false;
   };
 
-  if (const std::uint32_t bits = componentsOf(id, direction)) direction.components.set(id) = bits;
+  if (const std::uint32_t bits = componentsOf(id, direction)) components.set(id) = bits;
   if (graph_.has(localOp) && visitOfFold(id, direction)) return;
   Tangent& tangent = tangents.set(id) = {zero, one};
-  if (id == direction.input) {
+  if (id == input) {
     tangent.factor = one;
   } else if (dependsOnInput()) {
     const std::size_t before = graph_.size();
@@ -172,8 +172,11 @@ NodeId Differentiator::derivative(NodeId root, NodeId input) {
   Tangents& tangents = tangents_[input];
   const std::size_t before = components.bytes() + tangents.bytes();
   const auto isKnown = [&](NodeId id) { return tangents[id].factor != noNode; };
-  for (const NodeId id : reachable(graph_, {&root, 1}, isKnown))
-    visit(id, {input, tangents, components});
+  const std::vector<NodeId> unknown = reachable(graph_, {&root, 1}, isKnown);
+  if (!unknown.empty()) {
+    const NodeId zero = graph_.constant(0), one = graph_.constant(1);
+    for (const NodeId id : unknown) visit(id, {input, zero, one, tangents, components});
+  }
   bytes_ += components.bytes() + tangents.bytes() - before;
   return whole(tangents[root]);
 }

@@ -53,6 +53,7 @@ class Differentiator {
   // What is known of one direction.
   struct Direction {
     NodeId input;
+    NodeId zero, one;  // the constants
     Tangents& tangents;
     Components& components;
   };
@@ -65,7 +66,7 @@ class Differentiator {
   bool canOverflow(NodeId id, const Tangents& tangents);
   // What of the operands' tangents the chain rule is of.
   using Part = NodeId (Differentiator::*)(const Tangent&);
-  NodeId chainRule(NodeId id, const Tangents& tangents, Part part);
+  NodeId chainRule(NodeId id, const Direction& direction, Part part);
   NodeId factorOf(const Tangent& tangent) { return tangent.factor; }
   NodeId whole(const Tangent& tangent);
 

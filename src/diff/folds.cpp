@@ -26,8 +26,7 @@ NodeId Differentiator::tangentState(NodeId local, NodeId input) {
 // are the more, the more often the body is derived, until there are no more. False if the body
 // reads a state of a loop around it, whose fold is yet to come.
 bool Differentiator::findTangents(std::span<const State> states, const Direction& direction) {
-  Tangents& tangents = direction.tangents;
-  const NodeId zero = graph_.constant(0), one = graph_.constant(1);
+  const auto& [input, zero, one, tangents, components] = direction;
   std::vector<NodeId> nexts;
   Flags moves(states.size());
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -35,14 +34,14 @@ bool Differentiator::findTangents(std::span<const State> states, const Direction
     nexts.push_back(states[i].next);
     moves[i] = whole(tangents[states[i].start]) != zero;
   }
-  const auto isKnown = [&](NodeId id) { return tangents[id].factor != noNode; };
+  const auto isKnown = [&](NodeId id) { return direction.tangents[id].factor != noNode; };
   const std::vector<NodeId> body = reachable(graph_, nexts, isKnown);
   for (bool isFinal = false; !isFinal;) {
     isFinal = true;
     for (const NodeId id : body) tangents.set(id) = {};
     for (std::size_t i = 0; i < states.size(); ++i) {
       const NodeId local = states[i].local;
-      tangents.set(local) = {moves[i] ? tangentState(local, direction.input) : zero, one};
+      tangents.set(local) = {moves[i] ? tangentState(local, input) : zero, one};
     }
     for (const NodeId id : body) {
       if (!isKnown(id)) visit(id, direction);
@@ -73,15 +72,15 @@ bool Differentiator::visitOfFold(NodeId id, const Direction& direction) {
   // The derivative of the same variable, of the fold that has it too.
   const NodeId fold = tangents[graph_.operand(id, 0)].factor;
   const NodeId local = tangents[graph_.operand(id, 1)].factor;
-  const NodeId zero = graph_.constant(0);
+  const NodeId zero = direction.zero;
   const bool moves = local != zero && graph_.isFold(fold);
-  tangents.set(id) = {moves ? graph_.outcome(fold, local) : zero, graph_.constant(1)};
+  tangents.set(id) = {moves ? graph_.outcome(fold, local) : zero, direction.one};
   return true;
 }
 
 void Differentiator::visitFold(NodeId id, const Direction& direction) {
   Tangents& tangents = direction.tangents;
-  const NodeId zero = graph_.constant(0);
+  const NodeId zero = direction.zero;
   std::vector<State> states = graph_.states(id), unknown;
   for (const State& state : states) {
     if (tangents[state.local].factor == noNode) unknown.push_back(state);
@@ -93,7 +92,7 @@ void Differentiator::visitFold(NodeId id, const Direction& direction) {
     if (moving != zero) states.push_back({moving, whole(tangents[start]), whole(tangents[next])});
   }
   // In the place of a tangent; only outcomes read it.
-  tangents.set(id) = {graph_.fold(graph_.loopOf(id), states), graph_.constant(1)};
+  tangents.set(id) = {graph_.fold(graph_.loopOf(id), states), direction.one};
 }
 
 }  // namespace warpjet

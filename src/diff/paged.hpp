@@ -13,7 +13,7 @@ namespace warpjet {
 template <class Value>
 class Paged {
  public:
-  static constexpr std::size_t pageSize = 512;
+  static constexpr std::size_t pageSize = 128;
 
   // Makes room for the node.
   Value& set(NodeId id) {

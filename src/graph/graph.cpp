@@ -12,14 +12,31 @@ namespace warpjet {
 
 namespace {
 
-// Enough for most warps, so that they never rehash; 16 KB.
-constexpr std::size_t initialTableSize = 4096;
+// Small, since most warps are, and every one has a table to clear; it doubles where it has to.
+constexpr std::size_t initialTableSize = 256;
 
+// By operation, in tables of bytes, since these are read for each operand of each node.
+constexpr auto resultTypes = [] {
+  std::array<ops::Type, arities.size()> all{};
+  all.fill(ops::Type::Float);
+  for (std::size_t i = 0; i < ops::count; ++i) all[i] = ops::infos[i].signature.result;
+  return all;
+}();
+
+constexpr auto isCommutative = [] {
+  std::array<bool, arities.size()> all{};
+  for (std::size_t i = 0; i < ops::count; ++i)
+    all[i] = ops::infos[i].traits.has(ops::Trait::Commutative);
+  return all;
+}();
+
+// The same for x + y and y + x.
 std::size_t hash(const Node& node) {
   // Multiply and xor-shift, as in Steele and Vigna's splitmix64.
-  std::uint64_t h = node.operands[0] | std::uint64_t{node.operands[1]} << 32;
-  h ^= (node.operands[2] | std::uint64_t{static_cast<std::uint8_t>(node.op)} << 32) *
-       0x9e3779b97f4a7c15u;
+  const auto [x, y, z] = node.operands;
+  const bool isSwapped = isCommutative[index(node.op)] && x > y;
+  std::uint64_t h = isSwapped ? y | std::uint64_t{x} << 32 : x | std::uint64_t{y} << 32;
+  h ^= (z | std::uint64_t{static_cast<std::uint8_t>(node.op)} << 32) * 0x9e3779b97f4a7c15u;
   h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
   h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
   return static_cast<std::size_t>(h ^ (h >> 31));
@@ -73,8 +90,13 @@ Graph Graph::copy() const {
 
 std::size_t Graph::slotOf(const Node& node) const {
   const std::size_t mask = table_.size() - 1;
+  const bool commutes = isCommutative[index(node.op)] && simplification_ == Simplification::On;
+  const Node swapped{{node.operands[1], node.operands[0]}, node.op};
+  const auto isIt = [&](const Node& known) {
+    return known == node || (commutes && known == swapped);
+  };
   std::size_t slot = hash(node) & mask;
-  while (table_[slot] != 0 && nodes_[table_[slot] - 1] != node) slot = (slot + 1) & mask;
+  while (table_[slot] != 0 && !isIt(nodes_[table_[slot] - 1])) slot = (slot + 1) & mask;
   return slot;
 }
 
@@ -116,7 +138,7 @@ NodeId Graph::component(std::uint32_t input, int component) {
 }
 
 ops::Type Graph::type(NodeId id) const {
-  return isOperation(id) ? ops::info(node(id).op).signature.result : ops::Type::Float;
+  return resultTypes[index(node(id).op)];
 }
 
 NodeId Graph::convert(NodeId id, ops::Type wanted) {
@@ -160,27 +182,18 @@ NodeId Graph::apply(Op op, Operands<NodeId> operands) {
   const ops::Info& info = ops::info(op);
   for (int i = 0; i < info.arity; ++i)
     operands[i] = convert(operands[i], info.signature.operands[i]);
-  const bool simplifies = simplification_ == Simplification::On;
-  if (simplifies) {
+  if (simplification_ == Simplification::On) {
     if (const auto folded = fold(op, operands)) return *folded;
     if (const auto simpler = simplify(*this, op, operands)) return *simpler;
   }
 
   Node node{{}, op};
   for (int i = 0; i < info.arity; ++i) node.operands[i] = index(operands[i]);
-  if (!simplifies) return intern(node);
-  // x + y and y + x are one node, in the order that came first.
-  if (info.traits.has(ops::Trait::Commutative)) {
-    const std::size_t slot = slotOf({{node.operands[1], node.operands[0]}, op});
-    if (table_[slot] != 0) return NodeId{table_[slot] - 1};
-  }
   return intern(node);
 }
 
 [[gnu::noinline, gnu::cold]] std::optional<NodeId> Graph::found(Op op, NodeId x, NodeId y) const {
-  std::uint32_t entry = table_[slotOf({{index(x), index(y)}, op})];
-  if (entry == 0 && ops::has(op, ops::Trait::Commutative))
-    entry = table_[slotOf({{index(y), index(x)}, op})];
+  const std::uint32_t entry = table_[slotOf({{index(x), index(y)}, op})];
   return entry == 0 ? std::nullopt : std::optional(NodeId{entry - 1});
 }
 

@@ -67,7 +67,11 @@ struct Node {
   ops::Operands<std::uint32_t> operands{};
   Op op{};
 
-  bool operator==(const Node&) const = default;
+  // Word by word: of an array, compilers call memcmp, in the innermost loop that there is.
+  bool operator==(const Node& other) const {
+    return op == other.op && operands[0] == other.operands[0] && operands[1] == other.operands[1] &&
+           operands[2] == other.operands[2];
+  }
 };
 
 // A variable of the host, or the width and height of the image that is another input.
@@ -213,7 +217,8 @@ class Graph {
   NodeId operand(NodeId id, int i) const { return NodeId{node(id).operands[i]}; }
 
  private:
-  // The slot that holds an equal node, or the empty one where it belongs.
+  // The slot that holds an equal node, or the empty one where it belongs. x + y and y + x are one
+  // node, in the order that came first, unless simplification is off.
   std::size_t slotOf(const Node& node) const;
   NodeId intern(const Node& node);
   void makeTable(std::size_t size);
