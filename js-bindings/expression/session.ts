@@ -134,9 +134,12 @@ export class Session {
   /** An operation by its number; a method's first operand is what it is called on. */
   call(operation: number, method: string, operands: readonly Expression[], isMethod = false) {
     const id = this.open(method)
+    const few = operands.length <= 3 ? operands.length : 0
+    const handle = (i: number) => (i < few ? operands[i]!.handle : 0)
     for (;;) {
-      this.push(id, operands)
-      const result = this.core._call(id, operation, isMethod)
+      if (few < operands.length) this.push(id, operands)
+      else if (this.idle.size) operands.forEach((operand) => this.use(operand))
+      const result = this.core._call(id, operation, isMethod, few, handle(0), handle(1), handle(2))
       if (result !== needsPartials) {
         if (conditions.has(method)) this.idle.set(result, new Error())
         return this.expression(result)

@@ -17,7 +17,15 @@ export interface Core {
   _openSession(): SessionHandle
   _constant(session: SessionHandle, value: number): number
   _push(session: SessionHandle, handle: number): void
-  _call(session: SessionHandle, operation: number, isMethod: boolean): number
+  _call(
+    session: SessionHandle,
+    operation: number,
+    isMethod: boolean,
+    count: number,
+    a: number,
+    b: number,
+    c: number,
+  ): number
   _callFunction(session: SessionHandle, hostFunction: number): number
   _callNoise(
     session: SessionHandle,
