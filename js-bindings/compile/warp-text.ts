@@ -27,6 +27,7 @@ import {
   resultsOf,
   writeText,
 } from '../module/kept-module.js'
+import { lazyObject } from '../checks/lazy-object.js'
 import { didYouMean, refusing } from '../checks/nearest.js'
 import { checkCallback, checkOptions } from '../checks/options.js'
 import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from '../types/types.js'
@@ -280,10 +281,10 @@ function writeResults(
     known: Known | undefined
   },
 ): Written {
-  const given = Object.entries(inputs).map(([name, number]): [number, string] => [
-    number,
-    names[name]!,
-  ])
+  // A plain name is in the module as it was when the offset was recorded.
+  const given = Object.entries(inputs)
+    .filter(([name]) => names[name] !== settings.names[name] || !/^\w+$/.test(names[name]!))
+    .map(([name, number]): [number, string] => [number, names[name]!])
   const {
     code,
     declarations,
@@ -367,28 +368,36 @@ const meant = {
   resolution: 'size',
 }
 
+/** What an offset function gets besides `glsl` and its uniforms. */
+const givenNames = Object.keys(inputSizes).filter(
+  (name) => name !== 'tangent' && !(name in variationInputs),
+)
+
+/** Components that have names of their own. */
+const namedParts = {
+  mouseX: ['mouse', 0],
+  mouseY: ['mouse', 1],
+  width: ['size', 0],
+  height: ['size', 1],
+} as const
+
+const offsetInputs = new Map(
+  ['glsl', ...givenNames, ...Object.keys(namedParts)].map((name) => [name, true]),
+)
+
 function warpInputs(session: Session, inputs: Record<string, Expression>): WarpInputs {
-  const given = Object.entries(inputs).filter(
-    ([name]) => name !== 'tangent' && !(name in variationInputs),
-  )
-  const { mouse, size } = inputs as Record<string, Expression>
-  const expressions = {
-    ...Object.fromEntries(given),
-    mouseX: part(session, mouse!, 0),
-    mouseY: part(session, mouse!, 1),
-    width: part(session, size!, 0),
-    height: part(session, size!, 1),
+  // Also for an offset that does not read it: it gives expressions their methods.
+  const glsl = createBuilder(session)
+  const make = (name: string) => {
+    if (name === 'glsl') return glsl
+    const [vector, i] = namedParts[name as keyof typeof namedParts] ?? []
+    // p5 has millis(), and a component may be called too.
+    return callable(name, vector ? part(session, inputs[vector]!, i!) : inputs[name]!)
   }
-  // p5 has millis(), and a component may be called too.
-  const mayBeCalled = Object.entries(expressions).map(([name, value]) => [
-    name,
-    callable(name, value),
-  ])
-  const all = { glsl: createBuilder(session), ...Object.fromEntries(mayBeCalled) } as object
-  const names = Object.keys(all)
+  const names = [...offsetInputs.keys()]
   const unknown = (name: string) =>
     `An offset function gets no "${name}"; ${didYouMean(name, names, `it gets ${names.join(', ')}, and uniforms by the option "uniforms".`, meant)}`
-  return Object.setPrototypeOf(all, refusing(unknown)) as unknown as WarpInputs
+  return lazyObject(refusing(unknown), { names: offsetInputs, make }) as WarpInputs
 }
 
 function checkOffset(session: Session, method: string, offset: unknown): Expression {

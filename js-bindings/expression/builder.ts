@@ -11,6 +11,7 @@ import { repeat } from './repeat.js'
 import type { Shape } from './shapes.js'
 import { callTexture } from './texture.js'
 import { madeOf, meantByFunctions, meantByMethods, methodsOf, sameAs } from './aliases.js'
+import { lazyObject } from '../checks/lazy-object.js'
 import { didYouMean, refusing } from '../checks/nearest.js'
 
 export type Builder = Record<string, (...operands: unknown[]) => Expression>
@@ -60,52 +61,91 @@ function frontEnd(): (builder: Builder, ...given: unknown[]) => unknown {
   throw new WarpError("source: import 'warpjet/glsl' first, which reads shader text.")
 }
 
+/** What makes each function for a session, and whether lists have it, as they have none that only shader text calls; by name. */
+const makers = new Map<string, (session: Session, glsl: Builder) => unknown>()
+const listed = new Map<string, boolean>()
+
 /** Functions that need no `this`, so that `const { vec3, sin } = glsl` works. */
 export function createBuilder(session: Session): Builder {
-  installMethods()
-  const builder: Builder = {
-    val: (value, ...others) => {
-      expectNoMore('val', others)
-      return toExpression(session, 'val', value, 1)
-    },
-    texture: (...operands) => callTexture(session, operands),
-    repeat: ((...given: unknown[]) => repeat(session, given)) as never,
-    fn: ((options: unknown) => declareFunction(session, options)) as never,
-    source: ((...given: unknown[]) => frontEnd()(builder, ...given)) as never,
+  install()
+  const refuse = (name: string) =>
+    `glsl.${name}: there is no such function; ${didYouMean(name, Object.keys(glsl), lists, meantByFunctions)}`
+  const glsl = lazyObject(refusing(refuse), {
+    names: listed,
+    make: (name) => makers.get(name)!(session, glsl),
+  }) as Builder
+  return glsl
+}
+
+function installMakers() {
+  const add = (
+    name: string,
+    make: (session: Session, glsl: Builder) => unknown,
+    isListed = true,
+  ) => {
+    makers.set(name, make)
+    listed.set(name, isListed)
   }
+  add('val', (session) => (value: unknown, ...others: unknown[]) => {
+    expectNoMore('val', others)
+    return toExpression(session, 'val', value, 1)
+  })
+  add(
+    'texture',
+    (session) =>
+      (...operands: unknown[]) =>
+        callTexture(session, operands),
+  )
+  add(
+    'repeat',
+    (session) =>
+      (...given: unknown[]) =>
+        repeat(session, given),
+  )
+  add('fn', (session) => (options: unknown) => declareFunction(session, options))
+  add(
+    'source',
+    (_, glsl) =>
+      (...given: unknown[]) =>
+        frontEnd()(glsl, ...given),
+  )
   for (const [name, shape] of Object.entries(params))
-    builder[name] = (label, ...others) => {
+    add(name, (session) => (label: unknown, ...others: unknown[]) => {
       if (others.length > 0)
         throw new WarpError(
           `${name}: it takes only a name; there are ${Object.keys(params).join(', ')}.`,
         )
       return session.input(label, shape, name)
-    }
+    })
   // For front ends, which record functions in sessions of their own: no list has it.
-  Object.defineProperty(builder, 'of', { value: createBuilder })
-  for (const { name, number, isListed } of getOperations()) {
-    const call = (...operands: unknown[]) =>
-      session.call(
-        number,
-        name,
-        operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
-      )
-    // Every warp has a builder of its own: an assignment takes a quarter of the time of a definition.
-    if (isListed) builder[name] = call
-    else Object.defineProperty(builder, name, { value: call })
-  }
-  for (const kind of noiseKinds) builder[kind] = (...operands) => callNoise(session, kind, operands)
-  for (const [alias, name] of Object.entries(sameAs)) builder[alias] = builder[name]!
+  add('of', () => createBuilder, false)
+  for (const { name, number, isListed } of getOperations())
+    add(
+      name,
+      (session) =>
+        (...operands: unknown[]) =>
+          session.call(
+            number,
+            name,
+            operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
+          ),
+      isListed,
+    )
+  for (const kind of noiseKinds)
+    add(
+      kind,
+      (session) =>
+        (...operands: unknown[]) =>
+          callNoise(session, kind, operands),
+    )
+  for (const [alias, name] of Object.entries(sameAs)) add(alias, (_, glsl) => glsl[name])
   for (const [alias, make] of Object.entries(madeOf))
-    builder[alias] = (operand, ...others) =>
-      make(methodsOf(toExpression(session, alias, operand, 1)), ...others)
-  return Object.setPrototypeOf(
-    builder,
-    refusing(
-      (name) =>
-        `glsl.${name}: there is no such function; ${didYouMean(name, Object.keys(builder), lists, meantByFunctions)}`,
-    ),
-  ) as Builder
+    add(
+      alias,
+      (session) =>
+        (operand: unknown, ...others: unknown[]) =>
+          make(methodsOf(toExpression(session, alias, operand, 1)), ...others),
+    )
 }
 
 /** Only a session makes expressions. */
@@ -148,21 +188,17 @@ const methods = Object.create(null) as object
 
 let installed = false
 
-function installMethods() {
+function install() {
   if (installed) return
   installed = true
+  installMakers()
+  installMethods()
+}
+
+function installMethods() {
   for (const [name, indices] of swizzles()) defineComponents(name, indices)
   for (const { name, number, isMethod } of getOperations())
-    if (isMethod)
-      define(name, function (...given) {
-        const session = sessionOf(this)
-        if (given.length > 0 && /^rotate[XYZ]$/.test(name))
-          throw new WarpError(
-            `${name}: a turn is a matrix, and gives where a vertex goes; write glsl.${name}(angle).mult(v).sub(v).`,
-          )
-        const operands = given.map((operand, i) => toExpression(session, name, operand, i + 1))
-        return session.call(number, name, [this, ...operands], true)
-      })
+    if (isMethod) defineOperation(name, number)
   for (const kind of noiseKinds)
     define(kind, function (...operands) {
       return callNoise(sessionOf(this), kind, [this, ...operands], true)
@@ -231,6 +267,21 @@ export function callable(name: string, expression: Expression): Expression {
   Reflect.deleteProperty(component!, 'name')
   Object.setPrototypeOf(component, Expression.prototype)
   return Object.assign(component!, expression) as unknown as Expression
+}
+
+function defineOperation(name: string, number: number) {
+  const isTurn = /^rotate[XYZ]$/.test(name)
+  define(name, function (...given) {
+    const session = sessionOf(this)
+    if (isTurn && given.length > 0)
+      throw new WarpError(
+        `${name}: a turn is a matrix, and gives where a vertex goes; write glsl.${name}(angle).mult(v).sub(v).`,
+      )
+    const operands: Expression[] = [this]
+    for (const operand of given)
+      operands.push(toExpression(session, name, operand, operands.length))
+    return session.call(number, name, operands, true)
+  })
 }
 
 function define(name: string, method: (this: Expression, ...operands: unknown[]) => unknown) {

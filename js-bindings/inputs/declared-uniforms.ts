@@ -3,6 +3,7 @@ import type { Session } from '../expression/session.js'
 import { WarpError, describe } from '../checks/errors.js'
 import type { Expression } from '../expression/expression.js'
 import { inputSizes, markWhole } from './inputs.js'
+import { lazyObject } from '../checks/lazy-object.js'
 import { isCallable, isList, own } from '../checks/options.js'
 import { type Shape, imageShape, typeOf } from '../expression/shapes.js'
 import type { HostSampling } from '../expression/texture.js'
@@ -223,11 +224,16 @@ export function withUniforms(
   labelOf: (name: string) => string = (name) => name,
 ): OffsetFunction {
   return (inputs) => {
-    const { session } = inputs.position as unknown as Expression
-    const uniforms = expressions(method, session as Session, declared, labelOf)
+    const strings = Reflect.ownKeys(inputs).filter((name) => typeof name === 'string')
+    const names = new Map([...strings, 'uniforms'].map((name) => [name, true]))
+    const make = (name: string) => {
+      if (name !== 'uniforms') return inputs[name as keyof WarpInputs]
+      const { session } = inputs.position as unknown as Expression
+      return expressions(method, session as Session, declared, labelOf)
+    }
     // What is no input still says so.
     return offset(
-      Object.assign(Object.create(Object.getPrototypeOf(inputs) as object), inputs, { uniforms }),
+      lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs,
     )
   }
 }

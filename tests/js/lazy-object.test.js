@@ -1,0 +1,89 @@
+// What an offset function gets is made when it is read, and looks as if it had been there from the start.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
+
+/** Calls `look` within an offset function, with what that gets. */
+function inside(look, options) {
+  compileWarp((inputs) => {
+    look(inputs)
+    return inputs.glsl.vec3(0, 0, 0)
+  }, options)
+}
+
+describe('glsl', () => {
+  test('has every function as its own, though it is made later', () =>
+    inside(({ glsl }) => {
+      const names = Object.keys(glsl)
+      for (const name of ['val', 'param', 'sin', 'vec3', 'mul', 'oneMinus', 'fbm'])
+        assert.ok(names.includes(name), name)
+      assert.ok(!names.includes('of'), 'what only front ends call is in no list')
+      assert.ok('of' in glsl && Object.hasOwn(glsl, 'of'))
+      assert.equal(new Set(names).size, names.length)
+      assert.deepEqual(Object.keys({ ...glsl }), names)
+    }))
+
+  test('gives one function each, also under an alias', () =>
+    inside(({ glsl }) => {
+      assert.equal(glsl.sin, glsl.sin)
+      assert.equal(glsl.mul, glsl.mult)
+      assert.equal({ ...glsl }.sin, glsl.sin)
+    }))
+
+  test('lists the same names before and after some were read', () =>
+    inside(({ glsl }) => {
+      const before = Reflect.ownKeys(glsl)
+      assert.ok(glsl.vec3 && glsl.cos)
+      assert.deepEqual(Reflect.ownKeys(glsl), before)
+    }))
+
+  test('keeps what is assigned, defined and deleted', () =>
+    inside(({ glsl }) => {
+      const mine = () => 1
+      glsl.sin = mine
+      assert.equal(glsl.sin, mine)
+      Object.defineProperty(glsl, 'cos', { value: mine })
+      assert.equal(glsl.cos, mine)
+      delete glsl.tan
+      assert.ok(!Object.keys(glsl).includes('tan'))
+      assert.throws(() => glsl.tan, WarpError)
+      inside(({ glsl }) => assert.notEqual(glsl.sin, mine))
+    }))
+
+  test('still says what there is not', () =>
+    inside(({ glsl }) => {
+      assert.throws(() => glsl.sine, /glsl\.sine: there is no such function; did you mean/)
+      assert.equal('sine' in glsl, false)
+    }))
+})
+
+describe('the inputs of an offset function', () => {
+  test('are the same expression each time, in their order', () =>
+    inside((inputs) => {
+      assert.equal(inputs.position, inputs.position)
+      assert.equal(inputs.mouseX, { ...inputs }.mouseX)
+      const names = Object.keys(inputs)
+      assert.deepEqual(names.slice(0, 3), ['glsl', 'position', 'normal'])
+      assert.deepEqual(names.slice(-5), ['mouseX', 'mouseY', 'width', 'height', 'uniforms'])
+      assert.ok(!names.includes('tangent') && !('tangent' in inputs))
+      assert.throws(() => inputs.time, /An offset function gets no "time"/)
+    }))
+
+  test('have the uniforms of the option', () =>
+    inside(
+      ({ uniforms, ...others }) => {
+        assert.deepEqual(Object.keys(uniforms), ['amount'])
+        assert.ok(!('uniforms' in others) && 'position' in others)
+      },
+      { uniforms: { amount: 0.5 } },
+    ))
+})
+
+test('a text that is not ASCII crosses the border', () => {
+  const name = 'größe🙂'
+  assert.throws(
+    () => compile((glsl) => ({ y: glsl.param(name) })),
+    (error) => error instanceof WarpError && error.message.includes('größe'),
+  )
+  assert.throws(() => compile((glsl) => ({ [name]: glsl.val(1) })), /größe🙂/)
+})
