@@ -2,6 +2,7 @@
 // waits for warpjet itself. The work is p5.warp's "complex" stress test: sines of random coordinates with random constants,
 // added up in random components.
 import { performance } from 'node:perf_hooks'
+import { plainGraph, stackedSines as stackOfThree } from './bench/plain-graph.mjs'
 import { measureStartUp } from './bench/start-up.mjs'
 import { build } from './build.mjs'
 import { median } from './lib/median.mjs'
@@ -12,6 +13,7 @@ const { stackedSines } = await import('../tests/warps/stress.js')
 
 /** As the paper counts. */
 const NODES_OF_A_SINE = 5
+const WARM_UP = 12
 
 function medianMilliseconds(work, runs) {
   work()
@@ -21,6 +23,18 @@ function medianMilliseconds(work, runs) {
     return performance.now() - start
   })
   return median(times)
+}
+
+/** The median of each kind of work by its name, all in turn, so that what else the machine does slows down all of them. */
+function mediansInTurn(works, runs) {
+  const times = Object.fromEntries(Object.keys(works).map((name) => [name, []]))
+  for (let i = -WARM_UP; i < runs; i++)
+    for (const [name, work] of Object.entries(works)) {
+      const start = performance.now()
+      work()
+      if (i >= 0) times[name].push(performance.now() - start)
+    }
+  return Object.fromEntries(Object.entries(times).map(([name, all]) => [name, median(all)]))
 }
 
 function square(repeats) {
@@ -60,6 +74,33 @@ for (const [sines, runs] of [
     count(/\bcos\(/g),
   )
 }
+
+console.log('\nin turn with a plain graph in JavaScript (.scripts/bench/plain-graph.mjs)')
+console.log('builder nodes  warpjet ms    plain ms    ratio')
+for (const [sines, runs] of [
+  [10, 200],
+  [100, 100],
+  [200, 60],
+  [2000, 15],
+]) {
+  const { ours, plain } = mediansInTurn(
+    { ours: () => compileWarp(stackOfThree(sines)), plain: () => plainGraph(sines) },
+    runs,
+  )
+  console.log(
+    String(3 * NODES_OF_A_SINE * sines + 6).padStart(13),
+    ours.toFixed(2).padStart(11),
+    plain.toFixed(2).padStart(11),
+    (ours / plain).toFixed(2).padStart(8),
+  )
+}
+
+const oneSine = ({ glsl, position, millis }) => glsl.vec3(position.y.add(millis).sin(), 0, 0)
+console.log(
+  '\na warp of one sine:',
+  medianMilliseconds(() => compileWarp(oneSine), 3000).toFixed(3),
+  'ms',
+)
 const report = (name, callback) =>
   console.log(name, medianMilliseconds(() => compile(callback), 5).toFixed(2), 'ms')
 report('v = v * v + v, 40 times:', square(40))
