@@ -368,7 +368,7 @@ const meant = {
   resolution: 'size',
 }
 
-/** What an offset function gets besides `glsl` and its uniforms. */
+/** The inputs that an offset function gets under their own names. */
 const givenNames = Object.keys(inputSizes).filter(
   (name) => name !== 'tangent' && !(name in variationInputs),
 )

@@ -61,8 +61,9 @@ function frontEnd(): (builder: Builder, ...given: unknown[]) => unknown {
   throw new WarpError("source: import 'warpjet/glsl' first, which reads shader text.")
 }
 
-/** What makes each function for a session, and whether lists have it, as they have none that only shader text calls; by name. */
+/** Makes each function of `glsl` for a session. */
 const makers = new Map<string, (session: Session, glsl: Builder) => unknown>()
+/** Maps name → whether lists have it; functions that only shader text calls are in none. */
 const listed = new Map<string, boolean>()
 
 /** Functions that need no `this`, so that `const { vec3, sin } = glsl` works. */

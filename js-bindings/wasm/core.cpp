@@ -91,8 +91,8 @@ EMSCRIPTEN_KEEPALIVE int constant(Session* session, double value) {
 
 EMSCRIPTEN_KEEPALIVE void push(Session* session, int handle) { session->builder.push(handle); }
 
-// Of what was pushed, and of the first `count` of three more: a border that is crossed once per
-// operation takes half the time of one that is crossed for each operand too.
+// Pushes the first `count` of a, b and c, then calls: the border is crossed once per operation, and
+// not for each operand too.
 EMSCRIPTEN_KEEPALIVE int call(Session* session, int operation, int isMethod, int count, int a,
                               int b, int c) {
   const std::array operands{a, b, c};

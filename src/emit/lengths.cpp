@@ -90,9 +90,9 @@ int Lengths::depthOfOperation(NodeId id) const {
 }
 
 int Lengths::lengthOfInput(NodeId id) const {
-  constexpr int mostOfLabel = 12;
+  constexpr int maxLabel = 12;
   const Input& input = graph_.input(graph_.node(id).operands[0]);
-  const int label = std::min(static_cast<int>(input.label.size()), mostOfLabel);
+  const int label = std::min(static_cast<int>(input.label.size()), maxLabel);
   return input.shape.isNumber() ? label : label + member;
 }
 

@@ -1,5 +1,5 @@
-// How long the text of each number is, in characters, about: where the number is computed, and where
-// it is read.
+// Approximate lengths of texts, in characters, for each number: where it is computed, and where it
+// is read.
 //
 // All lengths are found once, operands before users. After that, a statement that changes its name
 // corrects the texts that read it, up to where those texts have names of their own. So asking is
@@ -32,9 +32,9 @@ class Lengths {
   // `nodes` are all that are written, ascending. Their names are known.
   void measure(std::span<const NodeId> nodes);
 
-  // Where the node is read, of at most so many levels of operations.
+  // The length where the node is read; operands below `levels` operations are not looked at.
   int whereRead(NodeId id, int levels) const;
-  // Its operation itself.
+  // The length of its operation.
   int ofOperation(NodeId id, int levels) const;
   // The characters of a spelling that are no operands.
   static int around(const ops::Spelling& spelling, int operands) {

@@ -42,8 +42,7 @@ std::string reservedProblem(const Dialect& dialect, std::string_view word) {
   if (word.size() > dialect.longestName)
     return "it is longer than " + std::to_string(dialect.longestName) + " letters";
   const std::string language(dialect.family);
-  if (dialect.keywords.holds(word))
-    return quoted(word) + " is a word of " + language + " itself";
+  if (dialect.keywords.holds(word)) return quoted(word) + " is a word of " + language + " itself";
   for (const std::string_view prefix : {"gl_", "GL_", "webgl_", "_webgl_"}) {
     if (word.starts_with(prefix))
       return "names that start with gl_ or webgl_ belong to GLSL, as " + quoted(word) + " does";

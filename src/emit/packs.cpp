@@ -137,7 +137,7 @@ class Packer {
     return all.first(std::min(all.size(), mostReaders));
   }
 
-  // Of one statement in the place of each lane's.
+  // Characters saved by one statement of this length in place of one for each lane.
   int gainOf(const Lanes& lanes, int length) const {
     int gain = -frame - length;
     for (const NodeId id : lanes) gain += frame + packs_.lengthOfStatement(id);

@@ -26,7 +26,7 @@ class Words {
  private:
   static constexpr std::size_t size = 512;
 
-  // Where the word is, or where it belongs, in open addressing by FNV-1a.
+  // The place that holds the word, or the empty one where it belongs; open addressing by FNV-1a.
   constexpr std::size_t placeOf(std::string_view word) const {
     std::uint32_t hash = 2166136261u;
     for (const char c : word) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;

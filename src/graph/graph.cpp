@@ -15,7 +15,7 @@ namespace {
 // Small, since most warps are, and every one has a table to clear; it doubles where it has to.
 constexpr std::size_t initialTableSize = 256;
 
-// By operation, in tables of bytes, since these are read for each operand of each node.
+// Tables of bytes by operation: they are read for each operand of each node.
 constexpr auto resultTypes = [] {
   std::array<ops::Type, arities.size()> all{};
   all.fill(ops::Type::Float);
@@ -30,7 +30,7 @@ constexpr auto isCommutative = [] {
   return all;
 }();
 
-// The same for x + y and y + x.
+// x + y and y + x have the same hash.
 std::size_t hash(const Node& node) {
   // Multiply and xor-shift, as in Steele and Vigna's splitmix64.
   const auto [x, y, z] = node.operands;
@@ -137,9 +137,7 @@ NodeId Graph::component(std::uint32_t input, int component) {
   return intern(Node{{input, static_cast<std::uint32_t>(component)}, inputOp});
 }
 
-ops::Type Graph::type(NodeId id) const {
-  return resultTypes[index(node(id).op)];
-}
+ops::Type Graph::type(NodeId id) const { return resultTypes[index(node(id).op)]; }
 
 NodeId Graph::convert(NodeId id, ops::Type wanted) {
   if (type(id) == wanted) return id;

@@ -1,5 +1,5 @@
-// Lengths of texts, which are corrected where a name changes, against lengths that are measured anew
-// by what they are defined as.
+// Lengths are corrected where a name changes; the tests compare them with lengths that are measured
+// anew from their definition.
 #include "emit/lengths.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What an offset function gets is made when it is read, and looks as if it had been there from the start.
+// The inputs of an offset function are made when they are read, and look as if they had been there from the start.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { compile, compileWarp, WarpError } from '../../dist/warpjet.js'
