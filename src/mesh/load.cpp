@@ -4,15 +4,20 @@
 #include <new>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "mesh/check.hpp"
+#include "mesh/format.hpp"
 #include "mesh/gltf/container.hpp"
 #include "mesh/gltf/gltf.hpp"
 #include "mesh/gltf/look.hpp"
 #include "mesh/gltf/merge.hpp"
-#include "mesh/gltf/uri.hpp"
 #include "mesh/obj/obj.hpp"
+#include "mesh/obj/paints.hpp"
 #include "mesh/sentences.hpp"
+#include "mesh/stl/stl.hpp"
+#include "mesh/text/encoding.hpp"
+#include "mesh/uri.hpp"
 
 namespace warpjet {
 
@@ -21,7 +26,13 @@ struct ModelFile::Description {
   std::optional<Bytes> binary;
 };
 
-ModelFile::ModelFile(Bytes bytes) : bytes_(bytes) {}
+ModelFile::ModelFile(Bytes bytes) : bytes_(bytes) {
+  if (isBinaryStl(bytes)) return;
+  if (std::optional<std::string> text = utf8OfUtf16(bytes)) {
+    converted_ = std::move(*text);
+    bytes_ = {reinterpret_cast<const std::uint8_t*>(converted_.data()), converted_.size()};
+  }
+}
 ModelFile::~ModelFile() = default;
 
 ModelFile::Description& ModelFile::description() {
@@ -35,7 +46,16 @@ ModelFile::Description& ModelFile::description() {
 }
 
 Mesh ModelFile::read(const Files& files, std::vector<std::string>& warnings) {
-  if (formatOf(bytes_) == Format::Obj) return meshOfObj(textOf(bytes_), warnings);
+  switch (formatOf(bytes_)) {
+    case Format::Obj:
+      return meshOfObj(textOf(bytes_), files, warnings);
+    case Format::TextStl:
+      return meshOfTextStl(textOf(bytes_), warnings);
+    case Format::BinaryStl:
+      return meshOfBinaryStl(bytes_, warnings);
+    default:
+      break;
+  }
   auto& [gltf, binary] = description();
   findBuffers(gltf, binary, files);
   Mesh mesh = mergedMesh(gltf, files);
@@ -67,9 +87,11 @@ Loaded ModelFile::load(const Files& files) {
   return loaded;
 }
 
-std::vector<std::string> ModelFile::externalFiles() {
+std::vector<std::string> ModelFile::externalFiles(const Files& files) {
   try {
-    if (formatOf(bytes_) == Format::Obj) return {};
+    const Format format = formatOf(bytes_);
+    if (format == Format::Obj) return filesOfObj(textOf(bytes_), files);
+    if (format == Format::TextStl || format == Format::BinaryStl) return {};
     const Gltf& gltf = description().gltf;
     std::vector<std::string> uris;
     std::set<std::string> known;
@@ -86,6 +108,8 @@ std::vector<std::string> ModelFile::externalFiles() {
 
 Loaded loadMesh(Bytes bytes, const Files& files) { return ModelFile(bytes).load(files); }
 
-std::vector<std::string> externalFiles(Bytes bytes) { return ModelFile(bytes).externalFiles(); }
+std::vector<std::string> externalFiles(Bytes bytes, const Files& files) {
+  return ModelFile(bytes).externalFiles(files);
+}
 
 }  // namespace warpjet

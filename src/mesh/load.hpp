@@ -1,4 +1,4 @@
-// Files of models: .glb, .gltf (2.0) and .obj bytes enter, one Mesh in the space of the scene
+// Files of models: .glb, .gltf (2.0), .obj and .stl bytes enter, one Mesh in the space of the scene
 // leaves, or one sentence that says what to change. Nothing of a file is trusted: whatever it says
 // is checked before it is believed, and no exception leaves. Pictures are handed on encoded.
 #pragma once
@@ -28,7 +28,7 @@ class ModelFile {
   ~ModelFile();
 
   // See the functions below. A file is loaded once.
-  std::vector<std::string> externalFiles();
+  std::vector<std::string> externalFiles(const Files& files = {});
   Loaded load(const Files& files);
 
  private:
@@ -38,7 +38,8 @@ class ModelFile {
   Description& description();
 
   Bytes bytes_;
-  std::unique_ptr<Description> description_;  // none yet, or none for an OBJ
+  std::string converted_;                     // what bytes_ show of a file in UTF-16
+  std::unique_ptr<Description> description_;  // none yet, or none for OBJ and STL
 };
 
 // The format is found from the bytes. All triangles of the default scene are merged, each at the
@@ -48,8 +49,9 @@ class ModelFile {
 Loaded loadMesh(Bytes bytes, const Files& files = {});
 
 // The URIs of the files that loadMesh wants in `files`: buffers, without which a model cannot be
-// read, and pictures of base colours, which it warns about. Nothing where the bytes cannot be read
-// at all.
-std::vector<std::string> externalFiles(Bytes bytes);
+// read, and pictures of base colours and .mtl files, which it warns about. The pictures of an .mtl
+// file are among them once it is among `files` itself. Nothing where the bytes cannot be read at
+// all.
+std::vector<std::string> externalFiles(Bytes bytes, const Files& files = {});
 
 }  // namespace warpjet

@@ -7,8 +7,8 @@
 
 #include "mesh/gltf/json_text.hpp"
 #include "mesh/gltf/schema.hpp"
-#include "mesh/gltf/uri.hpp"
 #include "mesh/sentences.hpp"
+#include "mesh/uri.hpp"
 
 namespace warpjet {
 

@@ -1,11 +1,11 @@
 #include "mesh/gltf/look.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
-#include "mesh/gltf/uri.hpp"
+#include "mesh/picture.hpp"
 #include "mesh/sentences.hpp"
+#include "mesh/uri.hpp"
 
 namespace warpjet {
 
@@ -21,16 +21,6 @@ int pictureOfTexture(const Gltf& gltf, int texture) {
   if (texture == noPlace) return noPlace;
   const auto& textures = gltf.model.textures;
   return textures[checkedIndex("texture", texture, textures.size())].source;
-}
-
-// By the first bytes, for pictures whose type nobody says.
-std::string sniffedType(const std::vector<std::uint8_t>& bytes) {
-  const std::string_view text = textOf(bytes);
-  if (text.starts_with("\x89PNG")) return "image/png";
-  if (text.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
-  if (text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP")) return "image/webp";
-  if (text.starts_with("\xABKTX 20")) return "image/ktx2";
-  return "application/octet-stream";
 }
 
 std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, const Files& files) {
