@@ -12,6 +12,7 @@
 #include "mesh/gltf/gltf.hpp"
 #include "mesh/gltf/look.hpp"
 #include "mesh/gltf/merge.hpp"
+#include "mesh/gltf/packed.hpp"
 #include "mesh/obj/obj.hpp"
 #include "mesh/obj/paints.hpp"
 #include "mesh/sentences.hpp"
@@ -24,6 +25,8 @@ namespace warpjet {
 struct ModelFile::Description {
   Gltf gltf;
   std::optional<Bytes> binary;
+  bool hasBuffers = false;
+  std::vector<PackedPart> parts;
 };
 
 ModelFile::ModelFile(Bytes bytes) : bytes_(bytes) {
@@ -39,10 +42,29 @@ ModelFile::Description& ModelFile::description() {
   if (!description_) {
     const bool isGlb = formatOf(bytes_) == Format::Glb;
     const Chunks chunks = isGlb ? chunksOfGlb(bytes_) : Chunks{textOf(bytes_), std::nullopt};
-    description_ =
-        std::make_unique<Description>(Description{describedGltf(chunks.json), chunks.binary});
+    description_ = std::make_unique<Description>(
+        Description{describedGltf(chunks.json), chunks.binary, false, {}});
   }
   return *description_;
+}
+
+ModelFile::Description& ModelFile::readyDescription(const Files& files) {
+  Description& ready = description();
+  if (!std::exchange(ready.hasBuffers, true)) {
+    findBuffers(ready.gltf, ready.binary, files);
+    ready.parts = findPacked(ready.gltf);
+  }
+  return ready;
+}
+
+std::vector<PackedPart> ModelFile::packedParts(const Files& files) {
+  const Format format = formatOf(bytes_);
+  if (format != Format::Glb && format != Format::Gltf) return {};
+  return readyDescription(files).parts;
+}
+
+void ModelFile::unpack(std::size_t part, Pieces pieces) {
+  warpjet::unpack(description().gltf, part, std::move(pieces));
 }
 
 Mesh ModelFile::read(const Files& files, std::vector<std::string>& warnings) {
@@ -56,8 +78,8 @@ Mesh ModelFile::read(const Files& files, std::vector<std::string>& warnings) {
     default:
       break;
   }
-  auto& [gltf, binary] = description();
-  findBuffers(gltf, binary, files);
+  Gltf& gltf = readyDescription(files).gltf;
+  refusePacked(gltf);
   Mesh mesh = mergedMesh(gltf, files);
   warnings = gltf.warnings;
   return mesh;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/files.hpp"
+#include "mesh/gltf/packed_part.hpp"
 #include "mesh/mesh.hpp"
 
 namespace warpjet {
@@ -31,11 +32,18 @@ class ModelFile {
   std::vector<std::string> externalFiles(const Files& files = {});
   Loaded load(const Files& files);
 
+  // The compressed parts of a glTF, in place of which `unpack` may put what they are before it is
+  // loaded: see gltf/packed_part.hpp. The
+  // files must stay where they are until it is loaded. Throws a FileProblem.
+  std::vector<PackedPart> packedParts(const Files& files);
+  void unpack(std::size_t part, Pieces pieces);
+
  private:
   struct Description;
 
   Mesh read(const Files& files, std::vector<std::string>& warnings);
   Description& description();
+  Description& readyDescription(const Files& files);
 
   Bytes bytes_;
   std::string converted_;                     // what bytes_ show of a file in UTF-16

@@ -210,5 +210,122 @@ TEST(GltfExtensions, LosesOnlyTexturesOfFormatsItDoesNotRead) {
   }
 }
 
+// A triangle whose positions are in a view that meshopt has compressed, as nobody here decodes it.
+GltfBuilder compressed(const json& packed = json::object()) {
+  GltfBuilder file = triangleFile();
+  file.tree["extensionsUsed"] = file.tree["extensionsRequired"] = {"EXT_meshopt_compression"};
+  json extension = {
+      {"buffer", 0}, {"byteLength", 20}, {"byteStride", 12}, {"count", 3}, {"mode", "ATTRIBUTES"}};
+  if (packed.is_object()) extension.update(packed);
+  file.tree["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = extension;
+  file.tree["bufferViews"][0]["buffer"] = 1;
+  file.tree["buffers"] = {
+      {{"byteLength", 36}},
+      {{"byteLength", 36}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
+  return file;
+}
+
+std::vector<std::uint8_t> rawBytes(const Floats& numbers) {
+  const auto* first = reinterpret_cast<const std::uint8_t*>(numbers.data());
+  return {first, first + numbers.size() * sizeof(float)};
+}
+
+TEST(GltfExtensions, TakesUnpackedViews) {
+  const File file = compressed().glb();
+  ModelFile model(file);
+  const std::vector<PackedPart> parts = model.packedParts({});
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].bytes.size(), 20u);
+  EXPECT_EQ(json::parse(parts[0].plan), (json{{"codec", "meshopt"},
+                                              {"extension", "EXT_meshopt_compression"},
+                                              {"isOptional", false},
+                                              {"count", 3},
+                                              {"byteStride", 12},
+                                              {"mode", "ATTRIBUTES"},
+                                              {"filter", "NONE"}}));
+  model.unpack(0, {rawBytes(triangle)});
+  EXPECT_EQ(model.load({}).mesh->positions, triangle);
+  EXPECT_EQ(loadMesh(file).problem,
+            "loadMesh: the model is compressed by EXT_meshopt_compression, for which there is no "
+            "decoder here; export the model without meshopt compression.");
+}
+
+TEST(GltfExtensions, ReadsTheFallbackOfACompressedView) {
+  GltfBuilder file = compressed();
+  file.tree["buffers"][1]["uri"] = "plain.bin";
+  EXPECT_EQ(load(file.glb(), {{"plain.bin", rawBytes(triangle)}}).mesh->positions, triangle);
+  EXPECT_NE(loadMesh(file.glb()).problem.find("no decoder here"), std::string::npos);
+}
+
+TEST(GltfExtensions, RefusesCompressedViewsThatLie) {
+  const auto problem = [](const json& packed, std::vector<std::uint8_t> bytes = {}) {
+    const File file = compressed(packed).glb();
+    ModelFile model(file);
+    try {
+      model.packedParts({});
+      model.unpack(0, {std::move(bytes)});
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return model.load({}).problem;
+  };
+  EXPECT_NE(problem({{"mode", "POINTS"}}).find("unknown mode \"POINTS\""), std::string::npos);
+  EXPECT_NE(problem({{"filter", "BLUR"}}).find("unknown filter \"BLUR\""), std::string::npos);
+  EXPECT_NE(problem({{"byteStride", 6}}).find("byteStride 6"), std::string::npos);
+  EXPECT_NE(problem({{"filter", "QUATERNION"}}).find("byteStride 12"), std::string::npos);
+  EXPECT_NE(problem({{"mode", "TRIANGLES"}, {"byteStride", 2}, {"count", 4}}).find("triangle"),
+            std::string::npos);
+  EXPECT_NE(problem({{"count", 4000000000u}}).find("would take 48,000,000,000"), std::string::npos);
+  EXPECT_NE(problem({{"byteLength", 99}}).find("reads up to byte 99 of buffer 0"),
+            std::string::npos);
+  EXPECT_NE(problem({{"buffer", 7}}).find("buffer 7"), std::string::npos);
+  EXPECT_NE(problem({}, std::vector<std::uint8_t>(35)).find("another length than it says"),
+            std::string::npos);
+}
+
+// A primitive that Draco has compressed; the numbers in `bytes` are not Draco's.
+GltfBuilder dracoFile() {
+  GltfBuilder file;
+  const int view = file.view<std::uint8_t>({1, 2, 3});
+  for (const char* type : {"VEC3", "VEC2"})
+    file.add("accessors", {{"componentType", 5126}, {"count", 3}, {"type", type}});
+  file.add("accessors", {{"componentType", 5123}, {"count", 3}, {"type", "SCALAR"}});
+  file.mesh({{"POSITION", 0}, {"TEXCOORD_0", 1}},
+            {{"indices", 2},
+             {"mode", 5},
+             {"extensions",
+              {{"KHR_draco_mesh_compression",
+                {{"bufferView", view}, {"attributes", {{"POSITION", 4}, {"TEXCOORD_0", 2}}}}}}}});
+  file.node({{"mesh", 0}});
+  return file;
+}
+
+TEST(GltfExtensions, TakesUnpackedPrimitives) {
+  const File file = dracoFile().glb();
+  ModelFile model(file);
+  const std::vector<PackedPart> parts = model.packedParts({});
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].bytes.size(), 3u);
+  EXPECT_EQ(json::parse(parts[0].plan)["attributes"],
+            (json{{{"id", 4}, {"componentType", 5126}, {"width", 3}},
+                  {{"id", 2}, {"componentType", 5126}, {"width", 2}}}));
+  const Indices corners{0, 2, 1};
+  const auto* first = reinterpret_cast<const std::uint8_t*>(corners.data());
+  model.unpack(0, {{first, first + 12}, rawBytes(triangle), rawBytes({0, 0, 1, 0, 0, 1})});
+  const Loaded loaded = model.load({});
+  ASSERT_TRUE(loaded.mesh) << loaded.problem;
+  EXPECT_EQ(loaded.mesh->positions, triangle);
+  EXPECT_EQ(loaded.mesh->indices, corners);
+  EXPECT_EQ(loaded.mesh->uvs, (Floats{0, 0, 1, 0, 0, 1}));
+
+  ModelFile broken(file);
+  broken.packedParts({});
+  EXPECT_THROW(broken.unpack(0, {{first, first + 12}, rawBytes(triangle), rawBytes({0, 0})}),
+               std::runtime_error);
+  ModelFile other(file);
+  other.packedParts({});
+  EXPECT_THROW(other.unpack(0, {{first, first + 12}}), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace warpjet
