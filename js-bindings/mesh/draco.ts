@@ -1,5 +1,9 @@
 // Draco's module of C++ classes, as far as it is needed to decode a primitive of a glTF.
-import type { DracoPlan } from './unpack.js'
+
+/** What of a primitive is wanted: `componentType` is glTF's, `width` how many numbers a vertex has. */
+export interface DracoPlan {
+  attributes: { id: number; componentType: number; width: number }[]
+}
 
 interface Attribute {
   ptr: number

@@ -1,7 +1,7 @@
 // Compressed parts of a glTF, from the bytes of the file to those that it stands for.
 import { WarpError, shorten } from '../checks/errors.js'
 import { type Codec, type MeshoptDecoder, adviceFor } from './decoders.js'
-import { type DracoModule, decodeDraco } from './draco.js'
+import { type DracoModule, type DracoPlan, decodeDraco } from './draco.js'
 import type { Job } from '../wasm/mesh.js'
 
 /** By codec: the decoder, or `undefined` where it was looked for and not found. */
@@ -12,11 +12,6 @@ type Plan = { extension: string; isOptional: boolean } & (
   | { codec: 'meshopt'; count: number; byteStride: number; mode: string; filter: string }
   | ({ codec: 'draco' } & DracoPlan)
 )
-
-export interface DracoPlan {
-  /** `componentType` is glTF's, `width` how many numbers a vertex has. */
-  attributes: { id: number; componentType: number; width: number }[]
-}
 
 /** Decodes all compressed parts of the job's file, or answers which decoders have not been looked for. */
 export function unpackParts(job: Job, found: FoundDecoders): Codec[] {

@@ -1,6 +1,6 @@
 // glTF files that use extensions or weights of morph targets, each with the triangles that it must have.
 import { as, plain, sparse } from './gltf-variants.js'
-import { trianglesOf } from './shapes.js'
+import { reversed, trianglesOf } from './shapes.js'
 
 const lift = (shape) => shape.positions.map((_, i) => (i % 3 === 1 ? (i % 2) + 0.5 : 0))
 
@@ -64,13 +64,15 @@ const instanced =
         }
       },
     })
-    const triangles = [a, b, c].flatMap((place, i) =>
-      trianglesOf(shape, (corner) => {
-        const scaled = parts.includes('SCALE') ? corner.map((x, k) => x * scales[i][k]) : corner
-        const turned = parts.includes('ROTATION') ? turn[i](scaled) : scaled
+    const triangles = [a, b, c].flatMap((place, i) => {
+      const [isSized, isTurned] = ['SCALE', 'ROTATION'].map((name) => parts.includes(name))
+      const moved = trianglesOf(shape, (corner) => {
+        const scaled = isSized ? corner.map((x, k) => x * scales[i][k]) : corner
+        const turned = isTurned ? turn[i](scaled) : scaled
         return turned.map((x, k) => x + place[k] + (k === 2 ? 100 : 0))
-      }),
-    )
+      })
+      return isSized && scales[i][0] < 0 ? reversed(moved) : moved
+    })
     return { ...writer.glb(), triangles, tolerance: more ? 0.02 : 1e-5 }
   }
 

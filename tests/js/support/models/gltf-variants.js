@@ -1,6 +1,6 @@
 // glTF files in many forms, each with the triangles that its shape must have: { file, files?, triangles, tolerance? }.
-import { GltfWriter } from './writer.js'
-import { trianglesOf } from './shapes.js'
+import { GltfWriter, extent } from './writer.js'
+import { reversed, trianglesOf } from './shapes.js'
 
 /** The accessors of a shape's attributes; `own` replaces some of them. */
 const attributesOf = (writer, shape, own = {}) => ({
@@ -72,13 +72,10 @@ function interleaved(shape, byteStride) {
   }
   const own = (writer) => {
     const bufferView = writer.view(bytes, { byteStride, target: 34962 })
-    const [min, max] = [Math.min, Math.max].map((pick) =>
-      [0, 1, 2].map((k) => pick(...[...shape.positions].filter((_, i) => i % 3 === k))),
-    )
     const part = (byteOffset, type, more) =>
       writer.add('accessors', { bufferView, byteOffset, componentType: 5126, count, type, ...more })
     return {
-      POSITION: part(0, 'VEC3', { min, max }),
+      POSITION: part(0, 'VEC3', extent(shape.positions)),
       NORMAL: part(12, 'VEC3'),
       TEXCOORD_0: part(24, 'VEC2'),
     }
@@ -87,13 +84,13 @@ function interleaved(shape, byteStride) {
 }
 
 /** An accessor whose elements from place 1 on are sparse; `base` says whether the others have a view. */
-export function sparse(writer, numbers, type, width, base) {
+export function sparse(writer, numbers, type, width, base, more) {
   const count = numbers.length / width
   const places = Uint16Array.from({ length: count - 1 }, (_, i) => i + 1)
   const componentType = type === 'SCALAR' ? 5123 : 5126
   const first = numbers.slice()
   if (base) first.fill(7, width)
-  const place = writer.add('accessors', {
+  return writer.add('accessors', {
     ...(base && { bufferView: writer.view(first) }),
     componentType,
     count,
@@ -103,8 +100,8 @@ export function sparse(writer, numbers, type, width, base) {
       indices: { bufferView: writer.view(places), componentType: 5123 },
       values: { bufferView: writer.view(numbers.slice(width)) },
     },
+    ...more,
   })
-  return place
 }
 
 /** So that the first element is zero. */
@@ -113,21 +110,10 @@ const fromOrigin = (shape) => {
   return { ...shape, positions: shape.positions.map((n, i) => n - [x, y, z][i % 3]) }
 }
 
-const withExtent = (writer, place, positions) => {
-  const ofAxis = (k) => [...positions].filter((_, i) => i % 3 === k)
-  writer.json.accessors[place].min = [0, 1, 2].map((k) => Math.min(...ofAxis(k)))
-  writer.json.accessors[place].max = [0, 1, 2].map((k) => Math.max(...ofAxis(k)))
-  return place
-}
-
 const sparsePositions = (isZero) => (given) => {
   const shape = isZero ? fromOrigin(given) : given
   const own = (writer) => ({
-    POSITION: withExtent(
-      writer,
-      sparse(writer, shape.positions, 'VEC3', 3, !isZero),
-      shape.positions,
-    ),
+    POSITION: sparse(writer, shape.positions, 'VEC3', 3, !isZero, extent(shape.positions)),
   })
   return { ...plain(shape, { own }).glb(), triangles: trianglesOf(shape) }
 }
@@ -152,24 +138,20 @@ const sparseIndices = as((shape) =>
 const matrix = [0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1.5, 0, 3, 4, 5, 1]
 const byMatrix = ([x, y, z]) => [-y + 3, 2 * x + 4, 1.5 * z + 5]
 
+/** Each vertex follows two bones, by a quarter and by three quarters. */
 function skinned(shape) {
   const count = shape.positions.length / 3
-  const own = (writer) => {
-    const joints = Uint8Array.from({ length: 4 * count }, (_, i) =>
-      i % 4 === 0 ? 0 : i % 4 === 1 ? 1 : 0,
-    )
-    const weights = Float32Array.from({ length: 4 * count }, (_, i) => [0.25, 0.75, 0, 0][i % 4])
-    return { joints: writer.accessor(joints, 'VEC4'), weights: writer.accessor(weights, 'VEC4') }
-  }
+  const each = (Type, four) => Type.from({ length: 4 * count }, (_, i) => four[i % 4])
   return plain(shape, {}, (writer) => {
-    const { joints, weights } = own(writer)
     Object.assign(writer.json.meshes[0].primitives[0].attributes, {
-      JOINTS_0: joints,
-      WEIGHTS_0: weights,
+      JOINTS_0: writer.accessor(each(Uint8Array, [0, 1, 0, 0]), 'VEC4'),
+      WEIGHTS_0: writer.accessor(each(Float32Array, [0.25, 0.75, 0, 0]), 'VEC4'),
     })
-    writer.node({ translation: [4, 0, 0] })
-    writer.node({ translation: [0, 8, 0] })
-    writer.json.nodes[0].skin = writer.add('skins', { joints: [1, 2] })
+    const bones = [{ translation: [4, 0, 0] }, { translation: [0, 8, 0] }].map((bone) =>
+      writer.add('nodes', bone),
+    )
+    writer.node({ children: bones })
+    writer.json.nodes[0].skin = writer.add('skins', { joints: bones })
   })
 }
 
@@ -189,11 +171,10 @@ export const plainVariants = {
   'sparse positions': sparsePositions(false),
   'sparse positions upon zeros': sparsePositions(true),
   'sparse indices upon zeros': sparseIndices,
-  'a negative scale': as(
-    (shape) => plain(shape, { node: () => ({ scale: [-2, 1, 1] }) }),
-    'glb',
-    ([x, y, z]) => [-2 * x, y, z],
-  ),
+  'a negative scale': (shape) => ({
+    ...plain(shape, { node: () => ({ scale: [-2, 1, 1] }) }).glb(),
+    triangles: reversed(trianglesOf(shape, ([x, y, z]) => [-2 * x, y, z])),
+  }),
   'a matrix': as((shape) => plain(shape, { node: () => ({ matrix }) }), 'glb', byMatrix),
   'nested nodes': as(
     (shape) =>

@@ -3,7 +3,7 @@ import { MeshoptEncoder } from 'meshoptimizer'
 import draco from 'draco3dgltf'
 import { plain } from './gltf-variants.js'
 import { trianglesOf } from './shapes.js'
-import { GltfWriter, bytesOf, componentTypes, widths } from './writer.js'
+import { GltfWriter, bytesOf, componentTypes, extent, widths } from './writer.js'
 
 await MeshoptEncoder.ready
 const encoderModule = await draco.createEncoderModule({})
@@ -94,10 +94,11 @@ const exponential = (packer, { positions }) => {
   const count = positions.length / 3
   const bytes = MeshoptEncoder.encodeFilterExp(positions, count, 12, 15)
   const view = packer.view(bytes, count, 12, 'ATTRIBUTES', { filter: 'EXPONENTIAL' })
-  return packer.over(view, Float32Array, count, 'VEC3')
+  return packer.over(view, Float32Array, count, 'VEC3', extent(positions))
 }
 
-const floats = (packer, { positions }) => packer.accessor(positions, 'VEC3')
+const floats = (packer, { positions }) =>
+  packer.accessor(positions, 'VEC3', 'ATTRIBUTES', extent(positions))
 
 /** `change` bends the document before it is written. */
 function packed(

@@ -78,6 +78,9 @@ export function trianglesOf({ positions, indices }, move = (corner) => corner) {
   return Array.from({ length: points.length / 3 }, (_, i) => points.slice(3 * i, 3 * i + 3))
 }
 
+/** The same triangles from behind, as where something is mirrored. */
+export const reversed = (triangles) => triangles.map(([a, b, c]) => [a, c, b])
+
 /** Without area, as triangles at the pole of a sphere are. */
 function isFlat([a, b, c]) {
   const [u, v] = [b, c].map((point) => point.map((x, k) => x - a[k]))

@@ -107,7 +107,8 @@ export class GltfWriter {
   }
 }
 
-function extent(numbers) {
+/** What an accessor says of its numbers, three each. */
+export function extent(numbers) {
   const [min, max] = [Array(3).fill(Infinity), Array(3).fill(-Infinity)]
   numbers.forEach((value, i) => {
     min[i % 3] = Math.min(min[i % 3], value)
