@@ -30,7 +30,7 @@ struct ModelFile::Description {
 };
 
 ModelFile::ModelFile(Bytes bytes) : bytes_(bytes) {
-  if (isBinaryStl(bytes)) return;
+  if (hasStlSize(bytes)) return;
   if (std::optional<std::string> text = utf8OfUtf16(bytes)) {
     converted_ = std::move(*text);
     bytes_ = {reinterpret_cast<const std::uint8_t*>(converted_.data()), converted_.size()};

@@ -122,7 +122,10 @@ TEST(Obj, ReadsFilesWithAByteOrderMark) {
 TEST(Obj, ReadsUtf16) {
   for (const bool isBigEndian : {false, true})
     for (const bool hasMark : {false, true})
-      for (const std::string& text : {square + "f 1 2 3\n", "# \xE4\n" + square + "f 1 2 3\r\n"})
+      for (const std::string& text :
+           {square + "f 1 2 3\n",
+            square + "# long enough for the header of a binary .stl\nf 1 2 3\n",
+            "# \xE4\n" + square + "f 1 2 3\r\n"})
         EXPECT_EQ(meshOf(utf16(text, isBigEndian, hasMark)).positions,
                   (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}))
             << isBigEndian << hasMark;

@@ -105,9 +105,13 @@ void readFacet(Words& words, Facets& facets) {
 
 }  // namespace
 
+bool hasStlSize(Bytes bytes) {
+  return bytes.size() >= start && sizeInHeader(bytes) == bytes.size();
+}
+
 bool isBinaryStl(Bytes bytes) {
   if (bytes.size() < start) return false;
-  if (sizeInHeader(bytes) == bytes.size()) return true;
+  if (hasStlSize(bytes)) return true;
   const std::string_view text = textOf(bytes);
   if (text.find('\0') == text.npos) return false;
   if (isWord(text.substr(0, 5), "solid")) return true;

@@ -11,8 +11,11 @@
 
 namespace warpjet {
 
-// Whether the bytes have the size that a binary STL's header says, or else look like one that is
-// cut off or has more behind it. Many of their headers begin with "solid", as texts do.
+// Whether the bytes have the size that a binary STL's header says.
+bool hasStlSize(Bytes bytes);
+
+// The same, or whether they look like one that is cut off or has more behind it. Many of their
+// headers begin with "solid", as texts do.
 bool isBinaryStl(Bytes bytes);
 
 // Whether a text begins with the word "solid".
