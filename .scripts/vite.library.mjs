@@ -5,8 +5,16 @@ import { path } from './lib/files.mjs'
 
 const { name, version, license } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
 
-// p5 is the page's own: the addon is handed it, or finds it as a global. So is three. The command line runs in Node only.
-const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^@babylonjs\//, /^node:/]
+// p5 is the page's own: the addon is handed it, or finds it as a global. So is three. Decoders of models are the user's choice. The command line runs in Node only.
+const external = [
+  'p5',
+  /^(three|react)(\/|$)/,
+  '@react-three/fiber',
+  /^@babylonjs\//,
+  /^node:/,
+  'meshoptimizer',
+  'draco3dgltf',
+]
 
 const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 

@@ -28,7 +28,7 @@ declare global {
     options?: CreateWarpOptions<Uniforms>,
   ): Distort<Uniforms>
 
-  /** A .glb, .gltf or .obj file as a p5.Geometry for `model()`: awaited on p5 2, on 1.11 called in `preload()`. */
+  /** A .glb, .gltf, .obj or .stl file as a p5.Geometry for `model()`: awaited on p5 2, on 1.11 called in `preload()`. */
   function loadWarpModel(
     url: string | URL,
     options?: LoadModelOptions,

@@ -5,6 +5,7 @@
 export { bakeWarp, type Evaluates } from './mesh/bake.js'
 export { exportGLB } from './mesh/export.js'
 export { loadMesh, type LoadAsOptions, type LoadOptions } from './mesh/load.js'
+export type { Decoders, DracoDecoderModule, MeshoptDecoder } from './mesh/decoders.js'
 export type { Material, Mesh, MeshInput, Picture } from './mesh/mesh-arrays.js'
 export type { Plain } from './mesh/geometry.js'
 export { subdivide, type AdaptiveOptions, type LevelsOptions } from './mesh/subdivide.js'

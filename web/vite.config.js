@@ -43,6 +43,8 @@ export default {
       'gl-matrix',
       'lil-gui',
       'minisearch',
+      'meshoptimizer',
+      'draco3dgltf',
     ],
   },
   build: {

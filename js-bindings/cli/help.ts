@@ -8,7 +8,8 @@ export const help = `warpjet warps 3D models with a function of their vertices.
   npx warpjet derive scene.glsl --by p            a function of GLSL with its derivatives
   npx warpjet info model.glb                      what is in a model
 
-\`npx warpjet <command> --help\` has the options. Models are .glb, .gltf or .obj.
+\`npx warpjet <command> --help\` has the options. Models are .glb, .gltf, .obj or .stl. Compressed ones need the
+package meshoptimizer or draco3dgltf installed.
 
 warp.js is an ES module that exports the offset function, the one that createWarp takes too:
 

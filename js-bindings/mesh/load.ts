@@ -3,7 +3,9 @@ import { WarpError, describe } from '../checks/errors.js'
 import { checkOptions } from '../checks/options.js'
 import { isGeometry } from '../inputs/geometry.js'
 import { geometryAs } from './geometry.js'
+import { type Codec, type Decoders, checkDecoders, findDecoder } from './decoders.js'
 import { type Mesh, takeMesh } from './mesh-arrays.js'
+import { type FoundDecoders, unpackParts } from './unpack.js'
 import { type Job, withJob } from '../wasm/mesh.js'
 import {
   type Bytes,
@@ -15,8 +17,10 @@ import {
 } from './sources.js'
 
 export interface LoadOptions {
-  /** Gives the further files that a .gltf names; where the model has a URL they are taken from beside it. */
+  /** Gives the further files that a .gltf, .obj or .mtl names; where the model has a URL they are taken from beside it. */
   resolve?: Resolve
+  /** For compressed glTF files. Those of the packages meshoptimizer and draco3dgltf are found where they are installed. */
+  decoders?: Decoders
 }
 
 export interface LoadAsOptions<Geometry> extends LoadOptions {
@@ -27,8 +31,8 @@ export interface LoadAsOptions<Geometry> extends LoadOptions {
 type FurtherFiles = Map<string, Uint8Array>
 
 /**
- * Reads a model: .glb and .gltf (2.0), and .obj. All triangles of its scene become one mesh, each where its nodes and bones
- * place it; missing normals are computed, colours outside 0 to 1 clamped to it (whole numbers to 255 in an .obj scaled),
+ * Reads a model: .glb and .gltf (2.0), .obj with its .mtl, and .stl. All triangles of its scene become one mesh, each where its
+ * nodes, instances and bones place it, in the shape of its morph weights; missing normals are computed, colours outside 0 to 1 clamped to it (whole numbers to 255 in an .obj scaled),
  * normals of other lengths scaled to 1; what is left out, such as animations, or put right stands in `warnings`. `source` is
  * bytes, a Blob or File, or a URL, which in Node may be a path. Throws a `WarpError` for a file that cannot be read, or is broken
  * or too large.
@@ -42,59 +46,89 @@ export async function loadMesh(
   source: Source,
   options: LoadOptions & { as?: new () => unknown } = {},
 ): Promise<unknown> {
-  checkOptions('loadMesh', options, ['resolve', 'as'])
+  checkOptions('loadMesh', options, ['resolve', 'as', 'decoders'])
   const { as } = options
-  if (as === undefined) return read(source, options)
+  if (as === undefined) return (await readModel(source, options)).mesh
   if (typeof as !== 'function' || !isGeometry(new as()))
     throw new WarpError(
       `loadMesh: the option "as" must be the class BufferGeometry of three.js, but is ${describe(as)}.`,
     )
-  return geometryAs(as, await read(source, options))
+  return geometryAs(as, (await readModel(source, options)).mesh)
 }
 
-async function read(source: Source, options: LoadOptions): Promise<Mesh> {
-  const given: unknown = options.resolve
+/** A mesh, and which of its vertices a material of an .obj gives a colour: 1 or 0 for each, or none. */
+export interface LoadedModel {
+  mesh: Mesh
+  painted: Uint8Array
+}
+
+type Step =
+  | { model: LoadedModel; missing?: undefined; needed?: undefined }
+  | { missing: string[]; needed?: undefined; model?: undefined }
+  | { needed: Codec[]; missing?: undefined; model?: undefined }
+
+/** Reads a model, for `method`, which the user called. */
+export async function readModel(
+  source: unknown,
+  { resolve: given, decoders }: LoadOptions,
+): Promise<LoadedModel> {
   if (given !== undefined && typeof given !== 'function')
     throw new WarpError(
       `loadMesh: the option "resolve" must be a function from a URI to bytes, but is ${describe(given)}.`,
     )
+  checkDecoders('loadMesh', decoders)
   const place = await locate(source, 'loadMesh')
   const bytes = await readBytes(place, 'loadMesh')
-  const beside = place instanceof URL ? resolveBeside(place, 'loadMesh') : undefined
-  const resolve = options.resolve ?? beside
+  const resolve =
+    given ?? (place instanceof URL ? resolveBeside(place, 'loadMesh', !isGltf(bytes)) : undefined)
 
-  const first = withJob('loadMesh', (job) => {
-    job.setBytes('file', bytes)
-    job.act('findFiles')
-    const missing = job.texts()
-    return missing.length && resolve ? { missing } : { mesh: load(job) }
-  })
-  if (first.mesh) return first.mesh
-  const files = await gather(first.missing!, resolve!)
-  return withJob('loadMesh', (job) => {
-    job.setBytes('file', bytes)
-    for (const [name, contents] of files) {
-      job.setText('name', name)
-      job.setBytes('contents', contents)
-      job.act('keepFile')
-    }
-    return load(job)
-  })
+  const files: FurtherFiles = new Map()
+  const asked = new Set<string>()
+  const found: FoundDecoders = new Map()
+  for (;;) {
+    const step = withJob('loadMesh', (job): Step => {
+      putFiles(job, bytes, files)
+      job.act('findFiles')
+      const missing = job.texts().filter((uri) => !asked.has(uri))
+      if (missing.length && resolve) return { missing }
+      const needed = unpackParts(job, found)
+      return needed.length ? { needed } : { model: load(job) }
+    })
+    if (step.model) return step.model
+    for (const uri of step.missing ?? []) asked.add(uri)
+    if (step.missing) await gather(step.missing, resolve!, files)
+    for (const codec of step.needed ?? [])
+      found.set(codec, await findDecoder('loadMesh', codec, decoders))
+  }
 }
 
-function load(job: Job): Mesh {
+/** Only a .gltf needs files; an .obj can do without its materials. */
+function isGltf(bytes: Uint8Array): boolean {
+  const start = new TextDecoder().decode(bytes.subarray(0, 64)).trimStart()
+  return start.startsWith('glTF') || start.startsWith('{')
+}
+
+function putFiles(job: Job, bytes: Uint8Array, files: FurtherFiles) {
+  job.setBytes('file', bytes)
+  for (const [name, contents] of files) {
+    job.setText('name', name)
+    job.setBytes('contents', contents)
+    job.act('keepFile')
+  }
+}
+
+function load(job: Job): LoadedModel {
   job.act('loadFile')
   const warnings = job.texts()
-  return warnings.length ? { ...takeMesh(job), warnings } : takeMesh(job)
+  const mesh = takeMesh(job)
+  return { mesh: warnings.length ? { ...mesh, warnings } : mesh, painted: job.bytes('painted') }
 }
 
-/** Those of the files that there are; what is missing, the loader says. */
-async function gather(uris: readonly string[], resolve: Resolve): Promise<FurtherFiles> {
-  const files: FurtherFiles = new Map()
+/** Adds those of the files that there are; what is missing, the loader says. */
+async function gather(uris: readonly string[], resolve: Resolve, files: FurtherFiles) {
   for (const uri of uris) {
     const contents: Bytes | undefined = await resolve(uri)
     if (contents !== undefined)
       files.set(uri, await readBytes(contents, `loadMesh: resolve("${uri}")`))
   }
-  return files
 }

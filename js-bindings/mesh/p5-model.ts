@@ -3,7 +3,8 @@
 // module.
 import { WarpError, describe } from '../checks/errors.js'
 import { checkOptions } from '../checks/options.js'
-import { loadMesh } from './load.js'
+import type { Decoders } from './decoders.js'
+import { readModel } from './load.js'
 import type { Mesh, Picture } from './mesh-arrays.js'
 
 export interface LoadModelOptions {
@@ -11,6 +12,8 @@ export interface LoadModelOptions {
   normalize?: boolean
   /** The file's y upwards on the canvas; true unless given. */
   flipY?: boolean
+  /** For compressed glTF files, as `loadMesh` takes them. */
+  decoders?: Decoders
 }
 
 export interface Vector {
@@ -69,10 +72,11 @@ export async function fillP5Model(
     throw new WarpError(
       `loadWarpModel: the address of a model such as "bunny.glb" was expected, but ${describe(url)} came.`,
     )
-  checkOptions('loadWarpModel', options, ['normalize', 'flipY'])
-  const mesh = await loadMesh(url)
-  const { normalize = true, flipY = true } = options
+  checkOptions('loadWarpModel', options, ['normalize', 'flipY', 'decoders'])
+  const { normalize = true, flipY = true, decoders } = options
+  const { mesh, painted } = await readModel(url, { decoders })
   putVertices(model, p5, mesh, flipY)
+  model.vertexColors = colorsOf(mesh, painted)
   if (normalize) model.normalize()
   model.warnings.push(...(mesh.warnings ?? []))
   const picture = mesh.material?.baseColorTexture
@@ -91,7 +95,6 @@ function putVertices(model: WarpModel, { Vector }: Makers, mesh: Mesh, flipY: bo
   model.vertices = vectors(positions)
   model.vertexNormals = vectors(normals)
   model.uvs = uvs ? Array.from(uvs) : new Array(2 * count).fill(0)
-  model.vertexColors = colorsOf(mesh, count)
   const corner = (i: number) => (indices ? indices[i]! : i)
   // A reflection turns triangles inside out.
   const [second, third] = flipY ? [2, 1] : [1, 2]
@@ -102,15 +105,23 @@ function putVertices(model: WarpModel, { Vector }: Makers, mesh: Mesh, flipY: bo
   ])
 }
 
-/** Vertex colours times the material's; none if all is white, so that `fill` decides. */
-function colorsOf({ colors, material }: Mesh, count: number): number[] {
+/**
+ * Vertex colours times the material's; none if all is white, so that `fill` decides. Where a material of an .obj gives only some
+ * vertices their colour, p5 takes -1 as the others' and draws them as `fill` says, as its own `loadModel` does.
+ */
+function colorsOf({ positions, colors, material }: Mesh, painted: Uint8Array): number[] {
   const base = material?.baseColor ?? [1, 1, 1, 1]
-  if (!colors && base.every((part) => part === 1)) return []
-  return Array.from({ length: 4 * count }, (_, i) => {
+  if (!colors && !painted.length && base.every((part) => part === 1)) return []
+  return Array.from({ length: (positions.length / 3) * 4 }, (_, i) => {
+    if (painted.length && !painted[i >> 2] && !isTinted(colors, i >> 2)) return -1
     const part = base[i % 4]! * (colors ? colors[i]! : 1)
     return i % 4 === 3 ? part : encode(part)
   })
 }
+
+/** Whether the vertex has a colour of its own, behind its position. */
+const isTinted = (colors: Float32Array | undefined, vertex: number) =>
+  !!colors && [0, 1, 2].some((k) => colors[4 * vertex + k] !== 1)
 
 /** Linear to sRGB (IEC 61966-2-1). */
 const encode = (part: number) =>

@@ -16,6 +16,7 @@ interface NodeModules {
     realpath(path: string): Promise<string>
   }
   'node:url': { pathToFileURL(path: string): URL; fileURLToPath(url: URL | string): string }
+  'node:module': { createRequire(path: string): { resolve(name: string): string } }
 }
 
 declare const process:
@@ -23,6 +24,7 @@ declare const process:
       versions?: { node?: string }
       // Not import(), which bundlers follow, those for browsers into an error.
       getBuiltinModule<Name extends keyof NodeModules>(name: Name): NodeModules[Name]
+      cwd(): string
     }
   | undefined
 
@@ -155,9 +157,10 @@ async function staysIn(folder: string, url: URL): Promise<boolean> {
 
 /**
  * The further files of a model where it lies itself: only those beside or below it, so that a file from a stranger reads
- * nothing else. Nothing for those that are not there, since a model can do without its pictures.
+ * nothing else. Nothing for those that are not there, since a model can do without its pictures; with `canDoWithout`
+ * nothing for those that cannot be loaded for whatever reason, either.
  */
-export function resolveBeside(model: URL, method: string): Resolve {
+export function resolveBeside(model: URL, method: string, canDoWithout = false): Resolve {
   // A data: or blob: URL has nothing beside it.
   const folder = parsed('.', model)?.href
   return async (uri) => {
@@ -167,8 +170,17 @@ export function resolveBeside(model: URL, method: string): Resolve {
     try {
       return await fetchBytes(url, method)
     } catch (error) {
-      if (error instanceof Missing) return undefined
+      if (error instanceof Missing || (canDoWithout && error instanceof WarpError)) return undefined
       throw error
     }
   }
+}
+
+/** A package that is installed where Node was started, which need not be where this library is, as with npx. */
+export async function importFromWorkingFolder(name: string): Promise<unknown> {
+  const here = node()
+  if (!here) return undefined
+  const require = here.getBuiltinModule('node:module').createRequire(`${here.cwd()}/`)
+  const url = here.getBuiltinModule('node:url').pathToFileURL(require.resolve(name))
+  return import(/* @vite-ignore */ /* webpackIgnore: true */ url.href)
 }

@@ -48,7 +48,7 @@ export const createWarp = <const Uniforms extends UniformValues = {}>(
 /** What it adds to a sketch alone. */
 export interface Loading {
   /**
-   * A .glb, .gltf or .obj file as a p5.Geometry for `model()`. On p5 2.x it is awaited; on 1.x it may be called in
+   * A .glb, .gltf, .obj or .stl file as a p5.Geometry for `model()`. On p5 2.x it is awaited; on 1.x it may be called in
    * `preload()` as `loadModel` is, or awaited.
    */
   loadWarpModel<Sketch>(

@@ -22,6 +22,8 @@ struct Job {
   std::vector<std::uint8_t> file, name, contents;
   std::optional<ModelFile> model;  // made of the file when it is first asked about
   Files files;
+  std::vector<PackedPart> parts;  // the compressed ones of the model
+  Pieces pieces;                  // of the part that is being unpacked
   std::vector<std::uint8_t> picture, mimeType;
   std::vector<std::string> texts;
 };
@@ -56,6 +58,7 @@ inline constexpr std::tuple jobArrays{
     JobArray{"file", [](auto& job) -> decltype(auto) { return (job.file); }},
     JobArray{"name", [](auto& job) -> decltype(auto) { return (job.name); }},
     JobArray{"contents", [](auto& job) -> decltype(auto) { return (job.contents); }},
+    JobArray{"painted", [](auto& job) -> decltype(auto) { return (job.mesh.painted); }},
 };
 
 }  // namespace warpjet

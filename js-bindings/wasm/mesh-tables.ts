@@ -14,7 +14,14 @@ export const floatArrays = {
   vGradients: 9,
 }
 export const indexArrays = { indices: 10, ends: 11, triangles: 12 }
-export const byteArrays = { picture: 13, mimeType: 14, file: 15, name: 16, contents: 17 }
+export const byteArrays = {
+  picture: 13,
+  mimeType: 14,
+  file: 15,
+  name: 16,
+  contents: 17,
+  painted: 18,
+}
 
 export type FloatArray = keyof typeof floatArrays
 export type IndexArray = keyof typeof indexArrays

@@ -46,6 +46,8 @@ int attempt(Job& job, Work&& work) {
     return work() ? 1 : 0;
   } catch (const std::bad_alloc&) {
     job.texts = {"there is not enough memory for so large a mesh."};
+  } catch (const FileProblem& problem) {
+    job.texts = {problem.what()};
   } catch (const std::exception& problem) {
     job.texts = {std::string("the mesh cannot be handled (") + problem.what() + ")."};
   }
@@ -133,7 +135,41 @@ EMSCRIPTEN_KEEPALIVE int keepFile(Job* job) {
 // The texts are the URIs of the further files that the file needs.
 EMSCRIPTEN_KEEPALIVE int findFiles(Job* job) {
   return attempt(*job, [&] {
-    job->texts = job->model.emplace(job->file).externalFiles();
+    job->texts = job->model.emplace(job->file).externalFiles(job->files);
+    return true;
+  });
+}
+
+// After findFiles. The texts are the plans of the compressed parts (gltf/packed_part.hpp).
+EMSCRIPTEN_KEEPALIVE int findPacked(Job* job) {
+  return attempt(*job, [&] {
+    job->parts = job->model->packedParts(job->files);
+    for (const PackedPart& part : job->parts) job->texts.push_back(part.plan);
+    return true;
+  });
+}
+
+// Copies the bytes of a compressed part into `contents`.
+EMSCRIPTEN_KEEPALIVE int openPacked(Job* job, std::uint32_t part) {
+  return attempt(*job, [&] {
+    const Bytes bytes = job->parts.at(part).bytes;
+    job->contents.assign(bytes.begin(), bytes.end());
+    return true;
+  });
+}
+
+// Moves `contents` behind the decoded pieces of the next part.
+EMSCRIPTEN_KEEPALIVE int keepPiece(Job* job) {
+  return attempt(*job, [&] {
+    job->pieces.push_back(std::exchange(job->contents, {}));
+    return true;
+  });
+}
+
+// Puts the pieces in the place of a compressed part.
+EMSCRIPTEN_KEEPALIVE int unpack(Job* job, std::uint32_t part) {
+  return attempt(*job, [&] {
+    job->model->unpack(part, std::exchange(job->pieces, {}));
     return true;
   });
 }

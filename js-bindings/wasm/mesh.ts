@@ -27,6 +27,10 @@ interface MeshModule {
   _baseColor(job: number): number
   _keepFile(job: number): number
   _findFiles(job: number): number
+  _findPacked(job: number): number
+  _openPacked(job: number, part: number): number
+  _keepPiece(job: number): number
+  _unpack(job: number, part: number): number
   _loadFile(job: number): number
   _checkMesh(job: number): number
   _addNormals(job: number): number
@@ -49,7 +53,15 @@ interface MeshModule {
 
 /** What can be done with a job: those without numbers of their own. */
 export type Action =
-  'keepFile' | 'findFiles' | 'loadFile' | 'checkMesh' | 'addNormals' | 'addVariation' | 'writeFile'
+  | 'keepFile'
+  | 'findFiles'
+  | 'findPacked'
+  | 'keepPiece'
+  | 'loadFile'
+  | 'checkMesh'
+  | 'addNormals'
+  | 'addVariation'
+  | 'writeFile'
 
 /** Memory only grows, so an instance that has grown beyond this is given up. */
 const mostKeptBytes = 2 ** 26
@@ -142,6 +154,21 @@ export class Job {
   /** Does something in C++, or throws what is wrong. */
   act(action: Action) {
     this.expect(this.wasm[`_${action}`](this.job))
+  }
+
+  /** The bytes of a compressed part of the file, after `findPacked`. */
+  packedBytes(part: number): Uint8Array {
+    this.expect(this.wasm._openPacked(this.job, part))
+    return this.bytes('contents')
+  }
+
+  /** Puts decoded bytes in the place of a compressed part. */
+  unpack(part: number, pieces: readonly Uint8Array[]) {
+    for (const piece of pieces) {
+      this.setBytes('contents', piece)
+      this.act('keepPiece')
+    }
+    this.expect(this.wasm._unpack(this.job, part))
   }
 
   refineUniformly(levels: number, maxTriangles: number) {

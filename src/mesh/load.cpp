@@ -4,40 +4,82 @@
 #include <new>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "mesh/check.hpp"
+#include "mesh/format.hpp"
 #include "mesh/gltf/container.hpp"
 #include "mesh/gltf/gltf.hpp"
 #include "mesh/gltf/look.hpp"
 #include "mesh/gltf/merge.hpp"
-#include "mesh/gltf/uri.hpp"
+#include "mesh/gltf/packed.hpp"
 #include "mesh/obj/obj.hpp"
+#include "mesh/obj/paints.hpp"
 #include "mesh/sentences.hpp"
+#include "mesh/stl/stl.hpp"
+#include "mesh/text/encoding.hpp"
+#include "mesh/uri.hpp"
 
 namespace warpjet {
 
 struct ModelFile::Description {
   Gltf gltf;
   std::optional<Bytes> binary;
+  bool hasBuffers = false;
+  std::vector<PackedPart> parts;
 };
 
-ModelFile::ModelFile(Bytes bytes) : bytes_(bytes) {}
+ModelFile::ModelFile(Bytes bytes) : bytes_(bytes) {
+  if (hasStlSize(bytes)) return;
+  if (std::optional<std::string> text = utf8OfUtf16(bytes)) {
+    converted_ = std::move(*text);
+    bytes_ = {reinterpret_cast<const std::uint8_t*>(converted_.data()), converted_.size()};
+  }
+}
 ModelFile::~ModelFile() = default;
 
 ModelFile::Description& ModelFile::description() {
   if (!description_) {
     const bool isGlb = formatOf(bytes_) == Format::Glb;
     const Chunks chunks = isGlb ? chunksOfGlb(bytes_) : Chunks{textOf(bytes_), std::nullopt};
-    description_ =
-        std::make_unique<Description>(Description{describedGltf(chunks.json), chunks.binary});
+    description_ = std::make_unique<Description>(
+        Description{describedGltf(chunks.json), chunks.binary, false, {}});
   }
   return *description_;
 }
 
+ModelFile::Description& ModelFile::readyDescription(const Files& files) {
+  Description& ready = description();
+  if (!std::exchange(ready.hasBuffers, true)) {
+    findBuffers(ready.gltf, ready.binary, files);
+    ready.parts = findPacked(ready.gltf);
+  }
+  return ready;
+}
+
+std::vector<PackedPart> ModelFile::packedParts(const Files& files) {
+  const Format format = formatOf(bytes_);
+  if (format != Format::Glb && format != Format::Gltf) return {};
+  return readyDescription(files).parts;
+}
+
+void ModelFile::unpack(std::size_t part, Pieces pieces) {
+  warpjet::unpack(description().gltf, part, std::move(pieces));
+}
+
 Mesh ModelFile::read(const Files& files, std::vector<std::string>& warnings) {
-  if (formatOf(bytes_) == Format::Obj) return meshOfObj(textOf(bytes_), warnings);
-  auto& [gltf, binary] = description();
-  findBuffers(gltf, binary, files);
+  switch (formatOf(bytes_)) {
+    case Format::Obj:
+      return meshOfObj(textOf(bytes_), files, warnings);
+    case Format::TextStl:
+      return meshOfTextStl(textOf(bytes_), warnings);
+    case Format::BinaryStl:
+      return meshOfBinaryStl(bytes_, warnings);
+    default:
+      break;
+  }
+  Gltf& gltf = readyDescription(files).gltf;
+  refusePacked(gltf);
   Mesh mesh = mergedMesh(gltf, files);
   warnings = gltf.warnings;
   return mesh;
@@ -67,9 +109,11 @@ Loaded ModelFile::load(const Files& files) {
   return loaded;
 }
 
-std::vector<std::string> ModelFile::externalFiles() {
+std::vector<std::string> ModelFile::externalFiles(const Files& files) {
   try {
-    if (formatOf(bytes_) == Format::Obj) return {};
+    const Format format = formatOf(bytes_);
+    if (format == Format::Obj) return filesOfObj(textOf(bytes_), files);
+    if (format == Format::TextStl || format == Format::BinaryStl) return {};
     const Gltf& gltf = description().gltf;
     std::vector<std::string> uris;
     std::set<std::string> known;
@@ -86,6 +130,8 @@ std::vector<std::string> ModelFile::externalFiles() {
 
 Loaded loadMesh(Bytes bytes, const Files& files) { return ModelFile(bytes).load(files); }
 
-std::vector<std::string> externalFiles(Bytes bytes) { return ModelFile(bytes).externalFiles(); }
+std::vector<std::string> externalFiles(Bytes bytes, const Files& files) {
+  return ModelFile(bytes).externalFiles(files);
+}
 
 }  // namespace warpjet

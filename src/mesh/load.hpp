@@ -1,4 +1,4 @@
-// Files of models: .glb, .gltf (2.0) and .obj bytes enter, one Mesh in the space of the scene
+// Files of models: .glb, .gltf (2.0), .obj and .stl bytes enter, one Mesh in the space of the scene
 // leaves, or one sentence that says what to change. Nothing of a file is trusted: whatever it says
 // is checked before it is believed, and no exception leaves. Pictures are handed on encoded.
 #pragma once
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/files.hpp"
+#include "mesh/gltf/packed_part.hpp"
 #include "mesh/mesh.hpp"
 
 namespace warpjet {
@@ -28,17 +29,25 @@ class ModelFile {
   ~ModelFile();
 
   // See the functions below. A file is loaded once.
-  std::vector<std::string> externalFiles();
+  std::vector<std::string> externalFiles(const Files& files = {});
   Loaded load(const Files& files);
+
+  // The compressed parts of a glTF, in place of which `unpack` may put what they are before it is
+  // loaded: see gltf/packed_part.hpp. The
+  // files must stay where they are until it is loaded. Throws a FileProblem.
+  std::vector<PackedPart> packedParts(const Files& files);
+  void unpack(std::size_t part, Pieces pieces);
 
  private:
   struct Description;
 
   Mesh read(const Files& files, std::vector<std::string>& warnings);
   Description& description();
+  Description& readyDescription(const Files& files);
 
   Bytes bytes_;
-  std::unique_ptr<Description> description_;  // none yet, or none for an OBJ
+  std::string converted_;                     // what bytes_ show of a file in UTF-16
+  std::unique_ptr<Description> description_;  // none yet, or none for OBJ and STL
 };
 
 // The format is found from the bytes. All triangles of the default scene are merged, each at the
@@ -48,8 +57,9 @@ class ModelFile {
 Loaded loadMesh(Bytes bytes, const Files& files = {});
 
 // The URIs of the files that loadMesh wants in `files`: buffers, without which a model cannot be
-// read, and pictures of base colours, which it warns about. Nothing where the bytes cannot be read
-// at all.
-std::vector<std::string> externalFiles(Bytes bytes);
+// read, and pictures of base colours and .mtl files, which it warns about. The pictures of an .mtl
+// file are among them once it is among `files` itself. Nothing where the bytes cannot be read at
+// all.
+std::vector<std::string> externalFiles(Bytes bytes, const Files& files = {});
 
 }  // namespace warpjet

@@ -35,6 +35,9 @@ struct Mesh {
   // surface/variation.hpp has found that out.
   std::array<std::vector<float>, 5> gradients;
   std::vector<std::uint32_t> indices;
+  // One for each vertex, or empty: 1 where a material of an .obj gives the colour, 0 where the file
+  // gives none. p5 draws the latter in its fill colour.
+  std::vector<std::uint8_t> painted;
   std::optional<Material> material;
 
   std::size_t vertexCount() const { return positions.size() / 3; }

@@ -9,6 +9,8 @@ import { bunny } from '../../web/models/bunny.js'
 import { launchBrowser, leavePage } from './support/browser.js'
 import { colorAt, litPixels, readPixels } from './support/pixels.js'
 import { png } from '../js/support/png.js'
+import { packedVariants } from '../js/support/models/packed-variants.js'
+import { shapes } from '../js/support/models/shapes.js'
 import { servePages } from './support/server.js'
 import { p5InThisRun, p5Versions, runSketch } from './support/sketch.js'
 
@@ -49,6 +51,31 @@ const files = {
   }),
   'tip.obj': 'v 4 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\n',
   'words.glb': 'no model at all',
+  'packed.glb': packedVariants['meshopt, vertices and triangles'](shapes.cube).file,
+  // One face in the fill colour, one red, one white, one of a material that is nowhere.
+  'parts.obj': `mtllib parts.mtl
+v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0
+f 1 2 3\nusemtl red\nf 1 3 4\nusemtl white\nf 1 2 4\nusemtl nowhere\nf 2 3 4\n`,
+  'parts.mtl': 'newmtl red\nKd 0.8 0.1 0\n\nnewmtl white\nKa 0 0 0\nKd 1 1 1\nmap_Kd a.png\n',
+  'white.obj': 'mtllib parts.mtl\nusemtl white\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n',
+  'text.stl': `solid a
+facet normal 0.6 0 0.8\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet
+facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\nvertex 0 1 2\nendloop\nendfacet
+endsolid a\n`,
+  'binary.stl': binaryStl([
+    [0.6, 0, 0.8, 0, 0, 0, 1, 0, 0, 1, 1, 0],
+    [0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 1, 2],
+  ]),
+}
+
+/** Of each facet its normal and its corners. */
+function binaryStl(facets) {
+  const view = new DataView(new ArrayBuffer(84 + 50 * facets.length))
+  view.setUint32(80, facets.length, true)
+  facets.forEach((numbers, i) =>
+    numbers.forEach((x, k) => view.setFloat32(84 + 50 * i + 4 * k, x, true)),
+  )
+  return new Uint8Array(view.buffer)
 }
 
 let browser, server
@@ -127,6 +154,42 @@ for (const [version, p5] of p5InThisRun) {
     assert.deepEqual(messages, [])
     return result
   }
+
+  for (const name of ['parts.obj', 'white.obj', 'text.stl', 'binary.stl'])
+    test(`p5 ${version}: ${name} has the triangles and colours of p5's own loadModel`, async () => {
+      const { page } = await sketch(`
+        const own = await new Promise((done) => loadModel(base + '${name}', done))
+        const ours = await loadWarpModel(base + '${name}', { normalize: false, flipY: false })
+        const corner = ({ vertices, vertexColors, vertexNormals }, i) => ({
+          position: vertices[i].array(),
+          color: [...vertexColors.slice(4 * i, 4 * i + 4)].map((part) => +part.toFixed(5)),
+          normal: ${name.endsWith('stl')} && vertexNormals[i].array().map((x) => +x.toFixed(5)),
+        })
+        window.reports = [own, ours].map((model) =>
+          model.faces.map((face) => face.map((i) => corner(model, i))),
+        )`)
+      const [own, ours] = await page.evaluate('reports')
+      await leavePage(page)
+      assert.ok(own.length > 0)
+      assert.deepEqual(ours, own)
+    })
+
+  test(`p5 ${version}: a model that meshopt compressed needs the decoder's script, and says so`, async () => {
+    const loading = `window.reports = await loadWarpModel(base + 'packed.glb')
+      .then(({ faces }) => faces.length, ({ message }) => message)`
+    const decoder = '/node_modules/meshoptimizer/meshopt_decoder.cjs'
+    for (const [scripts, expected] of [
+      [[p5, decoder, addon], /^12$/],
+      [
+        [p5, addon],
+        /^loadWarpModel: the model is compressed by EXT_meshopt_compression, .* MeshoptDecoder/,
+      ],
+    ]) {
+      const { page } = await sketch(loading, '', scripts)
+      assert.match(String(await page.evaluate('reports')), expected)
+      await leavePage(page)
+    }
+  })
 
   async function picture(loading, drawing, scripts) {
     const { page, messages } = await sketch(loading, drawing, scripts)

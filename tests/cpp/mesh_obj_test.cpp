@@ -7,7 +7,7 @@
 
 #include "mesh/check.hpp"
 #include "mesh/load.hpp"
-#include "mesh/obj/obj_text.hpp"
+#include "mesh/text/number.hpp"
 
 namespace warpjet {
 namespace {
@@ -94,6 +94,82 @@ TEST(Obj, ReadsLinesThatEndInCarriageReturnsOnly) {
       "loadMesh: line 2 of the .obj has \"x\" where a number belongs; export the model again.");
 }
 
+std::string utf16(const std::string& text, bool isBigEndian, bool hasMark) {
+  std::string wide;
+  const auto put = [&](unsigned unit) {
+    const char low = static_cast<char>(unit), high = static_cast<char>(unit >> 8);
+    wide += isBigEndian ? high : low;
+    wide += isBigEndian ? low : high;
+  };
+  if (hasMark) put(0xFEFF);
+  for (const char c : text) put(static_cast<unsigned char>(c));
+  return wide;
+}
+
+TEST(Obj, ReadsFilesWithAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  // A vertex that is lost with its line makes every face use its neighbour.
+  const std::string spare = "v 7 7 7\nf 1 2 3\n";
+  for (const std::string& text :
+       {mark + square + spare, mark + "# made by\n" + square + spare,
+        "# joined\n" + mark + square + spare, mark + mark + square + spare})
+    EXPECT_EQ(meshOf(text).positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0})) << text;
+  std::string old = mark + square + spare;
+  for (char& c : old) c = c == '\n' ? '\r' : c;
+  EXPECT_EQ(meshOf(old).positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}));
+}
+
+TEST(Obj, ReadsUtf16) {
+  for (const bool isBigEndian : {false, true})
+    for (const bool hasMark : {false, true})
+      for (const std::string& text :
+           {square + "f 1 2 3\n",
+            square + "# long enough for the header of a binary .stl\nf 1 2 3\n",
+            "# \xE4\n" + square + "f 1 2 3\r\n"})
+        EXPECT_EQ(meshOf(utf16(text, isBigEndian, hasMark)).positions,
+                  (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}))
+            << isBigEndian << hasMark;
+}
+
+TEST(Obj, PassesOverNumbersThatAreNoneWhereNothingUsesThem) {
+  for (const char* bad : {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "-1.#IND", "1.#QNAN0",
+                          "inf", "-Infinity", "1e99"}) {
+    const std::string element = std::string(bad) + " 0 0\n";
+    const Loaded loaded = load(square + "v " + element + "vn " + element + "vt " + element +
+                               "vn 1 0 0\nvt 0 1\nf 1/2/2 2/2/2 3/2/2\n");
+    ASSERT_TRUE(loaded.mesh) << bad << loaded.problem;
+    EXPECT_EQ(loaded.mesh->positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}));
+    EXPECT_EQ(loaded.mesh->normals, (Floats{1, 0, 0, 1, 0, 0, 1, 0, 0}));
+    EXPECT_TRUE(loaded.warnings.empty());
+  }
+}
+
+TEST(Obj, ComputesSingleNormalsThatAreNoNumbers) {
+  const Loaded loaded =
+      load(square + "vn nan 0 nan\nvn 1 0 0\nvt 0.5 nan\nvt 0.5 1\nf 1/2/2 2/1/1 3/2/2\n");
+  ASSERT_TRUE(loaded.mesh) << loaded.problem;
+  EXPECT_EQ(loaded.mesh->normals, (Floats{1, 0, 0, 0, 0, 1, 1, 0, 0}));
+  EXPECT_EQ(loaded.mesh->uvs, (Floats{0.5f, 0, 0, 0, 0.5f, 0}));
+  EXPECT_EQ(loaded.warnings,
+            (std::vector<std::string>{"Normals of the .obj that are no numbers are computed.",
+                                      "Uvs of the .obj that are no numbers are 0."}));
+}
+
+TEST(Obj, LeavesOutFacesAtPositionsThatAreNoNumbers) {
+  const Loaded loaded = load(square + "v nan 0 0\nf 1 2 5\nf 1 2 3\n");
+  ASSERT_TRUE(loaded.mesh) << loaded.problem;
+  EXPECT_EQ(loaded.mesh->positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}));
+  EXPECT_EQ(loaded.warnings,
+            std::vector<std::string>{"Triangles at positions that are no numbers are left out."});
+  EXPECT_EQ(
+      problemIn(square + "v nan 0 0\nf 1 2 5\n"),
+      "loadMesh: line 5 of the .obj has \"nan\" where a number belongs; export the model again.");
+  const Loaded colored = load("v 0 0 0 nan 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3");
+  ASSERT_TRUE(colored.mesh) << colored.problem;
+  EXPECT_EQ((Floats{colored.mesh->colors.begin(), colored.mesh->colors.begin() + 8}),
+            (Floats{1, 1, 1, 1, 0, 1, 0, 1}));
+}
+
 TEST(Obj, CountsNegativeIndicesFromTheEnd) {
   const Mesh mesh = meshOf("v 9 9 9\n" + square + "f -4 -3 -1\n");
   EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 0, 1, 0}));
@@ -160,8 +236,9 @@ TEST(Obj, PassesOverWhatItDoesNotKnow) {
   ASSERT_TRUE(loaded.mesh) << loaded.problem;
   EXPECT_EQ(loaded.mesh->indices, (Indices{0, 1, 2}));
   EXPECT_EQ(loaded.warnings,
-            (std::vector<std::string>{"The materials of the .obj are ignored.",
-                                      "Faces of fewer than three corners are left out."}));
+            (std::vector<std::string>{
+                "The materials of the .obj are left out, since \"a.mtl\" is not there.",
+                "Faces of fewer than three corners are left out."}));
 }
 
 TEST(Obj, NamesTheLineOfAFault) {

@@ -1,4 +1,4 @@
-// Files of meshes: each way of a glTF or OBJ to say a few triangles.
+// Files of meshes: each way of a glTF, OBJ or STL to say a few triangles.
 #include "cpp/gltf_builder.hpp"
 #include "fuzz/seeds.hpp"
 
@@ -155,6 +155,76 @@ GltfBuilder ignored() {
   return file;
 }
 
+GltfBuilder morphed() {
+  GltfBuilder file = squareFile();
+  const int place = file.view<std::uint8_t>({2}), value = file.view<float>({0, 0, 2});
+  const int target =
+      file.add("accessors", {{"componentType", 5126},
+                             {"count", 4},
+                             {"type", "VEC3"},
+                             {"sparse", replaced(place, componentTypeOf<std::uint8_t>(), value)}});
+  file.tree["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", target}}};
+  file.tree["meshes"][0]["weights"] = {0.5};
+  file.tree["nodes"][0]["weights"] = {-1};
+  return file;
+}
+
+GltfBuilder instanced() {
+  GltfBuilder file = squareFile();
+  const json attributes{{"TRANSLATION", file.floats({0, 0, 0, 3, 0, 0}, "VEC3")},
+                        {"ROTATION", file.accessor<std::int8_t>({0, 0, 0, 127, 90, 0, 0, 90},
+                                                                "VEC4", {{"normalized", true}})},
+                        {"SCALE", file.floats({1, 1, 1, -1, 2, 1}, "VEC3")}};
+  auto& extensions = file.tree["nodes"][0]["extensions"];
+  extensions["EXT_mesh_gpu_instancing"]["attributes"] = attributes;
+  extensions["KHR_node_visibility"]["visible"] = true;
+  file.node({{"mesh", 0}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
+  return file;
+}
+
+GltfBuilder glossy() {
+  GltfBuilder file = textured();
+  file.tree["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"] = {
+      {"diffuseFactor", {1, 0, 0, 1}}, {"diffuseTexture", {{"index", 0}}}};
+  file.tree["textures"][0] = {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
+  return file;
+}
+
+// The bytes of a view of floats, as if they were compressed.
+GltfBuilder meshopt(const char* extension, const char* filter) {
+  GltfBuilder file = squareFile();
+  file.tree["bufferViews"][0]["extensions"][extension] = {
+      {"buffer", 0}, {"byteLength", 48},     {"byteStride", 12},
+      {"count", 4},  {"mode", "ATTRIBUTES"}, {"filter", filter}};
+  file.tree["bufferViews"][0]["buffer"] = 1;
+  file.tree["buffers"] = {
+      {{"byteLength", file.binary.size()}},
+      {{"byteLength", 48}, {"extensions", {{extension, {{"fallback", true}}}}}}};
+  return file;
+}
+
+GltfBuilder draco() {
+  GltfBuilder file;
+  const int view = file.view<std::uint8_t>({3, 0, 128, 63});
+  file.add("accessors", {{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
+  file.mesh({{"POSITION", 0}}, {{"extensions",
+                                 {{"KHR_draco_mesh_compression",
+                                   {{"bufferView", view}, {"attributes", {{"POSITION", 0}}}}}}}});
+  file.node({{"mesh", 0}});
+  return file;
+}
+
+File binaryStl(const std::string& header) {
+  File file = bytesOf(header);
+  file.resize(80);
+  append32(file, 1);
+  for (const std::uint32_t bits :
+       {0u, 0u, 0x3F800000u, 0u, 0u, 0u, 0x3F800000u, 0u, 0u, 0u, 0x3F800000u, 0u})
+    append32(file, bits);
+  file.resize(file.size() + 2);
+  return file;
+}
+
 // See split_files.hpp.
 File split(const std::vector<File>& externals, const File& file) {
   File all{static_cast<std::uint8_t>(externals.size())};
@@ -194,6 +264,26 @@ void writeMeshSeeds() {
   write("external", split({pictured.binary, png}, pictured.external("a.bin")));
   write("missing.gltf", squareFile().external("a.bin"));
 
+  write("morphed.glb", morphed().glb());
+  write("instanced.glb", instanced().glb());
+  write("glossy.glb", glossy().glb());
+  write("meshopt.glb", meshopt("EXT_meshopt_compression", "NONE").glb());
+  write("meshopt-exponential.glb", meshopt("KHR_meshopt_compression", "EXPONENTIAL").glb());
+  write("draco.glb", draco().glb());
+
+  write("text.stl", bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                            "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"));
+  write("binary.stl", binaryStl("a"));
+  write("solid.stl", binaryStl("solid a"));
+  const File materials = bytesOf("newmtl red\nKd 1 0 0\nmap_Kd -s 1 1 1 a.png\nnewmtl b\nKd 0.5\n");
+  write("materials",
+        split({materials, png},
+              bytesOf("\xEF\xBB\xBFmtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn nan 0 0\n"
+                      "usemtl red\nf 1//1 2//1 3//1\nusemtl b\nf 1 3 2\n")));
+  File wide{0xFF, 0xFE};
+  for (const char c : std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"))
+    wide.insert(wide.end(), {static_cast<std::uint8_t>(c), 0});
+  write("utf-16.obj", wide);
   write("square.obj", bytesOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
   write("full.obj", bytesOf("# a comment\nmtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0.5e-1\n"
                             "vt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\ng part\nusemtl red\ns 1\n"

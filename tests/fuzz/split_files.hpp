@@ -32,9 +32,12 @@ inline SplitFiles splitFiles(std::span<const std::uint8_t> data) {
     }
   }
   SplitFiles split{{data.begin(), data.end()}, {}};
-  const std::vector<std::string> uris = externalFiles(split.bytes);
-  for (std::size_t i = 0; i < std::min(uris.size(), contents.size()); ++i)
+  // An .mtl file names further ones.
+  for (std::size_t i = 0; i < contents.size(); ++i) {
+    const std::vector<std::string> uris = externalFiles(split.bytes, split.externals);
+    if (i >= uris.size()) break;
     split.externals[uris[i]] = std::move(contents[i]);
+  }
   return split;
 }
 

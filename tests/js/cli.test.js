@@ -20,6 +20,9 @@ import validator from 'gltf-validator'
 import { compileWarp, targets, version } from 'warpjet'
 import { differentiate } from 'warpjet/glsl'
 import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
+import { packedVariants } from './support/models/packed-variants.js'
+import { shapes } from './support/models/shapes.js'
+import { textVariants } from './support/models/text-variants.js'
 import { readGlb, writeGlb } from './support/glb.js'
 import { sphere } from './support/meshes.js'
 import { png } from './support/png.js'
@@ -405,6 +408,22 @@ describe('info', () => {
   test('a path with signs of URLs', async () => {
     write('a#1?.glb', exportGLB(model))
     assert.match((await works('info', 'a#1?.glb')).stdout, /^triangles +168$/m)
+  })
+
+  test('models in every format, compressed ones too', async () => {
+    const formats = {
+      'text.stl': textVariants['a text STL'],
+      'binary.stl': textVariants['a binary STL that begins with "solid"'],
+      'wide.obj': textVariants['an OBJ in UTF-16, little endian'],
+      'meshopt.glb': packedVariants['meshopt, vertices and triangles'],
+      'draco.glb': packedVariants['Draco, edge breaker'],
+    }
+    for (const [name, make] of Object.entries(formats)) {
+      write(name, make(shapes.cube).file)
+      assert.match((await works('info', name)).stdout, /^triangles +12$/m)
+    }
+    await works('bake', 'draco.glb', 'wave.js', '-o', 'unpacked.glb', '--set', 'millis=100')
+    assert.match((await works('info', 'unpacked.glb')).stdout, /^triangles +12$/m)
   })
 
   test('a file that is none', async () => {

@@ -269,7 +269,7 @@ describe('where the bytes come from', () => {
     await rejects(() => loadMesh(exportGLB(mesh), { resolve: 7 }), /"resolve".*the number 7/)
     await rejects(
       () => loadMesh(exportGLB(mesh), { resolver: () => buffer }),
-      /^loadMesh: there is no option "resolver"; there are resolve, as\./,
+      /^loadMesh: there is no option "resolver"; there are resolve, as, decoders\./,
     )
   })
 })

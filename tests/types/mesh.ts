@@ -1,6 +1,8 @@
 // What the types of 'warpjet/mesh' must allow and refuse; only checked, never run.
+import { MeshoptDecoder } from 'meshoptimizer'
 import { compileWarp } from '../../js-bindings/index.js'
 import {
+  type DracoDecoderModule,
   type Mesh,
   type Resolve,
   bakeWarp,
@@ -13,9 +15,16 @@ import {
 const warp = compileWarp(({ position }) => position)
 const resolve: Resolve = (uri) => (uri ? new Uint8Array(1) : undefined)
 
+declare const draco: DracoDecoderModule
+
 export async function use(file: File) {
   const mesh: Mesh = await loadMesh(file)
   await loadMesh('model.gltf', { resolve })
+  await loadMesh('packed.glb', { decoders: { meshopt: MeshoptDecoder, draco: async () => draco } })
+  // @ts-expect-error
+  await loadMesh('packed.glb', { decoders: { meshopt: 7 } })
+  // @ts-expect-error
+  await loadMesh('packed.glb', { decoders: { basis: MeshoptDecoder } })
   await loadMesh(new URL('https://a.b/c.glb'), { resolve: async () => new ArrayBuffer(1) })
   const [first]: number[] = [...mesh.positions, ...(mesh.uvs ?? []), ...(mesh.indices ?? [])]
   const color: number[] | undefined = mesh.material?.baseColor

@@ -1,10 +1,21 @@
 /** Models as the page gets them: from the visitor's files, or from the gallery. */
 import { loadMesh } from '../../dist/mesh.js'
+import dracoWasm from 'draco3dgltf/draco_decoder_gltf.wasm?url'
 import { airplane } from '../models/airplane.js'
 import { bunny } from '../models/bunny.js'
 import { toScreen } from '../models/mesh.js'
 
-const readable = /\.(glb|gltf|obj)$/i
+const readable = /\.(glb|gltf|obj|stl)$/i
+
+const advice = 'drop a .glb, a .gltf or .obj with its files, or an .stl'
+
+/** Draco's decoder, fetched when a model needs it; that of meshopt is found by the library itself. */
+const decoders = {
+  draco: async () => {
+    const { default: draco } = await import('draco3dgltf')
+    return draco.createDecoderModule({ locateFile: () => dracoWasm })
+  },
+}
 
 /** The gallery's models are made for p5, whose y runs downwards; turned over, they are like a file. */
 function upright(mesh, baseColor) {
@@ -59,13 +70,13 @@ export async function loadFiles(files) {
     const names = files.map(({ name }) => `“${name}”`).join(', ')
     throw new Error(
       files.length === 1
-        ? `${names} is no model: drop a .glb, a .gltf with its files, or an .obj.`
-        : `None of these is a model: drop a .glb, a .gltf with its files, or an .obj.`,
+        ? `${names} is no model: ${advice}.`
+        : `None of these is a model: ${advice}.`,
     )
   }
   const byName = new Map(files.map((file) => [file.name, file]))
   const resolve = (uri) => byName.get(decodeURIComponent(uri).split('/').at(-1))
-  const mesh = await loadMesh(model, { resolve })
+  const mesh = await loadMesh(model, { resolve, decoders })
   return { name: model.name.replace(readable, ''), mesh, picture: await decode(mesh) }
 }
 

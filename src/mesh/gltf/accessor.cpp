@@ -190,9 +190,11 @@ std::vector<std::uint32_t> indicesOf(const Gltf& gltf, int accessor) {
   if (info.type != TINYGLTF_TYPE_SCALAR) fail(accessor, "must hold single numbers, being indices");
   withType(accessor, info.componentType, [&]<typename T>(T) {
     if constexpr (std::is_unsigned_v<T>) {
-      const Elements elements = ownElements(gltf, accessor, sizeof(T));
-      indices.resize(elements.count);
-      for (std::size_t i = 0; i < elements.count; ++i) indices[i] = elements.at<T>(i);
+      indices.resize(countOf(gltf, accessor));
+      if (info.bufferView >= 0) {
+        const Elements elements = ownElements(gltf, accessor, sizeof(T));
+        for (std::size_t i = 0; i < elements.count; ++i) indices[i] = elements.at<T>(i);
+      }
       forSparse<T>(gltf, accessor, 1,
                    [&](std::size_t to, const Elements& from, std::size_t element) {
                      indices[to] = from.at<T>(element);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mesh/sentences.hpp"
+#include "mesh/text/encoding.hpp"
 
 namespace warpjet {
 
@@ -31,26 +32,6 @@ Bytes chunkAt(Bytes bytes, std::size_t start) {
 }
 
 }  // namespace
-
-std::string_view textOf(Bytes bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-Format formatOf(Bytes bytes) {
-  std::string_view text = textOf(bytes);
-  if (text.empty()) throw FileProblem("the file is empty; export or download it again.");
-  if (text.starts_with("glTF")) return Format::Glb;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  if (text.starts_with('{')) return Format::Gltf;
-  if (text.starts_with('<'))
-    throw FileProblem(
-        "this is a web page or XML, not a .glb, .gltf or .obj file; check the address of the "
-        "model.");
-  if (text.find('\0') != text.npos)
-    throw FileProblem("this is no .glb, .gltf or .obj file; export the model as .glb.");
-  return Format::Obj;
-}
 
 Chunks chunksOfGlb(Bytes bytes) {
   if (bytes.size() < headerSize + chunkHeaderSize)

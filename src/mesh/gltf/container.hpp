@@ -1,4 +1,4 @@
-// The outermost shape of a file: which format it is, and the two chunks of a GLB.
+// The outermost shape of a GLB: its two chunks.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,8 @@ struct Chunks {
 // "JSON" and "BIN\0", glTF 2.0, section 4.4.3.
 constexpr std::uint32_t jsonChunk = 0x4E4F534A, binaryChunk = 0x004E4942;
 
-enum class Format { Glb, Gltf, Obj };
-
-// Throws a FileProblem for what is none of them.
-Format formatOf(Bytes bytes);
-
 // glTF 2.0, section 4.4. Chunks behind the first two are ignored, as it demands. Throws a
 // FileProblem.
 Chunks chunksOfGlb(Bytes bytes);
-
-// The whole file as text.
-std::string_view textOf(Bytes bytes);
 
 }  // namespace warpjet

@@ -4,14 +4,12 @@
 #include <string>
 
 #include "mesh/gltf/accessor.hpp"
+#include "mesh/gltf/morph.hpp"
 #include "mesh/sentences.hpp"
 
 namespace warpjet {
 
 namespace {
-
-// Primitives times nodes; far more than any scene draws, far less than a file can claim.
-constexpr std::size_t mostDraws = std::size_t{1} << 20;
 
 // Whether it is made of triangles with positions; warns if not.
 bool isDrawn(Gltf& gltf, const tinygltf::Primitive& primitive) {
@@ -26,8 +24,6 @@ bool isDrawn(Gltf& gltf, const tinygltf::Primitive& primitive) {
     gltf.warn("Parts without positions are left out.");
     return false;
   }
-  if (!primitive.targets.empty())
-    gltf.warn("The model has morph targets; they are ignored, and it keeps its base shape.");
   if (primitive.attributes.count("JOINTS_1") != 0)
     gltf.warn("Vertices that follow more than four bones follow only the first four.");
   return true;
@@ -63,8 +59,9 @@ void checkSize(const std::vector<Draw>& draws, const Layout& layout) {
   const std::uint64_t floats =
       6 + (layout.hasUvs ? 2 : 0) + (layout.hasColors ? 4 : 0) + (layout.hasTangents ? 4 : 0);
   // At most 2^20 draws of 2^32 vertices: no overflow.
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = 0, ofTargets = 0;
   for (const Draw& draw : draws) {
+    ofTargets += std::uint64_t{12} * draw.vertices * draw.weights.size();
     bytes += floats * draw.vertices * sizeof(float);
     if (layout.isIndexed)
       bytes += std::uint64_t{3} * trianglesOf(draw.kind(), draw.corners) * sizeof(std::uint32_t);
@@ -73,6 +70,10 @@ void checkSize(const std::vector<Draw>& draws, const Layout& layout) {
     throw FileProblem("the model would take " + grouped(bytes) + " bytes, but at most " +
                       grouped(mostMeshBytes) +
                       " are read; export it with fewer triangles or in several files.");
+  // They take time, not memory.
+  if (ofTargets > mostMeshBytes)
+    throw FileProblem("the model has more morph targets at work than are read, " +
+                      grouped(ofTargets) + " bytes; export it in its final shape.");
 }
 
 }  // namespace
@@ -89,16 +90,15 @@ std::vector<Draw> drawsOf(Gltf& gltf, const std::vector<Placed>& placed) {
   for (const Placed& place : placed) {
     const auto& mesh = meshes[checkedIndex("mesh", place.mesh, meshes.size())];
     seen += mesh.primitives.size();
-    if (seen > mostDraws)
-      throw FileProblem("the model has more than " + grouped(mostDraws) +
-                        " parts; join its parts and export it again.");
+    if (seen > mostDraws) refuseDraws();
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       if (!isDrawn(gltf, primitive)) continue;
-      Draw draw{&primitive, &place, 0, 0};
+      Draw draw{&primitive, &place, 0, 0, {}};
       draw.vertices = countOf(gltf, draw.accessor("POSITION"));
       draw.corners = draw.isIndexed() ? countOf(gltf, primitive.indices) : draw.vertices;
       if (draw.kind() == Primitives::Triangles && draw.corners % 3 != 0)
         gltf.warn("A part ends in the middle of a triangle, which is left out.");
+      draw.weights = morphWeightsOf(gltf, primitive, place);
       if (trianglesOf(draw.kind(), draw.corners) > 0) draws.push_back(draw);
     }
   }

@@ -5,6 +5,7 @@
 
 #include "mesh/gltf/gltf.hpp"
 #include "mesh/gltf/look.hpp"
+#include "mesh/gltf/morph.hpp"
 #include "mesh/gltf/scene.hpp"
 #include "mesh/gltf/skin.hpp"
 #include "mesh/gltf/triangles.hpp"
@@ -17,6 +18,7 @@ struct Draw {
   const tinygltf::Primitive* primitive;
   const Placed* placed;
   std::size_t vertices, corners;
+  std::vector<MorphWeight> weights;
 
   Primitives kind() const { return Primitives{primitive->mode}; }
   bool isIndexed() const { return primitive->indices != noPlace; }

@@ -1,53 +1,18 @@
 #include "mesh/gltf/gltf.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
 
 #include "mesh/gltf/json_text.hpp"
 #include "mesh/gltf/schema.hpp"
-#include "mesh/gltf/uri.hpp"
 #include "mesh/sentences.hpp"
+#include "mesh/uri.hpp"
 
 namespace warpjet {
 
 namespace {
 
 using nlohmann::json;
-
-constexpr const char* draco = "KHR_draco_mesh_compression";
-
-// Those that move no vertex.
-bool isHarmless(std::string_view extension) {
-  constexpr std::array<std::string_view, 6> names{"KHR_mesh_quantization", "KHR_texture_transform",
-                                                  "KHR_lights_punctual",   "KHR_animation_pointer",
-                                                  "KHR_xmp_json_ld",       "KHR_xmp"};
-  return extension.starts_with("KHR_materials_") ||
-         std::find(names.begin(), names.end(), extension) != names.end();
-}
-
-std::string adviceFor(std::string_view extension) {
-  if (extension == draco) return "without Draco compression";
-  if (extension.ends_with("_meshopt_compression")) return "without meshopt compression";
-  if (extension.find("_texture_") != extension.npos) return "with PNG or JPEG textures";
-  return "without it";
-}
-
-[[noreturn]] void refuseExtension(const char* verb, const std::string& name) {
-  throw FileProblem("the model " + std::string(verb) + " the extension " + quotedText(name) +
-                    ", which is not read here; export the model " + adviceFor(name) + '.');
-}
-
-// Before anything else is looked at: a compressed model has accessors without bytes, for one.
-void refuseExtensions(const json& tree) {
-  const auto required = tree.find("extensionsRequired");
-  if (required == tree.end()) return;
-  for (const json& entry : *required) {
-    const std::string name = entry;
-    if (!isHarmless(name)) refuseExtension("requires", name);
-  }
-}
 
 // Removes a member; an empty list where there is none.
 json taken(json& tree, const char* name) {
@@ -64,10 +29,19 @@ std::string textOr(const json& object, const char* name) {
   return found == object.end() ? std::string() : found->get<std::string>();
 }
 
+// Whether its bytes are only for readers without one of the two extensions.
+bool isFallback(const json& buffer) {
+  const auto extensions = buffer.find("extensions");
+  if (extensions == buffer.end()) return false;
+  return std::any_of(extensions->begin(), extensions->end(),
+                     [](const json& extension) { return extension.value("fallback", false); });
+}
+
 // What tinygltf would look up and decode itself, if it saw it.
 void keepBuffersAndImages(Gltf& gltf, json& tree) {
   for (const json& buffer : taken(tree, "buffers"))
-    gltf.buffers.push_back({textOr(buffer, "uri"), buffer["byteLength"].get<std::uint64_t>(), {}});
+    gltf.buffers.push_back(
+        {textOr(buffer, "uri"), buffer["byteLength"].get<std::uint64_t>(), isFallback(buffer), {}});
   for (const json& image : taken(tree, "images")) {
     tinygltf::Image& kept = gltf.model.images.emplace_back();
     kept.uri = textOr(image, "uri");
@@ -81,36 +55,29 @@ void warnOfMotion(Gltf& gltf, json& tree) {
     gltf.warn("The model has animations; they are ignored, and it stands still.");
 }
 
-// In a primitive that is compressed, although the model requires no extension for it, accessors may
-// have no bytes of their own. Indices without any are right glTF where they are sparse, but
-// tinygltf refuses them in words that help nobody.
-void refuseAccessorsWithoutBytes(const json& tree) {
-  const json noElements = json::array();
-  const auto listOf = [&](const json& object, const char* name) -> const json& {
-    const auto found = object.find(name);
-    return found == object.end() ? noElements : *found;
-  };
-  const json& accessors = listOf(tree, "accessors");
-  const auto hasBytes = [&](const json& accessor) {
-    const auto place = accessor.get<std::uint64_t>();
-    return place >= accessors.size() ||
-           accessors[static_cast<std::size_t>(place)].contains("bufferView");
-  };
-  for (const json& mesh : listOf(tree, "meshes")) {
-    for (const json& primitive : listOf(mesh, "primitives")) {
-      const json& attributes = primitive["attributes"];
-      const auto indices = primitive.find("indices");
-      const bool hasIndices = indices == primitive.end() || hasBytes(*indices);
-      if (listOf(primitive, "extensions").contains(draco) &&
-          !(hasIndices && std::all_of(attributes.begin(), attributes.end(), hasBytes)))
-        refuseExtension("uses", draco);
-      if (!hasIndices)
-        throw FileProblem("accessor " + indices->dump() +
-                          " has indices without a bufferView, which are not read here; export the "
-                          "model without sparse indices.");
-    }
+// tinygltf refuses indices without a view, which are right glTF where they are sparse or
+// compressed; so it gets to see none.
+class HiddenIndices {
+ public:
+  explicit HiddenIndices(json& tree) {
+    const auto meshes = tree.find("meshes");
+    if (meshes == tree.end()) return;
+    for (json& mesh : *meshes)
+      for (json& primitive : mesh["primitives"]) {
+        indices_.push_back(primitive.value("indices", -1));
+        primitive.erase("indices");
+      }
   }
-}
+
+  void show(tinygltf::Model& model) const {
+    auto next = indices_.begin();
+    for (tinygltf::Mesh& mesh : model.meshes)
+      for (tinygltf::Primitive& primitive : mesh.primitives) primitive.indices = *next++;
+  }
+
+ private:
+  std::vector<int> indices_;
+};
 
 // tinygltf writes several lines; the first says most.
 [[noreturn]] void failAs(const std::string& error) {
@@ -118,13 +85,14 @@ void refuseAccessorsWithoutBytes(const json& tree) {
                     "); export the model again.");
 }
 
-// The bytes behind a buffer's uri, or of the chunk if it has none.
-Bytes bytesOfBuffer(Gltf& gltf, std::size_t place, std::optional<Bytes> binary,
-                    const Files& files) {
-  const std::string& uri = gltf.buffers[place].uri;
+// The bytes behind a buffer's uri, or of the chunk if it has none; none for a fallback that is not
+// there.
+Bytes foundBytes(Gltf& gltf, std::size_t place, std::optional<Bytes> binary, const Files& files) {
+  const auto& [uri, length, isFallback, bytes] = gltf.buffers[place];
   const std::string name = "buffer " + std::to_string(place);
   if (uri.empty()) {
     if (place == 0 && binary) return *binary;
+    if (isFallback) return {};
     throw FileProblem(name + " has neither a uri nor a binary chunk; export the model as .glb.");
   }
   if (isDataUri(uri)) {
@@ -135,6 +103,7 @@ Bytes bytesOfBuffer(Gltf& gltf, std::size_t place, std::optional<Bytes> binary,
     return gltf.decoded.emplace_back(std::move(data->bytes));
   }
   if (const auto* file = fileOf(uri, files)) return *file;
+  if (isFallback) return {};
   throw FileProblem("the model needs the file " + quotedText(uri) +
                     "; hand it over with the model, or export the model as .glb.");
 }
@@ -165,7 +134,8 @@ Gltf describedGltf(std::string_view text) {
   keepBuffersAndImages(gltf, tree);
   std::vector<tinygltf::Image> images = std::move(gltf.model.images);
 
-  refuseAccessorsWithoutBytes(tree);
+  gltf.extensions = takeExtensions(tree);
+  const HiddenIndices indices(tree);
   const std::string checked = tree.dump();
   tree = nullptr;
   std::string error, warning;
@@ -173,13 +143,15 @@ Gltf describedGltf(std::string_view text) {
                                                 static_cast<unsigned>(checked.size()), ""))
     failAs(error);
   gltf.model.images = std::move(images);
+  indices.show(gltf.model);
   return gltf;
 }
 
 void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files) {
   for (std::size_t i = 0; i < gltf.buffers.size(); ++i) {
     Buffer& buffer = gltf.buffers[i];
-    const Bytes bytes = bytesOfBuffer(gltf, i, binary, files);
+    const Bytes bytes = foundBytes(gltf, i, binary, files);
+    if (buffer.isFallback && bytes.empty()) continue;
     if (buffer.length > bytes.size())
       throw FileProblem("the file ends in the middle of its data (buffer " + std::to_string(i) +
                         " says " + grouped(buffer.length) + " bytes, " + grouped(bytes.size()) +
@@ -188,17 +160,24 @@ void findBuffers(Gltf& gltf, std::optional<Bytes> binary, const Files& files) {
   }
 }
 
+Bytes bytesOfBuffer(const Gltf& gltf, const std::string& what, int place, std::uint64_t offset,
+                    std::uint64_t length) {
+  const Buffer& buffer = gltf.buffers[checkedIndex("buffer", place, gltf.buffers.size())];
+  // Offset and length are below 2^32 each, but their sum need not fit where size_t has 32 bits.
+  if (offset + length > buffer.bytes.size())
+    throw FileProblem(what + " reads up to byte " + grouped(offset + length) + " of buffer " +
+                      std::to_string(place) + ", which has only " + grouped(buffer.bytes.size()) +
+                      "; export the model again.");
+  return buffer.bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
+}
+
 Bytes bytesOfView(const Gltf& gltf, int bufferView) {
+  const auto unpacked = gltf.unpackedViews.find(bufferView);
+  if (unpacked != gltf.unpackedViews.end()) return unpacked->second;
   const auto& views = gltf.model.bufferViews;
   const auto& view = views[checkedIndex("bufferView", bufferView, views.size())];
-  const Buffer& buffer = gltf.buffers[checkedIndex("buffer", view.buffer, gltf.buffers.size())];
-  // Offset and length are below 2^32 each, but their sum need not fit where size_t has 32 bits.
-  if (std::uint64_t{view.byteOffset} + view.byteLength > buffer.bytes.size())
-    throw FileProblem("bufferView " + std::to_string(bufferView) + " reads up to byte " +
-                      grouped(std::uint64_t{view.byteOffset} + view.byteLength) + " of buffer " +
-                      std::to_string(view.buffer) + ", which has only " +
-                      grouped(buffer.bytes.size()) + "; export the model again.");
-  return buffer.bytes.subspan(view.byteOffset, view.byteLength);
+  return bytesOfBuffer(gltf, "bufferView " + std::to_string(bufferView), view.buffer,
+                       view.byteOffset, view.byteLength);
 }
 
 }  // namespace warpjet

@@ -1,11 +1,11 @@
 #include "mesh/gltf/look.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
-#include "mesh/gltf/uri.hpp"
+#include "mesh/picture.hpp"
 #include "mesh/sentences.hpp"
+#include "mesh/uri.hpp"
 
 namespace warpjet {
 
@@ -16,21 +16,24 @@ const tinygltf::Material& materialAt(const Gltf& gltf, int material) {
   return materials[checkedIndex("material", material, materials.size())];
 }
 
+// Colour and texture of a material, whichever of its two models of surfaces counts.
+BaseColor paintOf(const Gltf& gltf, int material) {
+  const tinygltf::Material& info = materialAt(gltf, material);
+  const auto glossiness = gltf.extensions.glossiness.find(material);
+  if (glossiness != gltf.extensions.glossiness.end()) return glossiness->second;
+  const std::vector<double>& color = info.pbrMetallicRoughness.baseColorFactor;
+  const tinygltf::TextureInfo& texture = info.pbrMetallicRoughness.baseColorTexture;
+  BaseColor paint{
+      {}, texture.index, texture.texCoord, texture.extensions.contains("KHR_texture_transform")};
+  std::copy_n(color.begin(), 4, paint.color.begin());
+  return paint;
+}
+
 // The picture of a texture, or noPlace where only an extension knows it.
 int pictureOfTexture(const Gltf& gltf, int texture) {
   if (texture == noPlace) return noPlace;
   const auto& textures = gltf.model.textures;
   return textures[checkedIndex("texture", texture, textures.size())].source;
-}
-
-// By the first bytes, for pictures whose type nobody says.
-std::string sniffedType(const std::vector<std::uint8_t>& bytes) {
-  const std::string_view text = textOf(bytes);
-  if (text.starts_with("\x89PNG")) return "image/png";
-  if (text.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
-  if (text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP")) return "image/webp";
-  if (text.starts_with("\xABKTX 20")) return "image/ktx2";
-  return "application/octet-stream";
 }
 
 std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, const Files& files) {
@@ -52,26 +55,23 @@ std::optional<Image> bytesOf(const Gltf& gltf, const tinygltf::Image& image, con
 Look lookOf(const Gltf& gltf, int material) {
   Look look;
   if (material == noPlace) return look;
-  const auto& info = materialAt(gltf, material).pbrMetallicRoughness;
-  for (std::size_t i = 0; i < 4; ++i)
-    look.baseColor[i] = std::clamp(info.baseColorFactor[i], 0.0, 1.0);
-  look.picture = pictureOfTexture(gltf, info.baseColorTexture.index);
+  const BaseColor paint = paintOf(gltf, material);
+  for (std::size_t i = 0; i < 4; ++i) look.baseColor[i] = std::clamp(paint.color[i], 0.0, 1.0);
+  look.picture = pictureOfTexture(gltf, paint.texture);
   return look;
 }
 
 void warnOfLook(Gltf& gltf, int material) {
   if (material == noPlace) return;
-  const auto& roughness = materialAt(gltf, material).pbrMetallicRoughness;
-  const auto& color = roughness.baseColorFactor;
-  if (!std::equal(color.begin(), color.end(), lookOf(gltf, material).baseColor.begin()))
+  const BaseColor paint = paintOf(gltf, material);
+  if (paint.color != lookOf(gltf, material).baseColor)
     gltf.warn("Base colours that lie outside 0 to 1 are clamped to it.");
-  const auto& info = roughness.baseColorTexture;
-  if (info.index == noPlace) return;
-  if (pictureOfTexture(gltf, info.index) == noPlace)
+  if (paint.texture == noPlace) return;
+  if (pictureOfTexture(gltf, paint.texture) == noPlace)
     gltf.warn("A base-colour texture has no PNG or JPEG picture; it is left out.");
-  if (info.extensions.count("KHR_texture_transform") != 0)
+  if (paint.isTransformed)
     gltf.warn("A texture is moved or scaled by KHR_texture_transform, which is ignored.");
-  if (info.texCoord != 0)
+  if (paint.texCoord != 0)
     gltf.warn("A texture uses other uvs than TEXCOORD_0, the only ones that are read.");
 }
 

@@ -7,6 +7,7 @@
 
 #include "mesh/gltf/accessor.hpp"
 #include "mesh/gltf/draws.hpp"
+#include "mesh/gltf/morph.hpp"
 #include "mesh/gltf/place.hpp"
 #include "mesh/gltf/range.hpp"
 #include "mesh/sentences.hpp"
@@ -69,14 +70,18 @@ void appendDraw(Gltf& gltf, const Draw& draw, const Layout& layout, const std::v
   append(gltf, draw, "NORMAL", 3, 3, 0, mesh.normals);
   if (layout.hasUvs) append(gltf, draw, "TEXCOORD_0", 2, 2, 0, mesh.uvs);
   if (layout.hasColors) append(gltf, draw, "COLOR_0", 3, 4, 1, mesh.colors);
-  clampColors(gltf, mesh.colors, firstVertex * 4);
   if (layout.hasTangents) append(gltf, draw, "TANGENT", 4, 4, 0, mesh.tangents);
+  makeUnit(gltf, mesh.normals, firstVertex * 3, 3, "Normals");
+  makeUnit(gltf, mesh.tangents, firstVertex * 4, 4, "Tangents");
+  if (!draw.weights.empty()) {
+    morph(gltf, *draw.primitive, draw.weights, firstVertex, mesh);
+    makeUnit(mesh.normals, firstVertex * 3, 3);
+    makeUnit(mesh.tangents, firstVertex * 4, 4);
+  }
+  clampColors(gltf, mesh.colors, firstVertex * 4);
   if (layout.isIndexed) appendIndices(gltf, draw, firstVertex, mesh.indices);
   if (!layout.hasEqualColors)
     tint(mesh.colors, firstVertex, lookOf(gltf, draw.primitive->material));
-
-  makeUnit(gltf, mesh.normals, firstVertex * 3, 3, "Normals");
-  makeUnit(gltf, mesh.tangents, firstVertex * 4, 4, "Tangents");
   put(gltf, draw, skins, firstVertex, firstIndex, mesh);
 }
 

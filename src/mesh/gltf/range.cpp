@@ -23,8 +23,7 @@ void clampColors(Gltf& gltf, std::vector<float>& colors, std::size_t first) {
   if (isSeen) gltf.warn("Colours of vertices that lie outside 0 to 1 are clamped to it.");
 }
 
-void makeUnit(Gltf& gltf, std::vector<float>& vectors, std::size_t first, std::size_t stride,
-              const std::string& name) {
+bool makeUnit(std::vector<float>& vectors, std::size_t first, std::size_t stride) {
   bool isSeen = false;
   for (std::size_t i = first; i < vectors.size(); i += stride) {
     float* const vector = &vectors[i];
@@ -33,7 +32,13 @@ void makeUnit(Gltf& gltf, std::vector<float>& vectors, std::size_t first, std::s
     isSeen |= std::abs(length - 1) > nearly;
     for (int k = 0; k < 3; ++k) vector[k] = static_cast<float>(vector[k] / length);
   }
-  if (isSeen) gltf.warn(name + " that are not of length 1 are scaled to it.");
+  return isSeen;
+}
+
+void makeUnit(Gltf& gltf, std::vector<float>& vectors, std::size_t first, std::size_t stride,
+              const std::string& name) {
+  if (makeUnit(vectors, first, stride))
+    gltf.warn(name + " that are not of length 1 are scaled to it.");
 }
 
 }  // namespace warpjet

@@ -14,7 +14,8 @@ namespace warpjet {
 void clampColors(Gltf& gltf, std::vector<float>& colors, std::size_t first);
 
 // The first three of `stride` numbers, to a length of 1. What is so already keeps its bits, and
-// zero stays zero. `name` is "Normals", for example.
+// zero stays zero. Answers whether that can be seen; `name` is "Normals", for example.
+bool makeUnit(std::vector<float>& vectors, std::size_t first, std::size_t stride);
 void makeUnit(Gltf& gltf, std::vector<float>& vectors, std::size_t first, std::size_t stride,
               const std::string& name);
 

@@ -2,28 +2,66 @@
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <optional>
 #include <string>
 
+#include "mesh/gltf/accessor.hpp"
 #include "mesh/sentences.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// glTF 2.0, section 3.5.3: matrix, or translation * rotation * scale.
-glm::dmat4 transformOf(const tinygltf::Node& node) {
-  if (!node.matrix.empty()) return glm::make_mat4(node.matrix.data());
+// Translation, rotation and scale, each of which may be null: numbers as glTF has them.
+template <typename Number>
+glm::dmat4 transformOf(const Number* translation, const Number* q, const Number* scale) {
   glm::dmat4 transform(1);
-  if (!node.translation.empty())
-    transform[3] = glm::dvec4(glm::make_vec3(node.translation.data()), 1);
-  if (!node.rotation.empty()) {
-    const auto& q = node.rotation;
+  if (translation) transform[3] = glm::dvec4(translation[0], translation[1], translation[2], 1);
+  if (q) {
     const glm::dquat rotation(q[3], q[0], q[1], q[2]);
     // Writers round to floats; a rotation must not scale.
     if (glm::length(rotation) > 0) transform *= glm::mat4_cast(glm::normalize(rotation));
   }
-  for (int i = 0; i < 3 && !node.scale.empty(); ++i) transform[i] *= node.scale[i];
+  for (int i = 0; i < 3 && scale; ++i) transform[i] *= double{scale[i]};
   return transform;
+}
+
+// glTF 2.0, section 3.5.3: matrix, or translation * rotation * scale.
+glm::dmat4 transformOf(const tinygltf::Node& node) {
+  if (!node.matrix.empty()) return glm::make_mat4(node.matrix.data());
+  const auto numbers = [](const std::vector<double>& list) {
+    return list.empty() ? nullptr : list.data();
+  };
+  return transformOf(numbers(node.translation), numbers(node.rotation), numbers(node.scale));
+}
+
+// The transforms of a node's instances, or nothing if it has none.
+std::vector<glm::dmat4> instancesOf(const Gltf& gltf, const Instancing& instancing) {
+  std::optional<std::size_t> count;
+  const auto numbersOf = [&](int accessor, int width) {
+    std::vector<float> numbers;
+    if (accessor < 0) return numbers;
+    const std::size_t found = countOf(gltf, accessor);
+    if (found > mostDraws) refuseDraws();
+    if (found != count.value_or(found))
+      throw FileProblem("the instances of a node have " + grouped(*count) +
+                        " elements of one attribute and " + grouped(found) +
+                        " of another; export the model again.");
+    count = found;
+    appendFloats(gltf, accessor, width, width, numbers);
+    return numbers;
+  };
+  const std::vector<float> places = numbersOf(instancing.translation, 3),
+                           turns = numbersOf(instancing.rotation, 4),
+                           scales = numbersOf(instancing.scale, 3);
+  std::vector<glm::dmat4> instances;
+  for (std::size_t i = 0; i < count.value_or(0); ++i) {
+    const auto at = [&](const std::vector<float>& numbers, std::size_t width) {
+      return numbers.empty() ? nullptr : &numbers[i * width];
+    };
+    instances.push_back(transformOf(at(places, 3), at(turns, 4), at(scales, 3)));
+  }
+  return instances;
 }
 
 std::vector<int> orphansOf(const tinygltf::Model& model) {
@@ -44,7 +82,7 @@ std::vector<int> rootsOf(const tinygltf::Model& model) {
 }
 
 // Calls with the number and the place of each node below these, in the order of the file, parents
-// before children.
+// before children. Goes below a node only if the call answers true.
 template <typename Function>
 void forNodesBelow(const tinygltf::Model& model, const std::vector<int>& roots, Function function) {
   struct Visit {
@@ -66,26 +104,47 @@ void forNodesBelow(const tinygltf::Model& model, const std::vector<int>& roots, 
                         " is its own ancestor or has two parents; export the model again.");
     isVisited[node] = true;
     const glm::dmat4 toWorld = parent * transformOf(model.nodes[node]);
-    function(node, toWorld);
-    visitAll(model.nodes[node].children, toWorld);
+    if (function(node, toWorld)) visitAll(model.nodes[node].children, toWorld);
   }
 }
 
 }  // namespace
 
-std::vector<Placed> placedMeshes(const Gltf& gltf) {
+void refuseDraws() {
+  throw FileProblem("the model has more than " + grouped(mostDraws) +
+                    " parts; join its parts and export it again.");
+}
+
+std::vector<Placed> placedMeshes(Gltf& gltf) {
   std::vector<Placed> placed;
-  forNodesBelow(gltf.model, rootsOf(gltf.model), [&](std::size_t place, const glm::dmat4& toWorld) {
-    const tinygltf::Node& node = gltf.model.nodes[place];
-    if (node.mesh >= 0) placed.push_back({node.mesh, node.skin, toWorld});
-  });
+  const auto place = [&](std::size_t number, const glm::dmat4& toWorld) {
+    const int i = static_cast<int>(number);
+    const tinygltf::Node& node = gltf.model.nodes[number];
+    if (gltf.extensions.hiddenNodes.contains(i)) return false;
+    if (node.mesh < 0) return true;
+    const auto instancing = gltf.extensions.instancing.find(i);
+    const bool isInstanced = instancing != gltf.extensions.instancing.end() && node.skin < 0;
+    if (instancing != gltf.extensions.instancing.end() && node.skin >= 0)
+      gltf.warn("A mesh that follows bones is shown once, whatever its instances are.");
+    std::vector<glm::dmat4> instances{glm::dmat4(1)};
+    if (isInstanced && instancing->second.hasAttributes())
+      instances = instancesOf(gltf, instancing->second);
+    if (placed.size() + instances.size() > mostDraws) refuseDraws();
+    for (const glm::dmat4& instance : instances)
+      placed.push_back({node.mesh, node.skin, i, toWorld * instance});
+    return true;
+  };
+  forNodesBelow(gltf.model, rootsOf(gltf.model), place);
   return placed;
 }
 
 std::vector<glm::dmat4> placesOfNodes(const Gltf& gltf) {
   std::vector<glm::dmat4> places(gltf.model.nodes.size(), glm::dmat4(1));
   forNodesBelow(gltf.model, orphansOf(gltf.model),
-                [&](std::size_t node, const glm::dmat4& toWorld) { places[node] = toWorld; });
+                [&](std::size_t node, const glm::dmat4& toWorld) {
+                  places[node] = toWorld;
+                  return true;
+                });
   return places;
 }
 

@@ -21,7 +21,7 @@ enum class Kind {
   Size,     // a count, an offset or an enumeration
   Flag,     // true or false
   Text,     //
-  Numbers,  // so many
+  Numbers,  // so many; any number of them if the length is 0
   Indices,  // any number
   Names,    // any number of texts
   Keys,     // an object of which only the keys matter
@@ -43,24 +43,38 @@ constexpr bool required = true;
 // glTF 2.0, chapter 5 (properties reference).
 constexpr Member asset[] = {{"version", Kind::Text, required}};
 constexpr Member scene[] = {{"nodes", Kind::Indices}};
+constexpr Member instanceAttributes[] = {
+    {"TRANSLATION", Kind::Index}, {"ROTATION", Kind::Index}, {"SCALE", Kind::Index}};
+constexpr Member instancing[] = {{"attributes", Kind::Object, required, 0, instanceAttributes}};
+constexpr Member visibility[] = {{"visible", Kind::Flag}};
+constexpr Member nodeExtensions[] = {
+    {"EXT_mesh_gpu_instancing", Kind::Object, false, 0, instancing},
+    {"KHR_node_visibility", Kind::Object, false, 0, visibility}};
 constexpr Member node[] = {{"mesh", Kind::Index},
                            {"skin", Kind::Index},
                            {"children", Kind::Indices},
                            {"matrix", Kind::Numbers, false, 16},
                            {"translation", Kind::Numbers, false, 3},
                            {"rotation", Kind::Numbers, false, 4},
-                           {"scale", Kind::Numbers, false, 3}};
+                           {"scale", Kind::Numbers, false, 3},
+                           {"weights", Kind::Numbers},
+                           {"extensions", Kind::Object, false, 0, nodeExtensions}};
 constexpr Member attributes[] = {{"POSITION", Kind::Index}, {"NORMAL", Kind::Index},
                                  {"TANGENT", Kind::Index},  {"TEXCOORD_0", Kind::Index},
                                  {"COLOR_0", Kind::Index},  {"JOINTS_0", Kind::Index},
                                  {"JOINTS_1", Kind::Index}, {"WEIGHTS_0", Kind::Index}};
+constexpr Member draco[] = {{"bufferView", Kind::Index, required},
+                            {"attributes", Kind::Object, false, 0, attributes}};
+constexpr Member primitiveExtensions[] = {
+    {"KHR_draco_mesh_compression", Kind::Object, false, 0, draco}};
 constexpr Member primitive[] = {{"attributes", Kind::Object, required, 0, attributes},
                                 {"indices", Kind::Index},
                                 {"material", Kind::Index},
                                 {"mode", Kind::Size},
-                                {"targets", Kind::Some},
-                                {"extensions", Kind::Keys}};
-constexpr Member mesh[] = {{"primitives", Kind::Objects, required, 0, primitive}};
+                                {"targets", Kind::Objects, false, 0, attributes},
+                                {"extensions", Kind::Object, false, 0, primitiveExtensions}};
+constexpr Member mesh[] = {{"primitives", Kind::Objects, required, 0, primitive},
+                           {"weights", Kind::Numbers}};
 constexpr Member sparseIndices[] = {{"bufferView", Kind::Index, required},
                                     {"byteOffset", Kind::Index},
                                     {"componentType", Kind::Size, required}};
@@ -76,11 +90,27 @@ constexpr Member accessor[] = {{"bufferView", Kind::Index},
                                {"count", Kind::Size, required},
                                {"type", Kind::Text, required},
                                {"sparse", Kind::Object, false, 0, sparse}};
+constexpr Member meshopt[] = {{"buffer", Kind::Index, required},
+                              {"byteOffset", Kind::Size},
+                              {"byteLength", Kind::Size, required},
+                              {"byteStride", Kind::Size, required},
+                              {"count", Kind::Size, required},
+                              {"mode", Kind::Text, required},
+                              {"filter", Kind::Text}};
+constexpr Member viewExtensions[] = {{"EXT_meshopt_compression", Kind::Object, false, 0, meshopt},
+                                     {"KHR_meshopt_compression", Kind::Object, false, 0, meshopt}};
 constexpr Member bufferView[] = {{"buffer", Kind::Index, required},
                                  {"byteOffset", Kind::Size},
                                  {"byteLength", Kind::Size, required},
-                                 {"byteStride", Kind::Size}};
-constexpr Member buffer[] = {{"uri", Kind::Text}, {"byteLength", Kind::Size, required}};
+                                 {"byteStride", Kind::Size},
+                                 {"extensions", Kind::Object, false, 0, viewExtensions}};
+constexpr Member fallback[] = {{"fallback", Kind::Flag}};
+constexpr Member bufferExtensions[] = {
+    {"EXT_meshopt_compression", Kind::Object, false, 0, fallback},
+    {"KHR_meshopt_compression", Kind::Object, false, 0, fallback}};
+constexpr Member buffer[] = {{"uri", Kind::Text},
+                             {"byteLength", Kind::Size, required},
+                             {"extensions", Kind::Object, false, 0, bufferExtensions}};
 constexpr Member image[] = {
     {"uri", Kind::Text}, {"mimeType", Kind::Text}, {"bufferView", Kind::Index}};
 constexpr Member texture[] = {{"source", Kind::Index}};
@@ -88,7 +118,12 @@ constexpr Member textureInfo[] = {
     {"index", Kind::Index, required}, {"texCoord", Kind::Index}, {"extensions", Kind::Keys}};
 constexpr Member metallicRoughness[] = {{"baseColorFactor", Kind::Numbers, false, 4},
                                         {"baseColorTexture", Kind::Object, false, 0, textureInfo}};
-constexpr Member material[] = {{"pbrMetallicRoughness", Kind::Object, false, 0, metallicRoughness}};
+constexpr Member specularGlossiness[] = {{"diffuseFactor", Kind::Numbers, false, 4},
+                                         {"diffuseTexture", Kind::Object, false, 0, textureInfo}};
+constexpr Member materialExtensions[] = {
+    {"KHR_materials_pbrSpecularGlossiness", Kind::Object, false, 0, specularGlossiness}};
+constexpr Member material[] = {{"pbrMetallicRoughness", Kind::Object, false, 0, metallicRoughness},
+                               {"extensions", Kind::Object, false, 0, materialExtensions}};
 constexpr Member skin[] = {{"joints", Kind::Indices, required},
                            {"inverseBindMatrices", Kind::Index}};
 constexpr Member root[] = {{"asset", Kind::Object, required, 0, asset},
@@ -160,7 +195,7 @@ void checkText(const json& value, const Place& place) {
 
 void checkNumbers(const json& value, const Place& place, std::size_t length) {
   checkList(value, place);
-  if (value.size() != length)
+  if (length > 0 && value.size() != length)
     fail(place, "a list of " + std::to_string(length) + " numbers", value);
   for (const json& number : value)
     if (!number.is_number()) fail(place, "a list of numbers", number);

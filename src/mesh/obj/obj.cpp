@@ -7,25 +7,24 @@
 #include <utility>
 
 #include "mesh/files.hpp"
-#include "mesh/obj/buckets.hpp"
-#include "mesh/obj/obj_text.hpp"
+#include "mesh/obj/corners.hpp"
+#include "mesh/obj/paints.hpp"
 #include "mesh/obj/polygon.hpp"
+#include "mesh/obj/srgb.hpp"
 #include "mesh/sentences.hpp"
 #include "mesh/surface/normals.hpp"
+#include "mesh/text/lines.hpp"
 
 namespace warpjet {
 
 namespace {
 
-// What the faces' corners point at. Colours are as long as positions, or empty.
+// What the faces' corners point at. Colours are as long as positions, or empty. An element of which
+// a number is none has NaN as its first.
 struct Lists {
   std::vector<float> positions, colors, uvs, normals;
+  std::string firstProblem;  // of such elements
 };
-
-// IEC 61966-2-1.
-float linearOf(float srgb) {
-  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
-}
 
 constexpr float noColor = std::numeric_limits<float>::quiet_NaN();
 
@@ -52,31 +51,80 @@ std::vector<float> linearColors(const std::vector<float>& colors,
   return linear;
 }
 
-void readPosition(ObjLine& line, Lists& lists) {
-  const auto numbers = line.numbers<6>();
-  if (numbers.count < 3) line.fail("has a position of fewer than 3 numbers");
-  lists.positions.insert(lists.positions.end(), numbers.values.begin(), numbers.values.begin() + 3);
-  // A fourth number alone is a weight, which only curves have.
-  const bool hasColor = numbers.count == 6;
-  if (!hasColor && lists.colors.empty()) return;
-  lists.colors.resize(lists.positions.size(), noColor);
-  if (hasColor) std::copy_n(numbers.values.begin() + 3, 3, lists.colors.end() - 3);
+template <std::size_t most>
+void mark(const TextLine& line, LineNumbers<most>& numbers, Lists& lists) {
+  if (numbers.isFinite) return;
+  numbers.values[0] = std::numeric_limits<float>::quiet_NaN();
+  if (lists.firstProblem.empty()) lists.firstProblem = line.problemOfNumber();
 }
 
-void readUv(ObjLine& line, Lists& lists) {
-  const auto numbers = line.numbers<2>();
+void readPosition(TextLine& line, Lists& lists) {
+  auto numbers = line.numbers<6>();
+  if (numbers.count < 3) line.fail("has a position of fewer than 3 numbers");
+  const auto& values = numbers.values;
+  // A fourth number alone is a weight, which only curves have.
+  const auto areNumbers = [&](std::size_t first) {
+    return std::none_of(&values[first], &values[first] + 3, [](float n) { return std::isnan(n); });
+  };
+  const bool hasColor = numbers.count == 6 && areNumbers(3);
+  numbers.isFinite = areNumbers(0);
+  mark(line, numbers, lists);
+  lists.positions.insert(lists.positions.end(), values.begin(), values.begin() + 3);
+  if (!hasColor && lists.colors.empty()) return;
+  lists.colors.resize(lists.positions.size(), noColor);
+  if (hasColor) std::copy_n(values.begin() + 3, 3, lists.colors.end() - 3);
+}
+
+void readUv(TextLine& line, Lists& lists) {
+  auto numbers = line.numbers<2>();
   if (numbers.count < 1) line.fail("has a uv without numbers");
+  mark(line, numbers, lists);
   lists.uvs.insert(lists.uvs.end(), {numbers.values[0], 1 - numbers.values[1]});
 }
 
-void readNormal(ObjLine& line, Lists& lists) {
-  const auto numbers = line.numbers<3>();
+void readNormal(TextLine& line, Lists& lists) {
+  auto numbers = line.numbers<3>();
   if (numbers.count < 3) line.fail("has a normal of fewer than 3 numbers");
+  mark(line, numbers, lists);
   const auto [x, y, z] = numbers.values;
   // Files round normals to a few digits.
   const double length = std::hypot(double{x}, double{y}, double{z});
   for (const float number : {x, y, z})
-    lists.normals.push_back(length > 0 ? static_cast<float>(number / length) : 0);
+    lists.normals.push_back(length == 0 ? 0 : static_cast<float>(number / length));
+}
+
+// What a file that has most, but not all, of its numbers loses of them.
+struct Losses {
+  bool positions = false, uvs = false, normals = false;
+
+  void warn(std::vector<std::string>& warnings) const {
+    if (positions) warnings.push_back("Triangles at positions that are no numbers are left out.");
+    if (normals) warnings.push_back("Normals of the .obj that are no numbers are computed.");
+    if (uvs) warnings.push_back("Uvs of the .obj that are no numbers are 0.");
+  }
+};
+
+// Takes from the corners of a face what is no number; leaves no corner of a face that stands
+// nowhere.
+void mend(std::vector<ObjCorner>& face, const Lists& lists, Losses& losses) {
+  const auto isOdd = [](const std::vector<float>& list, std::uint32_t place, std::size_t width) {
+    return place != none && std::isnan(list[place * width]);
+  };
+  bool isPlaced = true;
+  for (ObjCorner& corner : face) {
+    isPlaced &= !isOdd(lists.positions, corner.position, 3);
+    if (isOdd(lists.normals, corner.normal, 3)) {
+      corner.normal = none;
+      losses.normals = true;
+    }
+    if (isOdd(lists.uvs, corner.uv, 2)) {
+      corner.uv = none;
+      losses.uvs = true;
+    }
+  }
+  if (isPlaced) return;
+  face.clear();
+  losses.positions = true;
 }
 
 // Three corners a triangle.
@@ -91,28 +139,6 @@ void appendTriangles(const std::vector<ObjCorner>& face, const std::vector<float
     for (const std::uint32_t i : triangle) corners.push_back(face[i]);
 }
 
-// Gives each combination that faces use its vertex.
-class Corners {
- public:
-  explicit Corners(std::size_t most) : buckets_(most) {}
-
-  std::uint32_t vertexOf(const ObjCorner& corner) {
-    const auto [position, uv, normal] = corner;
-    const auto next = static_cast<std::uint32_t>(corners_.size());
-    const std::uint64_t hash = mixed(std::uint64_t{position} << 32 | uv, normal);
-    const std::uint32_t vertex = buckets_.findOrAdd(
-        hash, next, [&](std::uint32_t other) { return corners_[other] == corner; });
-    if (vertex == next) corners_.push_back(corner);
-    return vertex;
-  }
-
-  const std::vector<ObjCorner>& all() const { return corners_; }
-
- private:
-  Buckets buckets_;
-  std::vector<ObjCorner> corners_;
-};
-
 // Appends `width` numbers of each corner's element of a list; zeros where the corner has none.
 void gather(const std::vector<ObjCorner>& corners, std::uint32_t ObjCorner::*part,
             const std::vector<float>& list, std::size_t width, std::vector<float>& numbers) {
@@ -125,54 +151,88 @@ void gather(const std::vector<ObjCorner>& corners, std::uint32_t ObjCorner::*par
   }
 }
 
+// A file without any face that can be drawn.
+[[noreturn]] void failEmpty(const Lists& lists) {
+  if (!lists.firstProblem.empty()) throw FileProblem(lists.firstProblem);
+  if (lists.positions.empty())
+    throw FileProblem("this is no .glb, .gltf, .obj or .stl file; export the model as .glb.");
+  throw FileProblem("there is nothing to draw: the .obj has no faces; export it with its faces.");
+}
+
+void checkSize(std::size_t corners) {
+  // As if each corner had a vertex of its own.
+  constexpr std::size_t bytesPerCorner = 12 * sizeof(float) + sizeof(std::uint32_t);
+  if (corners > mostMeshBytes / bytesPerCorner)
+    throw FileProblem("the model has " + grouped(corners / 3) + " triangles, but at most " +
+                      grouped(mostMeshBytes / bytesPerCorner / 3) +
+                      " are read of an .obj; export it as .glb or with fewer triangles.");
+}
+
+// Colours of materials that differ move into the vertices; `painted` says which have one.
+void paint(Mesh& mesh, const std::vector<ObjCorner>& corners, const Paints& paints) {
+  if (!paints.hasColors()) return;
+  if (!paints.isEqual()) mesh.colors.resize(corners.size() * 4, 1.0f);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::uint32_t place = corners[i].paint;
+    mesh.painted.push_back(place != none);
+    if (paints.isEqual() || place == none) continue;
+    const std::array<float, 3>& color = paints.colorAt(place);
+    for (std::size_t k = 0; k < 3; ++k) mesh.colors[i * 4 + k] *= color[k];
+  }
+}
+
 }  // namespace
 
-Mesh meshOfObj(std::string_view text, std::vector<std::string>& warnings) {
+Mesh meshOfObj(std::string_view text, const Files& files, std::vector<std::string>& warnings) {
   Lists lists;
+  Paints paints(text, files);
+  Losses losses;
   std::vector<ObjCorner> faces;  // three corners a triangle
   std::vector<ObjCorner> face;
-  bool usesMaterials = false, hasFlatFaces = false, hasLongFaces = false, hasAll = true;
-  for (ObjLines lines(text); std::optional<ObjLine> line = lines.next();) {
+  bool hasFlatFaces = false, hasLongFaces = false, hasAll = true;
+  for (TextLines lines(text, "obj"); std::optional<TextLine> line = lines.next();) {
     const std::string_view word = line->word();
     if (word == "v") readPosition(*line, lists);
     if (word == "vt") readUv(*line, lists);
     if (word == "vn") readNormal(*line, lists);
-    usesMaterials |= word == "usemtl";
+    if (word == "usemtl") paints.use(line->rest());
     if (word != "f") continue;
-    hasAll &= line->corners(
-        {lists.positions.size() / 3, lists.uvs.size() / 2, lists.normals.size() / 3}, face);
+    hasAll &= readCorners(
+        *line, {lists.positions.size() / 3, lists.uvs.size() / 2, lists.normals.size() / 3}, face);
     hasFlatFaces |= face.size() < 3;
     hasLongFaces |= face.size() > mostCutCorners;
+    mend(face, lists, losses);
+    if (face.size() < 3) continue;
+    for (ObjCorner& corner : face) corner.paint = paints.current();
     appendTriangles(face, lists.positions, faces);
   }
-  if (lists.positions.empty())
-    throw FileProblem("this is no .glb, .gltf or .obj file; export the model as .glb.");
-  if (faces.empty())
-    throw FileProblem("there is nothing to draw: the .obj has no faces; export it with its faces.");
-  if (usesMaterials) warnings.push_back("The materials of the .obj are ignored.");
+  if (faces.empty()) failEmpty(lists);
+  paints.warn(warnings);
   if (hasFlatFaces) warnings.push_back("Faces of fewer than three corners are left out.");
   if (hasLongFaces)
     warnings.push_back("Faces of more than " + grouped(mostCutCorners) +
                        " corners are taken for convex ones.");
   if (!hasAll) warnings.push_back("Faces name uvs or normals that are not there; they go without.");
+  losses.warn(warnings);
 
-  // As if each corner had a vertex of its own.
-  constexpr std::size_t bytesPerCorner = 12 * sizeof(float) + sizeof(std::uint32_t);
-  if (faces.size() > mostMeshBytes / bytesPerCorner)
-    throw FileProblem("the model has " + grouped(faces.size() / 3) + " triangles, but at most " +
-                      grouped(mostMeshBytes / bytesPerCorner / 3) +
-                      " are read of an .obj; export it as .glb or with fewer triangles.");
+  checkSize(faces.size());
   Mesh mesh;
-  Corners corners(faces.size());
+  ObjVertices vertices(faces.size());
   mesh.indices.reserve(faces.size());
-  for (const ObjCorner& corner : faces) mesh.indices.push_back(corners.vertexOf(corner));
+  for (ObjCorner& corner : faces) {
+    if (paints.isEqual()) corner.paint = paints.hasColors() ? 0 : none;
+    mesh.indices.push_back(vertices.vertexOf(corner));
+  }
 
-  gather(corners.all(), &ObjCorner::position, lists.positions, 3, mesh.positions);
-  gather(corners.all(), &ObjCorner::position, linearColors(lists.colors, warnings), 4, mesh.colors);
-  gather(corners.all(), &ObjCorner::uv, lists.uvs, 2, mesh.uvs);
-  gather(corners.all(), &ObjCorner::normal, lists.normals, 3, mesh.normals);
+  const std::vector<ObjCorner>& corners = vertices.all();
+  gather(corners, &ObjCorner::position, lists.positions, 3, mesh.positions);
+  gather(corners, &ObjCorner::position, linearColors(lists.colors, warnings), 4, mesh.colors);
+  gather(corners, &ObjCorner::uv, lists.uvs, 2, mesh.uvs);
+  gather(corners, &ObjCorner::normal, lists.normals, 3, mesh.normals);
+  paint(mesh, corners, paints);
+  mesh.material = paints.material(files, warnings);
   std::vector<bool> hasNormal;
-  for (const ObjCorner& corner : corners.all()) hasNormal.push_back(corner.normal != none);
+  for (const ObjCorner& corner : corners) hasNormal.push_back(corner.normal != none);
   addMissingNormals(mesh, hasNormal);
   return mesh;
 }

@@ -45,6 +45,7 @@ void appendBlend(Mesh& to, const Mesh& from, const Blend& blend) {
   if (!from.uvs.empty()) append(to.uvs, mix<2>(from.uvs, blend));
   if (!from.colors.empty()) append(to.colors, mix<4>(from.colors, blend));
   if (!from.tangents.empty()) append(to.tangents, mixDirections<4>(from.tangents, blend));
+  if (!from.painted.empty()) to.painted.push_back(from.painted[blend.vertices[0]]);
   for (std::size_t i = 0; i < from.gradients.size(); ++i) {
     if (!from.gradients[i].empty()) append(to.gradients[i], mix<3>(from.gradients[i], blend));
   }

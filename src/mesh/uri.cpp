@@ -1,4 +1,4 @@
-#include "mesh/gltf/uri.hpp"
+#include "mesh/uri.hpp"
 
 #include <algorithm>
 #include <array>
@@ -88,6 +88,27 @@ std::optional<DataUri> decodedDataUri(std::string_view uri) {
   auto bytes = decodedBase64(text);
   if (!bytes) return std::nullopt;
   return DataUri{mimeType, std::move(*bytes)};
+}
+
+std::string uriOfName(std::string_view name, std::string_view beside) {
+  const bool isAbsolute =
+      name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':');
+  if (isAbsolute) name.remove_prefix(name.find_last_of("/\\:") + 1);
+  std::string uri(beside.substr(0, beside.rfind('/') + 1));
+  for (const char c : name) {
+    const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                         (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_' || c == '~' ||
+                         c == '/';
+    constexpr char digits[] = "0123456789ABCDEF";
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\\')
+      uri += '/';
+    else if (isPlain)
+      uri += c;
+    else
+      uri += {'%', digits[byte >> 4], digits[byte & 15]};
+  }
+  return uri;
 }
 
 const std::vector<std::uint8_t>* fileOf(const std::string& uri, const Files& files) {

@@ -1,0 +1,47 @@
+// Compressed parts of a glTF, from the bytes of the file to those that it stands for.
+import { WarpError, shorten } from '../checks/errors.js'
+import { type Codec, type MeshoptDecoder, adviceFor } from './decoders.js'
+import { type DracoModule, type DracoPlan, decodeDraco } from './draco.js'
+import type { Job } from '../wasm/mesh.js'
+
+/** By codec: the decoder, or `undefined` where it was looked for and not found. */
+export type FoundDecoders = Map<Codec, unknown>
+
+/** What gltf/packed_part.hpp says of a part. */
+type Plan = { extension: string; isOptional: boolean } & (
+  | { codec: 'meshopt'; count: number; byteStride: number; mode: string; filter: string }
+  | ({ codec: 'draco' } & DracoPlan)
+)
+
+/** Decodes all compressed parts of the job's file, or answers which decoders have not been looked for. */
+export function unpackParts(job: Job, found: FoundDecoders): Codec[] {
+  job.act('findPacked')
+  const plans = job.texts().map((text) => JSON.parse(text) as Plan)
+  const unknown = new Set(plans.map(({ codec }) => codec).filter((codec) => !found.has(codec)))
+  if (unknown.size) return [...unknown]
+  plans.forEach((plan, part) => {
+    const decoder = found.get(plan.codec)
+    if (decoder) job.unpack(part, decode(job, plan, decoder, job.packedBytes(part)))
+    else if (!plan.isOptional)
+      throw new WarpError(
+        `${job.method}: the model is compressed by ${plan.extension}, and there is no decoder for it: ${adviceFor(plan.codec)}.`,
+      )
+  })
+  return []
+}
+
+function decode({ method }: Job, plan: Plan, decoder: unknown, bytes: Uint8Array): Uint8Array[] {
+  try {
+    if (plan.codec === 'draco') return decodeDraco(decoder as DracoModule, plan, bytes)
+    const { count, byteStride, mode, filter } = plan
+    const target = new Uint8Array(count * byteStride)
+    if (count)
+      (decoder as MeshoptDecoder).decodeGltfBuffer(target, count, byteStride, bytes, mode, filter)
+    return [target]
+  } catch (error) {
+    const why = shorten(error instanceof Error ? error.message : String(error))
+    throw new WarpError(
+      `${method}: the data of ${plan.extension} cannot be decoded (${why}); export the model again.`,
+    )
+  }
+}

@@ -1,0 +1,64 @@
+// The extensions of glTF that change a mesh, taken out of its description.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace warpjet {
+
+// EXT_mesh_gpu_instancing: accessors, or -1.
+struct Instancing {
+  int translation = -1, rotation = -1, scale = -1;
+
+  bool hasAttributes() const { return translation >= 0 || rotation >= 0 || scale >= 0; }
+};
+
+// The colour of a material: pbrMetallicRoughness, or KHR_materials_pbrSpecularGlossiness in its
+// place.
+struct BaseColor {
+  std::array<double, 4> color{1, 1, 1, 1};
+  int texture = -1, texCoord = 0;
+  bool isTransformed = false;  // by KHR_texture_transform
+};
+
+// A bufferView compressed by EXT_meshopt_compression or KHR_meshopt_compression.
+struct MeshoptView {
+  std::string extension;
+  int buffer = -1;
+  std::uint64_t byteOffset = 0, byteLength = 0, byteStride = 0, count = 0;
+  std::string mode, filter;
+};
+
+// A primitive compressed by KHR_draco_mesh_compression.
+struct DracoPrimitive {
+  int bufferView = -1;
+  std::map<std::string, int> attributes;  // name to Draco's id
+};
+
+inline constexpr const char* dracoExtension = "KHR_draco_mesh_compression";
+
+struct Extensions {
+  std::map<int, Instancing> instancing;  // by node
+  std::set<int> hiddenNodes;             // KHR_node_visibility; what is below is hidden, too
+  std::map<int, BaseColor> glossiness;   // by material
+  std::map<int, MeshoptView> meshoptViews;
+  std::map<std::pair<std::size_t, std::size_t>, DracoPrimitive> draco;  // by mesh and primitive
+};
+
+// Throws a FileProblem if a description requires an extension that would change the mesh and is
+// not read. Those that change textures only cost these.
+void refuseExtensions(const nlohmann::json& tree);
+
+// Takes them out of a description that has been reduced to the schema.
+Extensions takeExtensions(nlohmann::json& tree);
+
+// How to export a model so that it does without, such as "without Draco compression".
+std::string adviceFor(std::string_view extension);
+
+}  // namespace warpjet

@@ -1,0 +1,77 @@
+#include "mesh/gltf/morph.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "mesh/gltf/accessor.hpp"
+#include "mesh/sentences.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// What a target may move: how many numbers it has, and how many a vertex of the mesh has.
+struct Movable {
+  const char* name;
+  std::vector<float> Mesh::*numbers;
+  int least, width;
+  std::size_t stride;
+};
+
+constexpr Movable movables[] = {{"POSITION", &Mesh::positions, 3, 3, 3},
+                                {"NORMAL", &Mesh::normals, 3, 3, 3},
+                                {"TANGENT", &Mesh::tangents, 3, 3, 4},
+                                {"TEXCOORD_0", &Mesh::uvs, 2, 2, 2},
+                                {"COLOR_0", &Mesh::colors, 3, 4, 4}};
+
+void add(const Gltf& gltf, int accessor, const Movable& movable, double weight,
+         std::size_t firstVertex, Mesh& mesh) {
+  std::vector<float>& numbers = mesh.*movable.numbers;
+  const std::size_t vertices = mesh.vertexCount() - firstVertex, found = countOf(gltf, accessor);
+  if (found != vertices)
+    throw FileProblem("a part has " + grouped(vertices) + " positions, but " + grouped(found) +
+                      " of its morph target's " + movable.name + "; export the model again.");
+  std::vector<float> offsets;
+  appendFloats(gltf, accessor, movable.least, movable.width, offsets);
+  // A colour without alpha leaves that as it is, and is not filled with ones.
+  const bool isOpaque =
+      gltf.model.accessors[static_cast<std::size_t>(accessor)].type < movable.width;
+  const auto width = static_cast<std::size_t>(movable.width), used = width - (isOpaque ? 1 : 0);
+  for (std::size_t i = 0; i < vertices; ++i)
+    for (std::size_t k = 0; k < used; ++k) {
+      float& number = numbers[(firstVertex + i) * movable.stride + k];
+      number = static_cast<float>(number + weight * offsets[i * width + k]);
+    }
+}
+
+}  // namespace
+
+std::vector<MorphWeight> morphWeightsOf(Gltf& gltf, const tinygltf::Primitive& primitive,
+                                        const Placed& placed) {
+  const auto& ofNode = gltf.model.nodes[static_cast<std::size_t>(placed.node)].weights;
+  const auto& ofMesh = gltf.model.meshes[static_cast<std::size_t>(placed.mesh)].weights;
+  const std::vector<double>& all = ofNode.empty() ? ofMesh : ofNode;
+  std::vector<MorphWeight> weights;
+  for (std::size_t i = 0; i < std::min(all.size(), primitive.targets.size()); ++i)
+    if (all[i] != 0) weights.push_back({i, all[i]});
+  if (!weights.empty())
+    gltf.warn(
+        "The model has morph targets; it has the shape that their weights in the file give it.");
+  else if (!primitive.targets.empty())
+    gltf.warn("The model has morph targets; they are ignored, and it keeps its base shape.");
+  return weights;
+}
+
+void morph(const Gltf& gltf, const tinygltf::Primitive& primitive,
+           const std::vector<MorphWeight>& weights, std::size_t firstVertex, Mesh& mesh) {
+  for (const auto& [target, weight] : weights)
+    for (const Movable& movable : movables) {
+      const auto accessor = primitive.targets[target].find(movable.name);
+      const bool isThere =
+          primitive.attributes.contains(movable.name) && !(mesh.*movable.numbers).empty();
+      if (isThere && accessor != primitive.targets[target].end())
+        add(gltf, accessor->second, movable, weight, firstVertex, mesh);
+    }
+}
+
+}  // namespace warpjet

@@ -1,0 +1,136 @@
+#include "mesh/obj/paints.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "mesh/obj/srgb.hpp"
+#include "mesh/picture.hpp"
+#include "mesh/sentences.hpp"
+#include "mesh/text/encoding.hpp"
+#include "mesh/text/lines.hpp"
+#include "mesh/uri.hpp"
+
+namespace warpjet {
+
+namespace {
+
+// A list of names, or one name with spaces: nobody can tell them apart.
+void addLibraries(TextLine line, std::vector<std::string>& uris, std::set<std::string>& known) {
+  const auto add = [&](std::string_view name) {
+    if (name.empty()) return;
+    std::string uri = uriOfName(name);
+    if (known.insert(uri).second) uris.push_back(std::move(uri));
+  };
+  add(line.rest());
+  for (std::string_view name = line.word(); !name.empty(); name = line.word()) add(name);
+}
+
+}  // namespace
+
+ObjNames namesInObj(std::string_view text) {
+  ObjNames names;
+  if (text.find("mtllib") == text.npos) return names;
+  std::set<std::string> libraries;
+  std::set<std::string, std::less<>> materials;
+  for (TextLines lines(text, "obj"); std::optional<TextLine> line = lines.next();) {
+    const std::string_view word = line->word();
+    if (word == "mtllib") addLibraries(*line, names.libraries, libraries);
+    if (word != "usemtl" || materials.contains(line->rest())) continue;
+    names.materials.emplace_back(line->rest());
+    materials.emplace(line->rest());
+  }
+  return names;
+}
+
+ObjMaterials materialsOf(const ObjNames& names, const Files& files) {
+  ObjMaterials materials;
+  for (const std::string& uri : names.libraries) {
+    const auto* file = fileOf(uri, files);
+    if (!file) continue;
+    const std::optional<std::string> converted = utf8OfUtf16(*file);
+    readMaterials(converted ? *converted : textOf(*file), uri, materials);
+  }
+  return materials;
+}
+
+std::vector<std::string> filesOfObj(std::string_view text, const Files& files) {
+  const ObjNames names = namesInObj(text);
+  const ObjMaterials materials = materialsOf(names, files);
+  std::vector<std::string> uris = names.libraries;
+  std::set<std::string> known(uris.begin(), uris.end());
+  for (const std::string& name : names.materials) {
+    const auto material = materials.find(name);
+    if (material == materials.end() || material->second.picture.empty()) continue;
+    if (known.insert(material->second.picture).second) uris.push_back(material->second.picture);
+  }
+  return uris;
+}
+
+Paints::Paints(std::string_view text, const Files& files)
+    : names_(namesInObj(text)), materials_(materialsOf(names_, files)) {
+  const auto isThere = [&](const std::string& uri) { return fileOf(uri, files) != nullptr; };
+  if (!names_.libraries.empty() &&
+      std::none_of(names_.libraries.begin(), names_.libraries.end(), isThere))
+    missing_ = names_.libraries.front();
+}
+
+void Paints::use(std::string_view name) {
+  usesMaterials_ = true;
+  const auto material = materials_.find(name);
+  isUnknown_ |= material == materials_.end() && !name.empty();
+  current_ = material == materials_.end() ? ObjMaterial{} : material->second;
+  paint_ = std::nullopt;
+}
+
+std::uint32_t Paints::current() {
+  if (paint_) return *paint_;
+  if (!picture_) picture_ = current_.picture;
+  hasPictures_ |= *picture_ != current_.picture;
+  if (picture_->empty()) picture_ = current_.picture;
+  hasUnpainted_ |= !current_.color;
+  paint_ = none;
+  if (!current_.color) return none;
+  std::array<float, 3> color = *current_.color;
+  for (float& part : color) {
+    isClamped_ |= !(part >= 0 && part <= 1);
+    part = linearOf(std::clamp(part, 0.0f, 1.0f));
+  }
+  const auto [place, isNew] = places_.emplace(color, static_cast<std::uint32_t>(colors_.size()));
+  if (isNew) colors_.push_back(color);
+  return *(paint_ = place->second);
+}
+
+std::optional<Material> Paints::material(const Files& files,
+                                         std::vector<std::string>& warnings) const {
+  Material material;
+  const bool hasPicture = picture_ && !picture_->empty();
+  if (!hasColors() && !hasPicture) return std::nullopt;
+  if (hasPictures_)
+    warnings.push_back("The parts have different base-colour textures; only the first is kept.");
+  if (hasColors() && isEqual()) std::copy_n(colors_[0].begin(), 3, material.baseColor.begin());
+  if (!hasPicture) return material;
+  const auto* file = fileOf(*picture_, files);
+  if (file && !file->empty())
+    material.baseColorTexture = Image{*file, sniffedType(*file)};
+  else
+    warnings.push_back("The picture " + quotedText(*picture_) +
+                       " of the .mtl is missing or broken; it is left out.");
+  return material;
+}
+
+void Paints::warn(std::vector<std::string>& warnings) const {
+  if (!usesMaterials_) return;
+  const std::string leftOut = "The materials of the .obj are left out, since ";
+  if (names_.libraries.empty())
+    warnings.push_back(leftOut + "it names no .mtl file (mtllib).");
+  else if (!missing_.empty())
+    warnings.push_back(leftOut + quotedText(missing_) + " is not there.");
+  else if (isUnknown_)
+    warnings.push_back(
+        "A material of the .obj is in none of its .mtl files; those faces have no colour.");
+  if (isClamped_)
+    warnings.push_back("Colours of the .mtl that lie outside 0 to 1 are clamped to it.");
+}
+
+}  // namespace warpjet

@@ -1,0 +1,13 @@
+// Colours of OBJ and MTL files, which are sRGB, as linear ones.
+#pragma once
+
+#include <cmath>
+
+namespace warpjet {
+
+// IEC 61966-2-1.
+inline float linearOf(float srgb) {
+  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
+}  // namespace warpjet

@@ -1,0 +1,13 @@
+// What kind of picture some bytes are.
+#pragma once
+
+#include <string>
+
+#include "mesh/files.hpp"
+
+namespace warpjet {
+
+// The MIME type, by the first bytes.
+std::string sniffedType(Bytes bytes);
+
+}  // namespace warpjet

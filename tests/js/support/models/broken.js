@@ -1,0 +1,204 @@
+// Model files that are wrong in ways that their format names, each with the reason that loadMesh must give.
+import { plain, plainVariants } from './gltf-variants.js'
+import { packedVariants } from './packed-variants.js'
+import { shapes } from './shapes.js'
+import { textVariants } from './text-variants.js'
+import { extensionVariants } from './extension-variants.js'
+import { readGlb, writeGlb } from '../glb.js'
+
+const { cube } = shapes
+const encode = (text) => new TextEncoder().encode(text)
+
+/** A GLB whose document is bent. */
+function bent(file, change) {
+  const { json, chunks } = readGlb(file)
+  const binary = chunks[1]?.bytes
+  change(json, binary)
+  return writeGlb(json, binary)
+}
+
+const cubeFile = (change) => bent(plain(cube).glb().file, change)
+const variant = (variants, name, change) => bent(variants[name](cube).file, change)
+const firstPrimitive = (json) => json.meshes[0].primitives[0]
+const packedView = (json) =>
+  json.bufferViews.find(({ extensions }) => extensions).extensions.EXT_meshopt_compression
+const instances = (json) => json.nodes[0].extensions.EXT_mesh_gpu_instancing.attributes
+const zeros = (json, count) => json.accessors.push({ componentType: 5126, count, type: 'VEC3' }) - 1
+
+const stl = textVariants['a binary STL'](cube).file
+const text = textVariants['a text STL'](cube).file
+const textOf = (bytes) => new TextDecoder().decode(bytes)
+
+export const broken = {
+  'an unknown required extension': {
+    file: cubeFile((json) => (json.extensionsRequired = ['ACME_teapots'])),
+    reason: /requires the extension "ACME_teapots"/,
+  },
+  'indices out of range': {
+    file: cubeFile((json) => {
+      json.accessors[0].componentType = 5121
+      json.accessors[0].count = 3
+      json.bufferViews[0].byteOffset = 4 * 72
+    }),
+    reason: /uses vertex/,
+  },
+  'a buffer that is cut off': {
+    file: cubeFile((json) => (json.buffers[0].byteLength += 100)),
+    reason: /ends in the middle of its data/,
+  },
+  'a view past its buffer': {
+    file: cubeFile((json) => (json.bufferViews[1].byteLength = 1e6)),
+    reason: /bufferView 1 reads up to byte/,
+  },
+  'an accessor past its view': {
+    file: cubeFile((json) => (json.accessors[1].count = 1000)),
+    reason: /accessor 1 reads up to byte/,
+  },
+  'a million instances of a cube': {
+    file: variant(extensionVariants, 'instances by places', (json) => {
+      instances(json).TRANSLATION = zeros(json, 4_000_000)
+    }),
+    reason: /more than 1,048,576 parts/,
+  },
+  'instances that take too much memory': {
+    file: bent(extensionVariants['instances by places'](shapes.sphere).file, (json) => {
+      instances(json).TRANSLATION = zeros(json, 1_048_000)
+    }),
+    reason: /at most 1,073,741,824 are read/,
+  },
+  'instances of different numbers': {
+    file: variant(extensionVariants, 'instances by places, turns and sizes', (json) => {
+      instances(json).SCALE = zeros(json, 2)
+    }),
+    reason: /the instances of a node have 3 elements of one attribute and 2 of another/,
+  },
+  'instances turned by vectors of three': {
+    file: variant(extensionVariants, 'instances by places, turns and sizes', (json) => {
+      instances(json).ROTATION = instances(json).SCALE
+    }),
+    reason: /must hold vectors of 4 numbers/,
+  },
+  'a morph target of another length': {
+    file: variant(extensionVariants, 'morph weights of the mesh', (json) => {
+      firstPrimitive(json).targets[0].POSITION = zeros(json, 7)
+    }),
+    reason: /24 positions, but 7 of its morph target's POSITION/,
+  },
+  'weights that are no numbers': {
+    file: variant(extensionVariants, 'morph weights of the mesh', (json) => {
+      json.meshes[0].weights = ['heavy']
+    }),
+    reason: /meshes\[0\].weights must be a list of numbers/,
+  },
+  'a scene of which all is hidden': {
+    file: variant(extensionVariants, 'a hidden node', (json) => {
+      for (const node of json.nodes) node.extensions = { KHR_node_visibility: { visible: false } }
+    }),
+    reason: /there is nothing to draw/,
+  },
+  'sparse indices past the end': {
+    file: variant(plainVariants, 'sparse positions', (json, binary) => {
+      const { bufferView } = json.accessors.find(({ sparse }) => sparse).sparse.indices
+      binary[json.bufferViews[bufferView].byteOffset + 1] = 255
+    }),
+    reason: /replaces its element/,
+  },
+  'zeros of millions': {
+    file: cubeFile((json) => (firstPrimitive(json).attributes.POSITION = zeros(json, 5e6))),
+    reason: /5,000,000 elements without any bytes/,
+  },
+  'meshopt data that are broken': {
+    file: variant(packedVariants, 'meshopt, vertices and triangles', (json, binary) => {
+      binary.fill(0xff, packedView(json).byteOffset, packedView(json).byteOffset + 8)
+    }),
+    reason: /the data of EXT_meshopt_compression cannot be decoded \(Malformed buffer data/,
+  },
+  'meshopt data that are cut off': {
+    file: variant(packedVariants, 'meshopt, vertices and triangles', (json) => {
+      packedView(json).byteLength = 9
+    }),
+    reason: /the data of EXT_meshopt_compression cannot be decoded/,
+  },
+  'a meshopt mode of its own': {
+    file: variant(packedVariants, 'meshopt, vertices and triangles', (json) => {
+      packedView(json).mode = 'POINTS'
+    }),
+    reason: /unknown mode "POINTS"/,
+  },
+  'a meshopt filter of its own': {
+    file: variant(packedVariants, 'meshopt, vertices and triangles', (json) => {
+      packedView(json).filter = 'BLUR'
+    }),
+    reason: /unknown filter "BLUR"/,
+  },
+  'a meshopt bomb': {
+    file: variant(packedVariants, 'meshopt, vertices and triangles', (json) => {
+      packedView(json).count = 4e9
+    }),
+    reason: /would take 48,000,\d{3},\d{3} bytes/,
+  },
+  'Draco data that are broken': {
+    file: variant(packedVariants, 'Draco, edge breaker', (json, binary) => {
+      const { bufferView } = firstPrimitive(json).extensions.KHR_draco_mesh_compression
+      const { byteOffset, byteLength } = json.bufferViews[bufferView]
+      binary.fill(0, byteOffset + 20, byteOffset + byteLength)
+    }),
+    reason: /the data of KHR_draco_mesh_compression cannot be decoded/,
+  },
+  'bytes that are no Draco': {
+    file: variant(packedVariants, 'Draco, edge breaker', (json, binary) => {
+      const { bufferView } = firstPrimitive(json).extensions.KHR_draco_mesh_compression
+      binary.fill(7, json.bufferViews[bufferView].byteOffset)
+    }),
+    reason: /the data of KHR_draco_mesh_compression cannot be decoded/,
+  },
+  'a Draco attribute that is not there': {
+    file: variant(packedVariants, 'Draco, in order', (json) => {
+      firstPrimitive(json).extensions.KHR_draco_mesh_compression.attributes.POSITION = 9
+    }),
+    reason: /it has no attribute 9/,
+  },
+  'a Draco attribute of another width': {
+    file: variant(packedVariants, 'Draco, in order', (json) => {
+      const { attributes } = firstPrimitive(json).extensions.KHR_draco_mesh_compression
+      attributes.TEXCOORD_0 = attributes.POSITION
+    }),
+    reason: /has 3 numbers a vertex, not 2/,
+  },
+  'a binary STL that is cut off': {
+    file: stl.slice(0, -10),
+    reason: /ends in the middle of its data \(it says 684 bytes, 674 came\)/,
+  },
+  'a binary STL without triangles': {
+    file: new Uint8Array(84),
+    reason: /the .stl has no triangles/,
+  },
+  'a text STL that is cut off': {
+    file: text.slice(0, 500),
+    reason: /line \d+ of the .stl|ends in the middle of a facet/,
+  },
+  'a text STL with another word': {
+    file: encode(textOf(text).replace('outer loop', 'outer hoop')),
+    reason: /line 3 of the .stl has "hoop" where "loop" belongs/,
+  },
+  'a text STL with a broken number': {
+    file: encode(textOf(text).replace('vertex -1', 'vertex -1,5')),
+    reason: /line \d+ of the .stl has ".*" where a number belongs/,
+  },
+  'an OBJ whose only face is at a position that is none': {
+    file: encode('v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n'),
+    reason: /line 3 of the .obj has "nan" where a number belongs/,
+  },
+  'an OBJ that names too many vertices': {
+    file: encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n'),
+    reason: /line 4 of the .obj speaks of position 4, but only 3 came before it/,
+  },
+  'an OBJ without faces': {
+    file: encode('v 0 0 0\nv 1 0 0\nv 0 1 0\n'),
+    reason: /the .obj has no faces/,
+  },
+  'a PLY file': {
+    file: encode('ply\nformat ascii 1.0\n'),
+    reason: /no .glb, .gltf, .obj or .stl file/,
+  },
+}

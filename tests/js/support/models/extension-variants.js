@@ -1,0 +1,192 @@
+// glTF files that use extensions or weights of morph targets, each with the triangles that it must have.
+import { as, plain, sparse } from './gltf-variants.js'
+import { reversed, trianglesOf } from './shapes.js'
+
+const lift = (shape) => shape.positions.map((_, i) => (i % 3 === 1 ? (i % 2) + 0.5 : 0))
+
+const morphed = (weights, target) => (shape) => {
+  const offsets = lift(shape)
+  const writer = plain(shape, {
+    mesh: { weights: weights.mesh },
+    node: () => (weights.node ? { weights: weights.node } : {}),
+    more: (writer) => ({ targets: [{ POSITION: target(writer, offsets) }] }),
+  })
+  const [weight] = weights.node ?? weights.mesh
+  const triangles = trianglesOf(shape, (corner, i) =>
+    corner.map((x, k) => x + weight * offsets[3 * i + k]),
+  )
+  return { ...writer.glb(), triangles }
+}
+
+const dense = (writer, offsets) => writer.accessor(offsets, 'VEC3')
+const sparsely = (writer, offsets) => {
+  const place = sparse(writer, offsets, 'VEC3', 3, true)
+  const { bufferView, ...accessor } = writer.json.accessors[place]
+  // Of the first element: zeros.
+  offsets.fill(0, 0, 3)
+  return writer.json.accessors.push({ ...accessor, min: [0, 0, 0], max: [0, 1.5, 0] }) - 1
+}
+
+const [a, b, c] = [
+  [3, 0, 0],
+  [0, 5, 0],
+  [0, 0, 7],
+]
+const scales = [
+  [1, 1, 1],
+  [2, 1, 0.5],
+  [-1, 1, 1],
+]
+// None, a quarter around z, and a half around x.
+const turns = [
+  [0, 0, 0, 1],
+  [0, 0, Math.SQRT1_2, Math.SQRT1_2],
+  [1, 0, 0, 0],
+]
+const turn = [([x, y, z]) => [x, y, z], ([x, y, z]) => [-y, x, z], ([x, y, z]) => [x, -y, -z]]
+
+/** `rotation` makes the array of the quaternions. */
+const instanced =
+  (parts, rotation = (numbers) => Float32Array.from(numbers), more) =>
+  (shape) => {
+    const writer = plain(shape, {
+      node: (writer) => {
+        writer.extension('EXT_mesh_gpu_instancing')
+        const attributes = {
+          TRANSLATION: () => writer.accessor(Float32Array.from([a, b, c].flat()), 'VEC3'),
+          ROTATION: () => writer.accessor(rotation(turns.flat()), 'VEC4', more),
+          SCALE: () => writer.accessor(Float32Array.from(scales.flat()), 'VEC3'),
+        }
+        const used = Object.fromEntries(parts.map((name) => [name, attributes[name]()]))
+        return {
+          translation: [0, 0, 100],
+          extensions: { EXT_mesh_gpu_instancing: { attributes: used } },
+        }
+      },
+    })
+    const triangles = [a, b, c].flatMap((place, i) => {
+      const [isSized, isTurned] = ['SCALE', 'ROTATION'].map((name) => parts.includes(name))
+      const moved = trianglesOf(shape, (corner) => {
+        const scaled = isSized ? corner.map((x, k) => x * scales[i][k]) : corner
+        const turned = isTurned ? turn[i](scaled) : scaled
+        return turned.map((x, k) => x + place[k] + (k === 2 ? 100 : 0))
+      })
+      return isSized && scales[i][0] < 0 ? reversed(moved) : moved
+    })
+    return { ...writer.glb(), triangles, tolerance: more ? 0.02 : 1e-5 }
+  }
+
+const hidden = { extensions: { KHR_node_visibility: { visible: false } } }
+
+const painted = (extension, texture) => (writer) => {
+  writer.extension(extension)
+  writer.add('images', { bufferView: writer.view(new Uint8Array(8)), mimeType: 'image/webp' })
+  writer.add('textures', texture)
+  writer.add('materials', { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } })
+  writer.json.meshes[0].primitives[0].material = 0
+}
+
+const requiring = (extension) =>
+  as((shape) =>
+    plain(shape, {}, painted(extension, { extensions: { [extension]: { source: 0 } } })),
+  )
+
+const glossy = as((shape) =>
+  plain(shape, {}, (writer) => {
+    const name = 'KHR_materials_pbrSpecularGlossiness'
+    writer.extension(name)
+    writer.add('materials', { extensions: { [name]: { diffuseFactor: [1, 0.5, 0.25, 1] } } })
+    writer.json.meshes[0].primitives[0].material = 0
+  }),
+)
+
+/** Positions as integers: `unit` is the largest, `range` what it stands for, `shift` makes them unsigned. */
+function quantized(Type, { unit, normalized = false, shift = 0 }) {
+  return (shape) => {
+    const range = Math.max(...shape.positions.map(Math.abs))
+    const numbers = Type.from(shape.positions, (x) =>
+      Math.round(((x / range + shift) / (1 + shift)) * unit),
+    )
+    const step = (range * (1 + shift)) / (normalized ? 1 : unit)
+    const writer = plain(shape, {
+      own: (writer) => {
+        writer.extension('KHR_mesh_quantization')
+        const padded = new Type((numbers.length / 3) * 4)
+        numbers.forEach((x, i) => (padded[Math.floor(i / 3) * 4 + (i % 3)] = x))
+        const byteStride = 4 * Type.BYTES_PER_ELEMENT
+        const place = writer.accessor(numbers, 'VEC3', { normalized })
+        const ofAxis = (k) => [...numbers].filter((_, i) => i % 3 === k)
+        const byAxis = (pick) => [0, 1, 2].map((k) => pick(...ofAxis(k)))
+        Object.assign(writer.json.accessors[place], {
+          bufferView: writer.view(padded, { byteStride }),
+          min: byAxis(Math.min),
+          max: byAxis(Math.max),
+        })
+        const normals = new Int8Array((shape.normals.length / 3) * 4)
+        shape.normals.forEach(
+          (x, i) => (normals[Math.floor(i / 3) * 4 + (i % 3)] = Math.round(x * 127)),
+        )
+        const NORMAL = writer.add('accessors', {
+          bufferView: writer.view(normals, { byteStride: 4 }),
+          componentType: 5120,
+          normalized: true,
+          count: normals.length / 4,
+          type: 'VEC3',
+        })
+        return { POSITION: place, NORMAL }
+      },
+      node: () => ({
+        scale: [step, step, step],
+        translation: [-shift * range, -shift * range, -shift * range],
+      }),
+    })
+    return { ...writer.glb(), triangles: trianglesOf(shape), tolerance: (2 * range) / unit }
+  }
+}
+
+export const extensionVariants = {
+  'morph weights of the mesh': morphed({ mesh: [0.5] }, dense),
+  'morph weights of the node': morphed({ mesh: [0.5], node: [-2] }, dense),
+  'a morph target upon zeros': morphed({ mesh: [1.25] }, sparsely),
+  'morph weights of 0': morphed({ mesh: [0] }, dense),
+  'instances by places': instanced(['TRANSLATION']),
+  'instances by places, turns and sizes': instanced(['TRANSLATION', 'ROTATION', 'SCALE']),
+  'instances whose turns are shorts': instanced(
+    ['TRANSLATION', 'ROTATION'],
+    (numbers) => Int16Array.from(numbers, (x) => Math.round(x * 32767)),
+    { normalized: true },
+  ),
+  'instances whose turns are bytes': instanced(
+    ['TRANSLATION', 'ROTATION', 'SCALE'],
+    (numbers) => Int8Array.from(numbers, (x) => Math.round(x * 127)),
+    { normalized: true },
+  ),
+  'a hidden node': as((shape) =>
+    plain(shape, {}, (writer) => {
+      writer.extension('KHR_node_visibility')
+      writer.node({ mesh: 0, translation: [9, 9, 9], ...hidden })
+    }),
+  ),
+  'a node below a hidden one': as((shape) =>
+    plain(shape, {}, (writer) => {
+      writer.extension('KHR_node_visibility')
+      const child = writer.add('nodes', { mesh: 0 })
+      writer.node({ children: [child], ...hidden })
+      writer.json.nodes[0].extensions = { KHR_node_visibility: { visible: true } }
+    }),
+  ),
+  'colours of specular-glossiness': glossy,
+  'required WebP textures': requiring('EXT_texture_webp'),
+  'required Basis textures': requiring('KHR_texture_basisu'),
+  'required AVIF textures': requiring('EXT_texture_avif'),
+  'required DDS textures': requiring('MSFT_texture_dds'),
+  'positions of 16 bits': quantized(Int16Array, { unit: 32767, normalized: true }),
+  'positions of 16 bits, not normalized': quantized(Int16Array, { unit: 30000 }),
+  'positions of 16 unsigned bits': quantized(Uint16Array, {
+    unit: 65535,
+    normalized: true,
+    shift: 1,
+  }),
+  'positions of 8 bits': quantized(Int8Array, { unit: 127, normalized: true }),
+  'positions of 8 unsigned bits': quantized(Uint8Array, { unit: 255, shift: 1 }),
+}

@@ -1,0 +1,121 @@
+// Small shapes with shared vertices, and the triangles that they are known to have.
+import { grid, sphere } from '../meshes.js'
+
+function cube() {
+  const [positions, normals, uvs, indices] = [[], [], [], []]
+  for (let axis = 0; axis < 3; axis++)
+    for (const side of [-1, 1]) {
+      const first = positions.length / 3
+      for (const [a, b] of [
+        [-1, -1],
+        [1, -1],
+        [1, 1],
+        [-1, 1],
+      ]) {
+        const point = [0, 0, 0]
+        point[axis] = side
+        point[(axis + 1) % 3] = a * side
+        point[(axis + 2) % 3] = b
+        positions.push(...point)
+        normals.push(...[0, 1, 2].map((k) => (k === axis ? side : 0)))
+        uvs.push((a + 1) / 2, (b + 1) / 2)
+      }
+      indices.push(...[0, 1, 2, 0, 2, 3].map((corner) => first + corner))
+    }
+  return { positions, normals, uvs, indices }
+}
+
+/** The smallest closed shape, with a vertex for each corner. */
+function tetrahedron() {
+  const points = [
+    [1, 1, 1],
+    [-1, -1, 1],
+    [-1, 1, -1],
+    [1, -1, -1],
+  ]
+  const faces = [
+    [0, 2, 1],
+    [0, 1, 3],
+    [0, 3, 2],
+    [1, 2, 3],
+  ]
+  const corners = faces.flat()
+  const normals = faces.flatMap((face) => {
+    const sum = [0, 1, 2].map((k) => face.reduce((total, i) => total + points[i][k], 0))
+    return [sum, sum, sum].flat().map((part) => part / Math.sqrt(3))
+  })
+  return {
+    positions: corners.flatMap((i) => points[i]),
+    normals,
+    uvs: corners.flatMap((i) => [i / 4, 0.5]),
+    indices: corners.map((_, i) => i),
+  }
+}
+
+const withUvs = (mesh) => ({
+  ...mesh,
+  uvs: [...mesh.positions].filter((_, i) => i % 3 < 2).map((x) => x / 4),
+})
+
+const typed = ({ positions, normals, uvs, indices }) => ({
+  positions: Float32Array.from(positions),
+  normals: Float32Array.from(normals),
+  uvs: Float32Array.from(uvs),
+  indices: Uint32Array.from(indices),
+})
+
+export const shapes = {
+  cube: typed(cube()),
+  tetrahedron: typed(tetrahedron()),
+  sphere: typed(sphere(8, 6)),
+  grid: typed(withUvs(grid(4, 3))),
+}
+
+/** Three corners of three numbers for each triangle; `move` moves a corner, by its place and its vertex. */
+export function trianglesOf({ positions, indices }, move = (corner) => corner) {
+  const corners = [...(indices ?? Array(positions.length / 3).keys())]
+  const points = corners.map((i) => move([...positions.slice(3 * i, 3 * i + 3)], i))
+  return Array.from({ length: points.length / 3 }, (_, i) => points.slice(3 * i, 3 * i + 3))
+}
+
+/** The same triangles from behind, as where something is mirrored. */
+export const reversed = (triangles) => triangles.map(([a, b, c]) => [a, c, b])
+
+/** Without area, as triangles at the pole of a sphere are. */
+function isFlat([a, b, c]) {
+  const [u, v] = [b, c].map((point) => point.map((x, k) => x - a[k]))
+  const normal = [0, 1, 2].map((k) => {
+    const [i, j] = [(k + 1) % 3, (k + 2) % 3]
+    return u[i] * v[j] - u[j] * v[i]
+  })
+  return Math.hypot(...normal) < 1e-4
+}
+
+const distance = (a, b) => Math.max(...a.flatMap((p, i) => p.map((x, k) => Math.abs(x - b[i][k]))))
+const turned = ([a, b, c], by) =>
+  [
+    [a, b, c],
+    [b, c, a],
+    [c, a, b],
+  ][by]
+
+/** The largest distance of a corner from where it should be, or a sentence: triangles may come in any order. */
+export function compareTriangles(came, expected) {
+  const [found, open] = [came, expected].map((triangles) =>
+    triangles.filter((triangle) => !isFlat(triangle)),
+  )
+  if (found.length !== open.length) return `${found.length} triangles, not ${open.length}`
+  let worst = 0
+  for (const triangle of found) {
+    let best = { far: Infinity, place: -1 }
+    open.forEach((other, place) => {
+      for (const by of [0, 1, 2]) {
+        const far = distance(triangle, turned(other, by))
+        if (far < best.far) best = { far, place }
+      }
+    })
+    open.splice(best.place, 1)
+    worst = Math.max(worst, best.far)
+  }
+  return worst
+}

@@ -1,0 +1,108 @@
+// OBJ and STL files in many forms, each with the triangles that its shape must have.
+import { trianglesOf } from './shapes.js'
+
+const encode = (text) => new TextEncoder().encode(text)
+const points = (numbers, width, word) =>
+  Array.from({ length: numbers.length / width }, (_, i) =>
+    [word, ...numbers.slice(width * i, width * (i + 1))].join(' '),
+  )
+
+/** The lines of an OBJ; `corner` writes a corner of a face. */
+function objLines(
+  { positions, normals, uvs, indices },
+  corner = (i) => `${i + 1}/${i + 1}/${i + 1}`,
+) {
+  const faces = Array.from({ length: indices.length / 3 }, (_, i) =>
+    ['f', ...[...indices.slice(3 * i, 3 * i + 3)].map((index) => corner(index))].join(' '),
+  )
+  return [
+    ...points(positions, 3, 'v'),
+    ...points(uvs, 2, 'vt'),
+    ...points(normals, 3, 'vn'),
+    ...faces,
+  ]
+}
+
+const obj =
+  (write = (lines) => encode(lines.join('\n')), files) =>
+  (shape) => ({ file: write(objLines(shape), shape), files, triangles: trianglesOf(shape) })
+
+function utf16(isBigEndian, hasMark) {
+  return (lines) => {
+    const bytes = Buffer.from((hasMark ? '\uFEFF' : '') + lines.join('\r\n'), 'utf16le')
+    return new Uint8Array(isBigEndian ? bytes.swap16() : bytes)
+  }
+}
+
+/** With a spare vertex, so that a line that is lost moves every corner. */
+const marked = (lines) => encode('\uFEFF' + [...lines, 'v 9 9 9'].join('\n'))
+
+const relative = (shape) => {
+  const count = shape.positions.length / 3
+  const lines = objLines(shape, (i) =>
+    Array(3)
+      .fill(i - count)
+      .join('/'),
+  )
+  return { file: encode(lines.join('\n')), triangles: trianglesOf(shape) }
+}
+
+const withLines = (...more) => obj((lines) => encode([...more, ...lines].join('\n')))
+
+const facets = (triangles, normal) =>
+  triangles.flatMap((corners) => [
+    `facet normal ${normal}`,
+    'outer loop',
+    ...corners.map((corner) => `vertex ${corner.join(' ')}`),
+    'endloop',
+    'endfacet',
+  ])
+
+const textStl =
+  (normal = '0 0 0', end = '\n') =>
+  (shape) => {
+    const triangles = trianglesOf(shape)
+    const lines = ['solid shape', ...facets(triangles, normal), 'endsolid shape']
+    return { file: encode(lines.join(end)), triangles }
+  }
+
+const binaryStl =
+  (header, normal = [0, 0, 0]) =>
+  (shape) => {
+    const triangles = trianglesOf(shape)
+    const file = new Uint8Array(84 + 50 * triangles.length)
+    file.set(encode(header))
+    const view = new DataView(file.buffer)
+    view.setUint32(80, triangles.length, true)
+    triangles.forEach((corners, i) =>
+      [...normal, ...corners.flat()].forEach((x, k) =>
+        view.setFloat32(84 + 50 * i + 4 * k, x, true),
+      ),
+    )
+    return { file, triangles }
+  }
+
+export const textVariants = {
+  'an OBJ': obj(),
+  'an OBJ with CR LF': obj((lines) => encode(lines.join('\r\n'))),
+  'an OBJ with CR': obj((lines) => encode(lines.join('\r'))),
+  'an OBJ with a byte order mark': obj(marked),
+  'an OBJ in UTF-16, little endian': obj(utf16(false, true)),
+  'an OBJ in UTF-16, big endian': obj(utf16(true, true)),
+  'an OBJ in UTF-16 without a mark': obj(utf16(false, false)),
+  'an OBJ with relative indices': relative,
+  'an OBJ with numbers that are none': obj((lines) =>
+    encode([...lines, 'v nan 0 -nan(ind)', 'vn inf 0 1.#QNAN', 'vt nan nan'].join('\n')),
+  ),
+  'an OBJ with materials': obj(
+    (lines) => encode(['mtllib a.mtl', 'usemtl red', ...lines].join('\n')),
+    { 'a.mtl': encode('newmtl red\nKd 1 0 0\n') },
+  ),
+  'an OBJ whose materials are not there': withLines('mtllib a.mtl', 'usemtl red'),
+  'a text STL': textStl(),
+  'a text STL with CR LF': textStl('0 1 0', '\r\n'),
+  'a text STL with normals that are none': textStl('nan nan nan'),
+  'a binary STL': binaryStl('by a test'),
+  'a binary STL that begins with "solid"': binaryStl('solid by a test', [0, 1, 0]),
+  'a binary STL with normals that are none': binaryStl('', [NaN, 0, 0]),
+}

@@ -1,0 +1,118 @@
+// Writes glTF files for the tests by the specification (glTF 2.0), without any of the library.
+import { writeGlb } from '../glb.js'
+
+export const componentTypes = new Map([
+  [Int8Array, 5120],
+  [Uint8Array, 5121],
+  [Int16Array, 5122],
+  [Uint16Array, 5123],
+  [Uint32Array, 5125],
+  [Float32Array, 5126],
+])
+export const widths = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 }
+
+export const bytesOf = ({ buffer, byteOffset, byteLength }) =>
+  new Uint8Array(buffer, byteOffset, byteLength)
+
+export class GltfWriter {
+  json = { asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [] }], nodes: [], meshes: [] }
+  #parts = []
+  #length = 0
+
+  /** Appends to one of the document's lists; answers the element's place. */
+  add(list, element) {
+    this.json[list] ??= []
+    return this.json[list].push(element) - 1
+  }
+
+  /** Marks an extension as used, and as required unless `isOptional`. */
+  extension(name, isOptional = false) {
+    for (const list of ['extensionsUsed', ...(isOptional ? [] : ['extensionsRequired'])]) {
+      this.json[list] ??= []
+      if (!this.json[list].includes(name)) this.json[list].push(name)
+    }
+  }
+
+  /** Appends bytes to the buffer; answers where they are. */
+  bytes(bytes) {
+    const byteOffset = this.#length
+    const padded = new Uint8Array(Math.ceil(bytes.length / 4) * 4)
+    padded.set(bytes)
+    this.#parts.push(padded)
+    this.#length += padded.length
+    return { buffer: 0, byteOffset, byteLength: bytes.length }
+  }
+
+  view(array, more) {
+    return this.add('bufferViews', { ...this.bytes(bytesOf(array)), ...more })
+  }
+
+  /** `numbers` is a typed array; `more` adds members of the accessor. */
+  accessor(numbers, type, more = {}) {
+    const count = numbers.length / widths[type]
+    const componentType = componentTypes.get(numbers.constructor)
+    return this.add('accessors', {
+      bufferView: this.view(numbers),
+      componentType,
+      count,
+      type,
+      ...(type === 'VEC3' && componentType === 5126 && !more.isMorph && extent(numbers)),
+      ...Object.fromEntries(Object.entries(more).filter(([name]) => name !== 'isMorph')),
+    })
+  }
+
+  /** A mesh of one primitive. */
+  mesh(attributes, more, ofMesh) {
+    return this.add('meshes', { primitives: [{ attributes, ...more }], ...ofMesh })
+  }
+
+  /** A node of the scene. */
+  node(node) {
+    const place = this.add('nodes', node)
+    this.json.scenes[0].nodes.push(place)
+    return place
+  }
+
+  get binary() {
+    const bytes = new Uint8Array(this.#length)
+    let at = 0
+    for (const part of this.#parts) {
+      bytes.set(part, at)
+      at += part.length
+    }
+    return bytes
+  }
+
+  #document(uri) {
+    const { buffers = [], ...json } = this.json
+    const own = { byteLength: this.#length, ...(uri && { uri }) }
+    return { ...json, ...(this.#length && { buffers: [own, ...buffers] }) }
+  }
+
+  glb() {
+    return { file: writeGlb(this.#document(), this.binary) }
+  }
+
+  embedded() {
+    const text = Buffer.from(this.binary).toString('base64')
+    return { file: this.#text(`data:application/octet-stream;base64,${text}`) }
+  }
+
+  external() {
+    return { file: this.#text('mesh%20data.bin'), files: { 'mesh%20data.bin': this.binary } }
+  }
+
+  #text(uri) {
+    return new TextEncoder().encode(JSON.stringify(this.#document(uri)))
+  }
+}
+
+/** What an accessor says of its numbers, three each. */
+export function extent(numbers) {
+  const [min, max] = [Array(3).fill(Infinity), Array(3).fill(-Infinity)]
+  numbers.forEach((value, i) => {
+    min[i % 3] = Math.min(min[i % 3], value)
+    max[i % 3] = Math.max(max[i % 3], value)
+  })
+  return { min, max }
+}
