@@ -32,7 +32,7 @@ class Separation {
   // Operands are visited before their users.
   void visit(NodeId id) {
     if (graph_.isInput(id)) isFrame_[index(id)] = isKnown_[graph_.node(id).operands[0]];
-    if (graph_.isLeaf(id)) {
+    if (graph_.isLeaf(id) || graph_.known(id)) {
       written_[index(id)] = id;
     } else if (graph_.isOperation(id)) {
       visitOperation(id);
@@ -78,7 +78,7 @@ class Separation {
     for (int i = 0; i < graph_.arity(id); ++i) {
       const NodeId operand = graph_.operand(id, i);
       isFrame |= isFrame_[index(operand)];
-      isVarying |= !isFrame_[index(operand)] && !graph_.isConstant(operand);
+      isVarying |= !isSame(operand);
     }
     isFrame_[index(id)] = isFrame && !isVarying;
     if (isFrame_[index(id)]) return;
@@ -102,7 +102,7 @@ class Separation {
     return {joined(op, left.varying, right.varying), joined(op, left.frame, right.frame)};
   }
 
-  bool isSame(NodeId id) const { return isFrame_[index(id)] || graph_.isConstant(id); }
+  bool isSame(NodeId id) const { return isFrame_[index(id)] || graph_.known(id); }
 
   Sum partsOf(NodeId id) {
     if (isFrame_[index(id)]) return {noNode, id};
@@ -196,21 +196,48 @@ class Separation {
     return graph_.operand(library_.call(withCells(definition), given)[0].id, 0);
   }
 
-  // As a component of an input; a condition as 1 or 0.
+  // The node that the shader reads in place of `id`, or `id` itself where no room is left. Frame
+  // inputs are floats: a condition arrives as 1 or 0. A whole number arrives as two floats, its
+  // upper and its lower 16 bits, since a float has only 24 bits.
   NodeId handedOver(NodeId id) {
     if (graph_.isLeaf(id)) return id;
-    std::size_t place = 0;
-    while (place < values_.size() && values_[place] != asNumber(id)) ++place;
-    if (place == mostFrameValues) return id;
-    if (place == values_.size()) values_.push_back(asNumber(id));
-    const std::string label = frameLabel + std::to_string(place / 4);
-    const NodeId given =
-        graph_.component(graph_.input(label, vectorOf(4)), static_cast<int>(place % 4));
-    return graph_.type(id) == ops::Type::Bool ? graph_.apply(ops::find("bool"), {given}) : given;
+    NodeId given = noNode;
+    switch (graph_.type(id)) {
+      case ops::Type::Float:
+        given = component(id);
+        break;
+      case ops::Type::Bool:
+        given = component(graph_.apply(ops::find("float"), {id}));
+        if (given != noNode) given = graph_.apply(ops::find("bool"), {given});
+        break;
+      case ops::Type::Int:
+        given = fromHalves(half(ops::find("shiftRight"), id, 16),
+                           half(ops::find("bitAnd"), id, 0xffff));
+        break;
+    }
+    return given == noNode ? id : given;
   }
 
-  NodeId asNumber(NodeId id) {
-    return graph_.type(id) == ops::Type::Bool ? graph_.apply(ops::find("float"), {id}) : id;
+  // The component whose value is to be this float, or `noNode` where no room is left.
+  NodeId component(NodeId value) {
+    std::size_t place = 0;
+    while (place < values_.size() && values_[place] != value) ++place;
+    if (place == mostFrameValues) return noNode;
+    if (place == values_.size()) values_.push_back(value);
+    const std::string label = frameLabel + std::to_string(place / 4);
+    return graph_.component(graph_.input(label, vectorOf(4)), static_cast<int>(place % 4));
+  }
+
+  NodeId half(Op op, NodeId whole, double by) {
+    const NodeId bits = graph_.apply(op, {whole, graph_.whole(by)});
+    return component(graph_.apply(ops::find("intToFloat"), {bits}));
+  }
+
+  // A product and a sum, since GLSL ES 1.00 has no bit operations.
+  NodeId fromHalves(NodeId high, NodeId low) {
+    if (high == noNode || low == noNode) return noNode;
+    const NodeId upper = graph_.apply(ops::find("intMult"), {high, graph_.whole(0x10000)});
+    return graph_.apply(ops::find("intAdd"), {upper, low});
   }
 
   Graph& graph_;

@@ -131,6 +131,7 @@ class Inliner {
 
   NodeId copied(const Graph& from, NodeId node, const std::vector<NodeId>& nodes) {
     if (from.isConstant(node)) return graph_.constant(from.value(node));
+    if (from.isKnownInt(node)) return graph_.whole(*from.known(node));
     Operands<NodeId> operands{};
     for (int i = 0; i < from.arity(node); ++i) operands[i] = nodes[index(from.operand(node, i))];
     return graph_.apply(from.node(node).op, operands);

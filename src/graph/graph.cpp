@@ -124,6 +124,10 @@ NodeId Graph::constant(double value) {
       {{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)}, constantOp});
 }
 
+NodeId Graph::whole(double value) {
+  return intern(Node{{index(constant(value))}, ops::find("int")});
+}
+
 double Graph::value(NodeId constant) const {
   const auto& words = node(constant).operands;
   return bitCast<double>(words[0] | std::uint64_t{words[1]} << 32);
@@ -169,10 +173,15 @@ std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
   }
   const double result = ops::valueOf(op, values);
   if (!fitsFloat32(result)) return std::nullopt;
-  const NodeId folded = constant(result);
-  if (info.signature.result == ops::Type::Float) return folded;
-  const bool isBool = info.signature.result == ops::Type::Bool;
-  return intern(Node{{index(folded)}, isBool ? ops::find("bool") : ops::find("int")});
+  switch (info.signature.result) {
+    case ops::Type::Float:
+      return constant(result);
+    case ops::Type::Bool:
+      return intern(Node{{index(constant(result))}, ops::find("bool")});
+    case ops::Type::Int:
+      return whole(result);
+  }
+  return std::nullopt;
 }
 
 NodeId Graph::apply(Op op, Operands<NodeId> operands) {

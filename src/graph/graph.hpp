@@ -122,6 +122,8 @@ class Graph {
   Graph copy() const;
 
   NodeId constant(double value);
+  // The node `int(constant)`, which has all 32 bits: `apply` would round the constant to a float.
+  NodeId whole(double value);
 
   // The number of the input with this label and shape; asking twice gives the same one.
   std::uint32_t input(std::string_view label, Shape shape);
