@@ -41,10 +41,17 @@ const mostHalvings = 8
 const mostPieces = 16
 /** After so many evaluations a search gives up: some milliseconds for a small warp. */
 const mostEvaluations = 1000
-/** A share of the numbers' size: what doubles leave of a warp of some hundred operations. */
+/** The same for the way from `near`, and for each of the other ways: many short ones find more than a few long ones. */
+const maxFromNear = 500
+const maxFromElsewhere = 40
+/** A share of the size of numbers: what doubles leave of a warp of some hundred operations. */
 const precision = 1e-14
-/** The same, of what counts as reached where rounding or a fold stops the way. */
+/** A share of the size of the goal: what counts as reached where rounding or a fold stops the way. */
 const reached = 1e-9
+/** Rounding counts as at a place of at most this size: otherwise any goal would count as reached from far away. */
+const roundingSize = 1e4
+
+const sizeOf = (a: Triple) => Math.hypot(...a)
 
 /** What is known of a place. */
 interface Place {
@@ -52,9 +59,14 @@ interface Place {
   to: Moved
 }
 
+/** How near to `goal` the warp must bring a place: a share of the goal's size, and what rounding leaves. */
+const tolerance = (share: number, { from }: Place, goal: Triple) =>
+  share * sizeOf(goal) + precision * Math.min(sizeOf(from), roundingSize)
+
 /** Searches where `warp` brings `target` from. */
 class InverseSearch {
   private evaluations = 0
+  private limit = maxFromNear
 
   constructor(
     private readonly warp: (from: Triple) => Moved,
@@ -65,13 +77,25 @@ class InverseSearch {
     return this.evaluations >= mostEvaluations
   }
 
+  private get isAtLimit() {
+    return this.evaluations >= this.limit
+  }
+
+  /** As `from`, by a few evaluations. */
+  fromElsewhere(start: Triple): Place | undefined {
+    this.limit = this.evaluations + maxFromElsewhere
+    return this.from(start)
+  }
+
   /** The place that the way from `start` leads to; nothing if it ends before. */
   from(start: Triple): Place | undefined {
     let place = this.place(start)
     if (!isFinite3(place.to.position)) return undefined
     // Newton's method alone, and where it fails, the way in pieces: half of what is left, then the rest.
-    for (let pieces = 0, share = 1; pieces < mostPieces && !this.isOver; pieces++) {
-      const goal = along(place.to.position, share, minus(this.target, place.to.position))
+    for (let pieces = 0, share = 1; pieces < mostPieces && !this.isAtLimit; pieces++) {
+      const { position } = place.to
+      // The target itself: the sum would have lost it to rounding where the warp leads far away.
+      const goal = share === 1 ? this.target : along(position, share, minus(this.target, position))
       const next = this.near(place, goal)
       if (next && share === 1) return next
       if (next) place = next
@@ -84,9 +108,8 @@ class InverseSearch {
   private near(start: Place, goal: Triple): Place | undefined {
     let place = start
     let left = distance(place.to.position, goal)
-    for (let steps = 0; steps < mostSteps && !this.isOver; steps++) {
-      const size = Math.hypot(...place.from) + Math.hypot(...goal)
-      if (left <= precision * size) return place
+    for (let steps = 0; steps < mostSteps && !this.isAtLimit; steps++) {
+      if (left <= tolerance(precision, place, goal)) return place
       const step = solved(place.to.columns, minus(goal, place.to.position))
       if (!isFinite3(step)) return undefined
       let next: Place | undefined
@@ -96,7 +119,7 @@ class InverseSearch {
         rest = distance(next.to.position, goal)
       }
       // What no step makes smaller is rounding, or a fold.
-      if (!(rest < left)) return left <= reached * size ? place : undefined
+      if (!(rest < left)) return left <= tolerance(reached, place, goal) ? place : undefined
       place = next!
       left = rest
     }
@@ -114,24 +137,21 @@ const around = [-1, 0, 1]
   .flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z): Triple => [x, y, z])))
   .filter((direction) => direction.some(Boolean))
 
-/** Where else to start: what comes to the target lies as far from it as the offset there is long. */
+/** Where else to start: what comes to the target mostly lies about as far from it as the offset there is long. */
 function* startsAround(warp: (from: Triple) => Moved, target: Triple, near: Triple) {
-  const offset = (at: Triple) => distance(warp(at).position, at)
-  let reach = offset(near) || distance(target, near) || 1
-  for (let tries = 0; tries < 6; tries++) {
-    const longest = Math.max(...around.map((way) => offset(along(target, reach, way))))
-    if (!(longest > reach && longest < Infinity)) break
-    reach = longest
-  }
-  for (const share of [1, 0.5]) for (const way of around) yield along(target, share * reach, way)
+  const offset = distance(warp(target).position, target)
+  const reach = (Number.isFinite(offset) && offset) || distance(target, near) || 1
+  if (distance(target, near) > 0) yield target
+  for (const share of [1, 0.5, 0.25, 2])
+    for (const way of around) yield along(target, share * reach, way)
 }
 
-/** The place that the way from `near` leads to, or else another one. */
+/** The place that the way from `near` leads to, or else another one. The warp brings it to the target, to the tolerance above. */
 export function inverse(warp: (from: Triple) => Moved, target: Triple, near: Triple) {
   const search = new InverseSearch(warp, target)
   let found = search.from(near)
   if (!found)
     for (const start of startsAround(warp, target, near))
-      if (search.isOver || (found = search.from(start))) break
+      if (search.isOver || (found = search.fromElsewhere(start))) break
   return found && { position: [...found.from], isFolded: !(determinantOf(found.to.columns) > 0) }
 }

@@ -115,3 +115,117 @@ test('what is wrong is said in a sentence', () => {
   const flat = compileWarp(({ normal }) => normal, { normals: false })
   refused(() => flat.inverseAt([1, 2, 3]), /^inverseAt: .*normals: false/)
 })
+
+/** x + y², y + xz, z + x²: it folds, and turns its own far places into farther ones. */
+const quadratic = compileWarp(({ glsl, position: { x, y, z } }) =>
+  glsl.vec3(y.mult(y), x.mult(z), x.mult(x)),
+)
+const quadraticOf = ([x, y, z]) => [x + y * y, y + x * z, z + x * x]
+
+const sizeOf = (numbers) => Math.hypot(...numbers)
+
+/** What is stated of an answer, by the warp in double, worked out here. */
+function assertReaches(placeOf, position, target, slack = 1) {
+  const left = sizeOf(placeOf(position).map((x, i) => x - target[i]))
+  const bound = 1e-9 * sizeOf(target) + 1e-14 * Math.min(sizeOf(position), 1e4)
+  assert.ok(left <= slack * bound, `${position} comes to ${placeOf(position)}, not ${target}`)
+}
+
+test('an answer comes to the target, also of a warp that leads the search far away', () => {
+  const target = [1.3524719, 2.9967473, 2.3314333]
+  assertReaches(quadraticOf, quadratic.inverseAt(target).position, target)
+  let found = 0
+  for (let i = 0; i < 200; i++) {
+    const from = [0, 1, 2].map((k) => 3 * Math.sin(1.7 * i * (k + 1) + k))
+    const target = quadraticOf(from)
+    const inverse = quadratic.inverseAt(target)
+    if (!inverse) continue
+    found++
+    assertReaches(quadraticOf, inverse.position, target)
+  }
+  assert.ok(found > 190, `${found} of 200 are found, of which each has a place`)
+})
+
+test('what is no answer does not become one by a start far away', () => {
+  const flat = along((x) => x.mult(x).sub(x))
+  for (const near of [1, 1e3, 1e6, 1e9, 1e12, 1e20, -1e30]) {
+    assert.equal(flat.inverseAt([-1e-3, 0, 0], { near: [near, near, near] }), undefined)
+    const target = [4, 5, 6]
+    const inverse = flat.inverseAt(target, { near: [near, -near, near] })
+    isClose([Math.abs(inverse.position[0]), ...inverse.position.slice(1)], [2, 5, 6], 1e-8)
+  }
+})
+
+describe('random warps, targets and starts', () => {
+  const randomOf = (seed) => () => ((seed = (seed * 1664525 + 1013904223) >>> 0), seed / 2 ** 32)
+  /** Of the coordinates x, y and z: a warp and, by itself, its place in double. */
+  const kinds = {
+    quadratic(number, size) {
+      const rows = [0, 1, 2].map(() => Array.from({ length: 6 }, () => number(0.7)))
+      const products = ([x, y, z], times) =>
+        [
+          [x, x],
+          [y, y],
+          [z, z],
+          [x, y],
+          [x, z],
+          [y, z],
+        ].map(([a, b]) => times(a, b))
+      return {
+        offset: ({ glsl, position: p }) => {
+          const all = products([p.x, p.y, p.z], (a, b) => a.mult(b).div(size))
+          const sums = rows.map((row) =>
+            row.map((k, i) => all[i].mult(k)).reduce((a, b) => a.add(b)),
+          )
+          return glsl.vec3(...sums)
+        },
+        placeOf(p) {
+          const all = products(p, (a, b) => (a * b) / size)
+          return rows.map((row, i) => p[i] + row.reduce((sum, k, j) => sum + k * all[j], 0))
+        },
+      }
+    },
+    'folding waves'(number, size) {
+      const rows = [0, 1, 2].map(() => [number(3), number(3), number(3), number(6), number(2)])
+      return {
+        offset: ({ glsl, position: p }) =>
+          glsl.vec3(
+            ...rows.map(([a, b, c, d, height]) =>
+              p.x
+                .mult(a / size)
+                .add(p.y.mult(b / size), p.z.mult(c / size), d)
+                .sin()
+                .mult(height * size),
+            ),
+          ),
+        placeOf: (p) =>
+          rows.map(
+            ([a, b, c, d, height], i) =>
+              p[i] + height * size * Math.sin((a * p[0] + b * p[1] + c * p[2]) / size + d),
+          ),
+      }
+    },
+  }
+  for (const [kind, make] of Object.entries(kinds))
+    for (const size of [1, 1e5, 1e-6])
+      test(`${kind} of size ${size}`, () => {
+        const random = randomOf(7 + Math.round(size))
+        const number = (most) => most * (2 * random() - 1)
+        const point = (most) => [number(most), number(most), number(most)]
+        let found = 0
+        for (let i = 0; i < 30; i++) {
+          const { offset, placeOf } = make(number, size)
+          const warp = compileWarp(offset)
+          for (let k = 0; k < 4; k++) {
+            const target = placeOf(point(2 * size))
+            const near = [undefined, point(2 * size), point(50 * size), point(1e9)][k]
+            const inverse = warp.inverseAt(target, { near })
+            if (!inverse) continue
+            found++
+            // Rounding here is not the same as there.
+            assertReaches(placeOf, inverse.position, target, 2)
+          }
+        }
+        assert.ok(found > 110, `${found} of 120 are found, of which each has a place`)
+      })
+})
