@@ -5,6 +5,7 @@ export { compileWarp } from './compile/compile-warp.js'
 export type { CompiledWarp } from './compile/compile-warp.js'
 export type { Compiled, CompileOptions, Declared, Stats } from './module/result.js'
 export type {
+  Bounds,
   CpuWarp,
   EvaluateOptions,
   EvaluationOptions,

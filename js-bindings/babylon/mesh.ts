@@ -5,8 +5,12 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import { WarpError, describe } from '../checks/errors.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { warpProgram } from '../cpu/warp-program.js'
+import { allowNonFinite } from '../inputs/vertices.js'
 
 const method = 'refresh'
+
+/** As far as a box reaches that has no end. */
+const farthest = 1e30
 
 /** Where Babylon.js keeps what bones and morph targets have moved, for picking. */
 interface Kept {
@@ -32,7 +36,7 @@ export function refreshMesh(cpu: CpuWarp, mesh: AbstractMesh, uniforms: { millis
   const uvs = of(VertexBuffer.UVKind, 2)
   const colors = of(VertexBuffer.ColorKind, 4) ?? new Float32Array(4 * count).fill(1)
   const vertices = { positions, colors, ...(normals && { normals }), ...(uvs && { uvs }) }
-  const warped = cpu.evaluate(vertices, { uniforms })
+  const warped = cpu.evaluate(allowNonFinite(vertices), { uniforms })
   // Bones come after the warp.
   put(mesh, mesh.getPositionData(true, false, warped.positions) ?? warped.positions)
 }
@@ -47,6 +51,11 @@ function put(mesh: AbstractMesh, numbers: ArrayLike<number>) {
     points.push(point)
     min.minimizeInPlace(point)
     max.maximizeInPlace(point)
+  }
+  // What is infinite, or nowhere a number, is around everything, so that it is drawn. Babylon.js wants finite numbers.
+  for (const axis of ['x', 'y', 'z'] as const) {
+    if (!Number.isFinite(min[axis])) min[axis] = -farthest
+    if (!Number.isFinite(max[axis])) max[axis] = farthest
   }
   const { sourceMesh } = mesh as { sourceMesh?: AbstractMesh }
   ;((sourceMesh ?? mesh) as unknown as Kept)._internalAbstractMeshDataInfo._positions = points

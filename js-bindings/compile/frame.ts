@@ -12,14 +12,14 @@ export type FrameUniforms = Record<string, number[]>
 
 const sizeOf = ({ shape: [columns, rows] }: Variable) => columns * rows
 
-/** `read` gives the numbers of what is known, by its name or number in the module. */
+/** `read` gives the numbers of a known input. It is called only for inputs that the frame constants depend on. */
 export function frameOf({ module }: KeptWarp, isKnown: Known) {
   const frame = makeFrame(module, isKnown)
   if (!frame) return undefined
-  const { program, count } = frame
+  const { program, count, isRead } = frame
   return (read: (variable: Variable) => readonly number[]): FrameUniforms => {
-    const inputs = program.inputs.flatMap((variable) =>
-      isKnown(variable) ? [...read(variable)] : Array<number>(sizeOf(variable)).fill(0),
+    const inputs = program.inputs.flatMap((variable, i) =>
+      isRead[i] ? [...read(variable)] : Array<number>(sizeOf(variable)).fill(0),
     )
     const values = runInDouble(program, inputs, 4 * count)
     return Object.fromEntries(

@@ -2,9 +2,10 @@
 import { finiteDouble, readNumbers } from '../checks/numbers.js'
 import { WarpError } from '../checks/errors.js'
 import { drawInputs } from '../inputs/inputs.js'
-import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
+import { type DeclaredUniforms, numbersFor } from '../inputs/declared-uniforms.js'
+import type { Variable } from '../expression/shapes.js'
 import { type Uniforms, checkUniforms } from '../inputs/vertices.js'
-import { type Known, type Target, checkTarget } from '../module/kept-module.js'
+import { type Known, type Target, checkTarget, inputsOf } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'
 import { type FrameUniforms, frameOf } from './frame.js'
 import { noteApproximation } from '../checks/notes.js'
@@ -37,11 +38,19 @@ export function compileOffset(given: OffsetFunction, options: WarpOptions) {
   const frame = lazily(() => known && frameOf(warp, known))
   const valuesOfFrame: ValuesOfFrame = (method, given) =>
     valuesOf(method, warp, declared, given, frame())
+  const uniformNames = lazily(() => namesOf(warp, declared))
   const frameUniforms = (given: Uniforms = {}) => {
-    checkUniforms('frameUniforms', given, new Set(declared.keys()))
+    checkUniforms('frameUniforms', given, uniformNames())
     return valuesOfFrame('frameUniforms', given)
   }
   return { warp, declared, text, known, valuesOfFrame, emits: { emit, frameUniforms } }
+}
+
+/** The names that `frameUniforms` accepts beside those of a draw call: declared uniforms and other parameters of the shader. */
+function namesOf({ inputs, module }: KeptWarp, declared: DeclaredUniforms): ReadonlySet<string> {
+  const numbers = new Set(Object.values(inputs))
+  const others = inputsOf(module).filter(({ number }) => !numbers.has(number))
+  return new Set([...declared.keys(), ...others.map(({ name }) => name)])
 }
 
 /** All of a draw call but which one of several instances is drawn. */
@@ -62,28 +71,21 @@ function valuesOf(
   frame: ReturnType<typeof frameOf>,
 ): FrameUniforms {
   const names = new Map(frameInputs.map((name) => [inputs[name], name]))
-  const missing: string[] = []
-  const found = frame?.((variable) => {
-    const name = names.get(variable.number) ?? variable.name
-    const size = variable.shape[0] * variable.shape[1]
+  const numbersOf = ({ number, name: label, shape: [columns, rows] }: Variable) => {
+    const name = names.get(number) ?? label
     const value = own(given, name)
-    if (value !== undefined)
-      return readNumbers(`${method}: the uniform "${name}"`, value, size, finiteDouble)
-    if (declared.has(name)) return declared.get(name)!.numbers(method)
-    missing.push(name)
-    return Array<number>(size).fill(NaN)
-  })
-  // What the frame does not read may be missing.
-  if (
-    missing.length &&
-    Object.values(found ?? {})
-      .flat()
-      .some(Number.isNaN)
-  )
-    throw new WarpError(
-      `${method}: the warp reads "${missing[0]}"; give it a value, as in { ${missing[0]}: 0 }.`,
-    )
-  return found ?? {}
+    const uniform = declared.get(name)
+    const place = `${method}: the uniform "${name}"`
+    if (value === undefined && uniform) return uniform.numbers(method)
+    if (value === undefined)
+      throw new WarpError(
+        `${method}: the warp reads "${name}"; give it a value, as in { ${name}: 0 }.`,
+      )
+    return uniform
+      ? numbersFor(place, uniform.shape, value)
+      : readNumbers(place, value, columns * rows, finiteDouble)
+  }
+  return frame?.(numbersOf) ?? {}
 }
 
 /** The vec4s of the frame, from uniforms that were checked. */

@@ -21,6 +21,7 @@ import {
   uniformsOf,
 } from '../inputs/vertices.js'
 import { type Origin, keep, originsOf, readingOf } from './origins.js'
+import { copyOverwritten } from './overlaps.js'
 import { type WarpedVertices, leaveSinks, numbersOf, takeSinks, wanted } from './results.js'
 import { type WarpProgram, warpProgram } from './warp-program.js'
 
@@ -32,8 +33,9 @@ export interface EvaluationOptions {
 export interface EvaluateOptions extends EvaluationOptions {
   /**
    * Arrays of yours that the results go into, at least as long as they are, and which come back, in this object if it holds
-   * just them; what is not given is made. One of them may be the array that came in. Where the same arrays come again and
-   * again, nothing is left for the garbage collector, unless a uniform's function makes something.
+   * just them; what is not given is made. They may be arrays that came in, or share memory with them, but not with each other:
+   * that throws a `WarpError`. Where the same arrays come again and again, nothing is left for the garbage collector, unless a
+   * uniform's function makes something, or a result lies in front of an input that has yet to be read, which is copied then.
    */
   out?: Partial<WarpedVertices> | undefined
 }
@@ -65,6 +67,12 @@ export interface WarpInverse {
   isFolded: boolean
 }
 
+/** Of x, y and z, around every value that is a number; `min` is above `max` where none is. */
+export interface Bounds {
+  min: number[]
+  max: number[]
+}
+
 export interface Foldover {
   /** 1 for each vertex where det(I + J) is not above 0, so that space is inside out there, or no number; 0 elsewhere. If
    * the offset depends on normal or uv, space is the thin layer around the surface where these stay the same along each
@@ -93,11 +101,16 @@ export interface CpuWarp {
    * that. A GPU whose sine is less exact, as WebGPU allows to 2^-11, may go beyond by that part of a wave's height. It takes
    * from a tenth of a millisecond to some tens, for warps that are hard to bound. Where the offset depends on them, normals count as any numbers from -1 to 1, colors from 0 to 1, and texture coordinates from 0 to 1
    * unless `box.uvs` says otherwise. A side is infinite if the offset may be.
+   *
+   * Each coordinate's bounds hold every value of it that is a number. NaN has no place between two numbers and is left out: of
+   * sqrt(x) for x from -1 to 1, which is NaN on one half, they are 0 and 1. So finite bounds do not promise that each vertex
+   * has a finite place. Where a coordinate is NaN everywhere, its `min` is Infinity and its `max` -Infinity, as of an empty box.
    */
-  bounds(box: Box, options?: EvaluationOptions): { min: number[]; max: number[] }
+  bounds(box: Box, options?: EvaluationOptions): Bounds
   /**
    * Where the warp brings a point from, such as what of a calm sea is under a boat: evaluateAt of `position` is the point, up
-   * to float32. It is one place, and says whether that is in a fold; nothing comes back if the search meets none, which proves
+   * to float32. In double, the warp brings `position` to within 1e-9 of the point's distance from the origin, and 1e-10 more
+   * at most, for rounding. It is one place, and says whether that is in a fold; `undefined` if the search meets none, which proves
    * nothing of places that it does not come near. In double, by Newton's method with the exact Jacobian, each
    * step halved until it leads closer, and the way to the point taken in pieces where that fails. Normals and the like
    * count as constant. A warp compiled with `normals: false` has no Jacobian, and throws.
@@ -139,6 +152,7 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     const reading = readingOf(warp, program, numbers)
     const origins = originsOf(method, warp, reading, uniforms)
     for (const origin of origins) takeVertices(method, origin, mesh)
+    copyOverwritten(origins, sinks, vertices)
     if (vertices > 0) runProgram(program, numbers, vertices, origins, sinks)
     keep(reading, origins)
   }

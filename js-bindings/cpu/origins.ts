@@ -106,9 +106,10 @@ export function originsOf(
   const origins = reading.spare ?? reading.inputs.map(originOf)
   reading.spare = undefined
   let uniforms: Readonly<Record<string, unknown>> | undefined = given
+  let frame: Readonly<Record<string, number[]>> | undefined
   if (valuesOfFrame) {
-    const all = withDeclared(method, declared, given, reading.parameters)
-    uniforms = Object.assign(all, valuesOfFrame(method, all))
+    uniforms = withDeclared(method, declared, given, reading.parameters)
+    frame = valuesOfFrame(method, uniforms)
   } else
     for (const [name, { shape }] of reading.others) {
       const value = given && own(given, name)
@@ -118,6 +119,12 @@ export function originsOf(
     const { variable, input, isRead, numbers } = origin
     if (input) continue
     const { name } = variable
+    const computed = frame && own(frame, name)
+    if (computed) {
+      // Any numbers: what divides by a uniform of 0 is infinite, or NaN.
+      for (let i = 0; i < numbers.length; i++) numbers[i] = (computed as number[])[i]!
+      continue
+    }
     const uniform = valuesOfFrame ? undefined : declared.get(name)
     const value = uniforms && own(uniforms, name)
     if (value !== undefined) fill(method, origin, value, uniform)

@@ -2,6 +2,7 @@
 import { WarpError, describe } from '../checks/errors.js'
 import { noteChecked } from '../inputs/vertices.js'
 import type { Sink } from '../wasm/machine-code.js'
+import { rejectShared } from './overlaps.js'
 
 /** Flat arrays in the order of the vertices that came. */
 export interface WarpedVertices {
@@ -65,6 +66,7 @@ export function takeSinks(
     const name = names[i]!
     sink.values = arrayFor(name, vertices * sink.results.length, out?.[name])
   }
+  if (out) rejectShared(names, sinks, vertices)
   return sinks
 }
 

@@ -72,12 +72,17 @@ export function bindExternals(
     const { target } = glsl.val!(0).session as Session
     return glsl.vec2Param!(imageSizeText(target, String(imageOf(place))))
   }
+  const external = (place: number) => {
+    let value = made.get(place)
+    if (!value) made.set(place, (value = find(externals[place]!)))
+    return value
+  }
+  // Those that nothing depends on, since their values cancel out, are known to the warp nevertheless: they may be given.
+  for (const [place, { name, type, isAttribute }] of externals.entries())
+    if (!isAttribute && isParameter(type) && !isDeclared(name) && !Object.hasOwn(inputSizes, name))
+      external(place)
   return {
-    external(place) {
-      let value = made.get(place)
-      if (!value) made.set(place, (value = find(externals[place]!)))
-      return value
-    },
+    external,
     texture(place, at, isFetched) {
       const image = imageOf(place)
       const { samplings } = glsl.val!(0).session as Session
@@ -125,9 +130,12 @@ interface Marking {
   [markWhole]?: (name: string) => void
 }
 
+const parameterTypes = /^(float|vec|mat|u?int|bool|[iub]vec)(\d?)$/
+const isParameter = (type: string) => parameterTypes.test(type)
+
 /** A variable of the host's shader: a parameter of a function, or a uniform. */
 export function parameterOf(method: string, glsl: Builder, { name, type }: Named): Value {
-  const [, word, size] = /^(float|vec|mat|u?int|bool|[iub]vec)(\d?)$/.exec(type) ?? []
+  const [, word, size] = parameterTypes.exec(type) ?? []
   if (word === undefined)
     throw new WarpError(
       `${method}: ${name} is ${article(type)}; only numbers, vectors and matrices of as many rows as columns can be given.`,

@@ -292,8 +292,8 @@ export function withDeclared(
     const isRead = read.has(name)
     if (uniform.image) delete all[name]
     else if (value !== undefined)
-      all[name] = numbersFor(`${method}: the uniform "${name}"`, uniform.shape, value)
-    else if (isRead) all[name] = uniform.numbers(method)
+      all[name] = unlisted(numbersFor(`${method}: the uniform "${name}"`, uniform.shape, value))
+    else if (isRead) all[name] = unlisted(uniform.numbers(method))
     if (!isRead) delete all[name]
   }
   return all

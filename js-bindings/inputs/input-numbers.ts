@@ -11,7 +11,8 @@ export function inputNumbers(
   kind = finiteFloat,
   layout = '',
 ): number[] {
-  const numbers = readNumbers(place, value, columns * rows, kind, layout)
+  const given = read?.type === 'bool' && typeof value === 'boolean' ? Number(value) : value
+  const numbers = readNumbers(place, given, columns * rows, kind, layout)
   return read ? numbers.map((number) => asFloat(read, whole(place, read, number))) : numbers
 }
 

@@ -61,6 +61,18 @@ const checked = new WeakSet<Float32Array>()
 /** What a warp has written is not checked when it comes back. */
 export const noteChecked = (numbers: Float32Array) => void checked.add(numbers)
 
+/** Lets `evaluate` accept numbers that are not finite, for hosts that draw such vertices all the same. Copies their arrays. */
+export function allowNonFinite(mesh: Vertices): Vertices {
+  const arrays = Object.entries(mesh).map(([name, numbers]: [string, ArrayLike<number>]) => {
+    const isFinite = numbers instanceof Float32Array && checked.has(numbers)
+    if (isFinite || firstWrong(numbers, finiteFloat) < 0) return [name, numbers] as const
+    const copy = Float32Array.from(numbers)
+    noteChecked(copy)
+    return [name, copy] as const
+  })
+  return Object.fromEntries(arrays) as unknown as Vertices
+}
+
 /** How many vertices there are; throws for arrays that do not fit, or hold something else than finite
  * numbers when they come for the first time. */
 export function checkVertices(method: string, mesh: unknown): number {

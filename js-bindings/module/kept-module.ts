@@ -51,14 +51,24 @@ function separate(core: Core, open: Reading, isKnown: Known | undefined): number
   return core._separate(open)
 }
 
-/** What gives those vec4s; nothing if there are none. */
+/** Makes the program that computes those vec4s; `isRead` says which inputs it reads. `undefined` if there are none. */
 export const makeFrame = (module: KeptModule, isKnown: Known) =>
   reading(module, (core, open) => {
     const count = separate(core, open, isKnown)
     if (count === 0) return undefined
     const program = programOf(core, module, open, [readLines(core.outputLines(open)).length - 1])
-    return program && { program, count }
+    return program && { program, count, isRead: inputsRead(core, open, program) }
   })
+
+/** Finds which of its inputs the program reads that was just made. */
+function inputsRead(core: Core, open: Reading, { inputs }: Program): boolean[] {
+  let first = 0
+  return inputs.map(({ shape: [columns, rows] }) => {
+    const count = columns * rows
+    first += count
+    return core._programReads(open, first - count, count) !== 0
+  })
+}
 
 export interface Text {
   code: string
@@ -94,6 +104,10 @@ export const writeText = (
       },
     }
   })
+
+/** All inputs, read or not. */
+export const inputsOf = (module: KeptModule): Variable[] =>
+  reading(module, (core, open) => readLines(core.allInputLines(open), module))
 
 /** The results, in their order. */
 export const resultsOf = (module: KeptModule): Variable[] =>

@@ -19,11 +19,15 @@ function boundsBy(cpu: CpuWarp, warp: ThreeWarp, object: Warpable, box: Box3): B
   if (box.isEmpty()) return box
   const { uv } = object.geometry.attributes
   const uvs = warp.reads.has('uv') && uv ? rangeOf(uv as never) : undefined
+  if (isInfinite(box) || (uvs && ![...uvs.min, ...uvs.max].every(isFiniteFloat)))
+    return everything()
   const { min, max } = cpu.bounds(
     { min: box.min.toArray(), max: box.max.toArray(), ...(uvs && { uvs }) },
     { uniforms: warp.given() },
   )
-  return new Box3(new Vector3().fromArray(min), new Vector3().fromArray(max))
+  const bounds = new Box3(new Vector3().fromArray(min), new Vector3().fromArray(max))
+  // Bounds are empty if the warp is NaN everywhere. A GPU may compute something else, so the object is drawn.
+  return bounds.isEmpty() ? everything() : bounds
 }
 
 /** Of texture coordinates, which have no third one. */
@@ -114,11 +118,21 @@ export function extentOf(warp: ThreeWarp, object: Warpable): () => Extent {
   )
 }
 
+/** Everything where the warp, a vertex or a matrix gives no finite place: such an object is never culled. */
 function findExtent(warp: ThreeWarp, object: Warpable, before: () => Extent): Extent {
   if (!warp.runs) return whole(everything())
-  if (warp.settings.space === 'world') return extentInWorld(warp, object, before())
+  const extent =
+    warp.settings.space === 'world'
+      ? extentInWorld(warp, object, before())
+      : extentOfAll(warp, object)
+  const { center, radius } = extent.sphere
+  const isKnown = !isInfinite(extent.box) && [...center.toArray(), radius].every(Number.isFinite)
+  return isKnown ? extent : whole(everything())
+}
+
+function extentOfAll(warp: ThreeWarp, object: Warpable): Extent {
   const one = extentOfOne(warp, object)
-  if (isInfinite(one.box)) return whole(everything())
+  if (isInfinite(one.box)) return one
   const all = whole(new Box3())
   for (const matrix of instancesOf(object).matrices) {
     all.box.union(one.box.clone().applyMatrix4(matrix))
@@ -173,7 +187,7 @@ function aroundInWorld(object: Warpable): Extent {
 /** All instances are warped as one: ten thousand of them would take a second. */
 function extentInWorld(warp: ThreeWarp, object: Warpable, before: Extent): Extent {
   const warped = warpedExtent(warp, object, before)
-  if (isInfinite(warped.box)) return whole(everything())
+  if (isInfinite(warped.box)) return warped
   // What three.js will apply, backwards: it makes spheres larger by the largest scale.
   const back = new Matrix4().copy(object.matrixWorld).invert()
   return {
@@ -192,6 +206,7 @@ function extentInWorld(warp: ThreeWarp, object: Warpable, before: Extent): Exten
 export function extentInBatch(warp: ThreeWarp, object: Warpable): (rest: Extent) => Extent {
   if (warp.settings.space !== 'world') return (rest) => warpedExtent(warp, object, rest)
   const by = boundsBy(warp.offsets, warp, object, aroundInWorld(object).box)
+  if (isInfinite(by)) return () => whole(everything())
   const back = new Matrix4().copy(object.matrixWorld).invert().setPosition(0, 0, 0)
   const farthest = Math.max(...cornersOf(by).map((corner) => corner.applyMatrix4(back).length()))
   const scales = instancesOf(object).matrices.map((matrix) => matrix.getMaxScaleOnAxis())
@@ -207,9 +222,15 @@ const cornersOf = ({ min, max }: Box3) =>
     [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))),
   )
 
-const isInfinite = ({ min, max }: Box3) =>
-  [...min.toArray(), ...max.toArray()].some((number) => !Number.isFinite(number)) &&
-  !(max.x < min.x)
+const isFiniteFloat = (number: number) => Number.isFinite(Math.fround(number))
+
+/** An empty box is not infinite; one with a NaN is. */
+const isInfinite = (box: Box3) =>
+  !box.isEmpty() && ![...box.min.toArray(), ...box.max.toArray()].every(isFiniteFloat)
+
+/** Transforms a box. An infinite one stays infinite, since infinity times zero is NaN. */
+export const movedBox = (box: Box3, matrix: Matrix4): Box3 =>
+  isInfinite(box) ? everything() : box.applyMatrix4(matrix)
 
 const whole = (box: Box3): Extent => ({ box, sphere: sphereAround(box) })
 

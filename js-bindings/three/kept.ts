@@ -95,15 +95,16 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
     numbers,
     () => computed?.(({ name }) => byLabel.get(name)?.numbers() ?? [millis.value]) ?? {},
   )
-  const declaredOnCpu = onCpu(uniforms, frame)
+  const declaredOnCpu = onCpu(uniforms)
   const silent = { ...warp, settings: { ...warp.settings, isAccepted: true } }
-  const cpu = runOnCpu(silent, declaredOnCpu, 'position', undefined, known)
+  const cpu = runOnCpu(silent, declaredOnCpu, 'position', undefined, known, frame)
   const offsets = runOnCpu(
     { ...silent, settings: { ...silent.settings, normals: false } },
     declaredOnCpu,
     'offset',
     undefined,
     known,
+    frame,
   )
   return {
     settings,

@@ -88,7 +88,7 @@ function castHere(warp: ThreeWarp, object: Warpable, own: Raycast) {
     })
     const found: Intersection[] = []
     own.call(standIn, raycaster, found)
-    for (const hit of found) intersects.push({ ...hit, object })
+    for (const hit of found.filter(isPlace)) intersects.push({ ...hit, object })
   }
 }
 
@@ -112,7 +112,7 @@ function castInWorld(warp: ThreeWarp, object: Warpable, own: Raycast) {
       const standIn = standInFor(object, warped, { matrixWorld: identity })
       const found: Intersection[] = []
       ;(isMany ? Mesh.prototype.raycast : own).call(standIn as Mesh, raycaster, found)
-      for (const hit of found)
+      for (const hit of found.filter(isPlace))
         intersects.push({
           ...turnedBack(hit, toWorld),
           object,
@@ -121,6 +121,9 @@ function castInWorld(warp: ThreeWarp, object: Warpable, own: Raycast) {
     }
   }
 }
+
+/** Three.js has every ray meet a triangle with a vertex that is NaN, at the distance NaN. */
+const isPlace = ({ distance }: Intersection) => Number.isFinite(distance)
 
 const identity = new Matrix4()
 

@@ -10,7 +10,7 @@ import {
   Vector3,
 } from 'three'
 import { variationNames } from '../inputs/inputs.js'
-import type { Vertices } from '../inputs/vertices.js'
+import { type Vertices, allowNonFinite } from '../inputs/vertices.js'
 import type { ThreeWarp } from './kept.js'
 import { type Warpable, verticesOf } from './pose.js'
 
@@ -23,10 +23,10 @@ export function warpedGeometry(
   const isRest = warp.settings.space === 'rest'
   const { geometry } = object
   const vertices = verticesOf(object, !isRest, fillOf(object.material))
-  const { positions, normals } = warp.cpu.evaluate(
-    toWorld ? inWorld(vertices, toWorld) : vertices,
-    { uniforms: warp.given() },
-  )
+  const placed = toWorld ? inWorld(vertices, toWorld) : vertices
+  const { positions, normals } = warp.cpu.evaluate(allowNonFinite(placed), {
+    uniforms: warp.given(),
+  })
   const made = new BufferGeometry()
   Object.assign(made.attributes, geometry.attributes, {
     position: new BufferAttribute(positions, 3),
@@ -38,9 +38,20 @@ export function warpedGeometry(
     made.morphAttributes = geometry.morphAttributes
     made.morphTargetsRelative = geometry.morphTargetsRelative
   }
-  made.boundingBox = new Box3().setFromBufferAttribute(made.attributes.position as BufferAttribute)
+  made.boundingBox = boxOfFinite(positions)
   made.boundingSphere = made.boundingBox.getBoundingSphere(new Sphere())
   return made
+}
+
+/** Around all places that rays can meet. */
+function boxOfFinite(positions: Float32Array): Box3 {
+  const box = new Box3()
+  const place = new Vector3()
+  for (let i = 0; i < positions.length; i += 3)
+    // NaN unless all three are finite.
+    if (positions[i]! * 0 + positions[i + 1]! * 0 + positions[i + 2]! * 0 === 0)
+      box.expandByPoint(place.fromArray(positions, i))
+  return box
 }
 
 /** The colour that vertices without one have. */

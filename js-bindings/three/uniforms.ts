@@ -15,7 +15,6 @@ import {
 } from 'three'
 import { WarpError, describe } from '../checks/errors.js'
 import { isCallable } from '../checks/options.js'
-import type { FrameUniforms } from '../compile/frame.js'
 import { type Shape, imageShape } from '../expression/shapes.js'
 import { hostWraps, samplingUniforms } from '../expression/texture.js'
 import {
@@ -197,26 +196,16 @@ const sealed = (method: string, handles: Record<string, { value: unknown }>) =>
     },
   })
 
-/** For the CPU, by what the shader calls them, with their numbers of the moment, and the vec4s of the frame. */
-export const onCpu = (uniforms: readonly Uniform[], frame: () => FrameUniforms): DeclaredUniforms =>
-  new Map([
-    ...uniforms.map(
-      ({ label, shape, numbers }) =>
-        [
-          label,
-          {
-            shape,
-            numbers,
-            isFunction: true,
-            ...(shape === imageShape && { image: () => ({ width: 1, height: 1 }) }),
-          },
-        ] as const,
-    ),
-    ...Object.keys(frame()).map(
-      (name) =>
-        [
-          name,
-          { shape: [1, 4] as const, numbers: () => frame()[name]!, isFunction: true },
-        ] as const,
-    ),
-  ])
+/** For the CPU, by what the shader calls them, with their numbers of the moment. */
+export const onCpu = (uniforms: readonly Uniform[]): DeclaredUniforms =>
+  new Map(
+    uniforms.map(({ label, shape, numbers }) => [
+      label,
+      {
+        shape,
+        numbers,
+        isFunction: true,
+        ...(shape === imageShape && { image: () => ({ width: 1, height: 1 }) }),
+      },
+    ]),
+  )

@@ -14,7 +14,7 @@ import { WarpError } from '../checks/errors.js'
 import { noteApproximation } from '../checks/notes.js'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
 import { describeOfThree, nameOf, spriteError } from './describe.js'
-import { type Extent, extentInBatch, extentOf, stateOf } from './extent.js'
+import { type Extent, extentInBatch, extentOf, movedBox, stateOf } from './extent.js'
 import { type ThreeWarp, keep } from './kept.js'
 import {
   type ShadowMaterials,
@@ -32,7 +32,7 @@ import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 
 export interface WarpedObject<Uniforms = {}> extends Warped<Uniforms> {
   /** Around what is drawn at present, in the units of the object, before its own matrix: never too small. Infinite where
-   * only the GPU can run the warp. */
+   * only the GPU can run the warp, and where the warp or a vertex has no finite value. */
   bounds(): Box3
   /** What a `Raycaster` calls: hits on the warped surface are added to `intersects`. */
   raycast(raycaster: Raycaster, intersects: Intersection[]): void
@@ -235,7 +235,7 @@ function boundsOf(whole: Object3D, parts: readonly Part[]) {
     const box = bounds()
     const isWhole = object === (whole as unknown)
     all.union(
-      isWhole ? box : box.applyMatrix4(new Matrix4().multiplyMatrices(back, object.matrixWorld)),
+      isWhole ? box : movedBox(box, new Matrix4().multiplyMatrices(back, object.matrixWorld)),
     )
   }
   return all

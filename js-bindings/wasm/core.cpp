@@ -319,6 +319,12 @@ EMSCRIPTEN_KEEPALIVE int makeProgram(Reading* reading) {
   return made.program.has_value();
 }
 
+// Tells whether the program reads any of `count` input numbers from `first` on.
+EMSCRIPTEN_KEEPALIVE int programReads(Reading* reading, int first, int count) {
+  return reads(reading->program, static_cast<std::uint32_t>(first),
+               static_cast<std::uint32_t>(count));
+}
+
 EMSCRIPTEN_KEEPALIVE const std::uint32_t* programWords(Reading* reading) {
   return reading->program.words.data();
 }

@@ -60,6 +60,7 @@ export interface Core {
   _separate(reading: Reading): number
   _wantResult(reading: Reading, number: number): void
   _makeProgram(reading: Reading): number
+  _programReads(reading: Reading, first: number, count: number): number
   _programWords(reading: Reading): number
   _programSize(reading: Reading): number
   _instructionCount(reading: Reading): number

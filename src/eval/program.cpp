@@ -58,6 +58,14 @@ ModuleProgram program(const Module& module, std::span<const std::uint32_t> resul
   return {program(graph, inlined)};
 }
 
+bool reads(const Program& program, std::uint32_t first, std::uint32_t count) {
+  const Words words(program.words, program.instructions);
+  for (std::uint32_t i = 0; i < words.count(); ++i) {
+    if (words.op(i) == inputOp && words.input(i) - first < count) return true;
+  }
+  return false;
+}
+
 void evaluate(std::span<const std::uint32_t> words, std::uint32_t instructions,
               std::span<const double> inputs, std::span<double> results) {
   const Words program(words, instructions);

@@ -36,6 +36,9 @@ struct ModuleProgram {
 };
 ModuleProgram program(const Module& module, std::span<const std::uint32_t> results);
 
+// Tells whether the program reads any of `count` input numbers from `first` on.
+bool reads(const Program& program, std::uint32_t first, std::uint32_t count);
+
 // Runs a program of so many instructions; conditions are 1 and 0.
 void evaluate(std::span<const std::uint32_t> words, std::uint32_t instructions,
               std::span<const double> inputs, std::span<double> results);

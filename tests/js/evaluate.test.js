@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { evaluationMemoryInUse } from '../../dist/memory.js'
 import { WarpError, compileWarp } from '../../dist/warpjet.js'
+import { glslOffset } from '../../dist/glsl.js'
 import { moments } from '../browser/support/compare.js'
 import { warps } from '../warps/index.js'
 
@@ -441,5 +442,182 @@ describe('one sentence for', () => {
       () => compileWarp(({ position }) => position, { tangents: 1 }),
       /compileWarp: the option "tangents" must be true or false, but is the number 1/,
     )
+  })
+})
+
+describe('bounds of what is NaN somewhere', () => {
+  const box = { min: [-1, -1, -1], max: [1, 1, 1] }
+  const boundsOf = (offset) => compileWarp(offset).bounds(box)
+  /** Around these numbers, and not much larger. */
+  function assertAround([min, max], [low, high]) {
+    assert.ok(min <= low && low - min < 0.05 && max >= high && max - high < 0.05, `${[min, max]}`)
+  }
+
+  test('are around the numbers', () => {
+    const root = boundsOf(({ glsl, position: { x, y } }) =>
+      glsl.vec3(y.sqrt(), 0, x.asin().mult(2)),
+    )
+    assertAround([root.min[0], root.max[0]], [-1, 2])
+    assertAround([root.min[1], root.max[1]], [-1, 1])
+    const far = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.mult(3).asin(), 0))
+    assertAround([far.min[1], far.max[1]], [-1 - Math.PI / 2, 1 + Math.PI / 2])
+  })
+
+  test('are infinite where the values are, and empty where there are none', () => {
+    const pole = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.log(), 0))
+    assert.equal(pole.min[1], -Infinity)
+    assert.ok(pole.max[1] >= 1 && pole.max[1] < 1.05)
+    const { min, max } = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.sub(2).sqrt(), 0))
+    assert.deepEqual([min[1], max[1]], [Infinity, -Infinity])
+    assertAround([min[0], max[0]], [-1, 1])
+  })
+})
+
+describe('memory that inputs and results share', () => {
+  const bend = compileWarp(({ glsl, position }) =>
+    glsl.vec3(position.y.mult(0.5), position.x.sin(), position.z.mult(position.x)),
+  )
+  const count = 10_000
+  const values = Float32Array.from({ length: 4 * count }, (_, i) => Math.sin(1.7 * i))
+  const normals = Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 === 1 ? 1 : 0))
+  const tangents = Float32Array.from({ length: 4 * count }, (_, i) =>
+    Number(i % 4 === 0 || i % 4 === 3),
+  )
+  const positions = values.slice(0, 3 * count)
+  const expected = bend.evaluate({ positions, normals, tangents })
+
+  /** An array of a buffer that has room on both sides, filled with what is given. */
+  function placed(buffer, at, numbers) {
+    const view = new Float32Array(buffer, 4 * at, numbers.length)
+    view.set(numbers)
+    return view
+  }
+
+  test('gives the same, wherever the result lies', () => {
+    for (let run = 0; run < 3; run++)
+      for (const shift of [
+        -30_001, -12_288, -3, -1, 0, 1, 2, 3, 4, 12_287, 12_288, 15_000, 29_999, 30_000,
+      ]) {
+        const buffer = new ArrayBuffer(4 * 100_000)
+        const input = placed(buffer, 40_000, positions)
+        const out = { positions: new Float32Array(buffer, 4 * (40_000 + shift), 3 * count) }
+        const { positions: moved } = bend.evaluate({ positions: input }, { out })
+        assert.deepEqual(moved, expected.positions, `by ${shift}`)
+      }
+  })
+
+  test('of another kind of input too: normals over positions, tangents over normals, doubles', () => {
+    for (const shift of [-9000, -1, 0, 1, 5000]) {
+      const buffer = new ArrayBuffer(4 * 200_000)
+      const mesh = {
+        positions: placed(buffer, 50_000, positions),
+        normals: placed(buffer, 90_000, normals),
+        tangents: placed(buffer, 130_000, tangents),
+      }
+      const at = (offset, size) => new Float32Array(buffer, 4 * (offset + shift), size * count)
+      const out = { positions: at(130_000, 3), normals: at(50_000, 3), tangents: at(90_000, 4) }
+      assert.deepEqual(bend.evaluate(mesh, { out }), expected, `by ${shift}`)
+    }
+    const buffer = new ArrayBuffer(8 * 40_000)
+    for (const shift of [0, 8, 60_000, 120_000]) {
+      const doubles = new Float64Array(buffer, 0, 3 * count)
+      doubles.set(positions)
+      const out = { positions: new Float32Array(buffer, shift, 3 * count) }
+      assert.deepEqual(bend.evaluate({ positions: doubles }, { out }).positions, expected.positions)
+    }
+  })
+
+  test('two results need memory of their own', () => {
+    const same = new Float32Array(4 * count)
+    const refused = (out, message) =>
+      assert.throws(() => bend.evaluate({ positions, normals, tangents }, { out }), {
+        name: 'WarpError',
+        message,
+      })
+    refused(
+      { positions: same, normals: same },
+      /^evaluate: out\.positions and out\.normals must have memory of their own, but are the same array\.$/,
+    )
+    refused({ normals: same, tangents: same }, /out\.normals and out\.tangents .* same array/)
+    const buffer = new ArrayBuffer(4 * 80_000)
+    const at = (place) => new Float32Array(buffer, 4 * place)
+    refused(
+      { positions: at(0), tangents: at(3 * count - 1) },
+      /out\.positions and out\.tangents .* same part of a buffer/,
+    )
+    refused({ positions: at(3 * count - 1), normals: at(0) }, /out\.positions and out\.normals/)
+    // Neighbours are fine, and so are arrays that are not written.
+    const out = { positions: at(0), normals: at(3 * count) }
+    assert.deepEqual(
+      bend.evaluate({ positions, normals }, { out }).normals.slice(0, 3 * count),
+      expected.normals,
+    )
+    assert.equal(
+      bend.evaluate({ positions }, { out: { positions: same, normals: same } }).positions,
+      same,
+    )
+  })
+})
+
+describe('uniforms that nothing depends on', () => {
+  const box = { min: [0, 0, 0], max: [1, 1, 1] }
+  const mesh = { positions: [1, 2, 3] }
+  /** Each entry point with these uniforms. */
+  function callAll(warp, uniforms) {
+    warp.evaluate(mesh, { uniforms })
+    warp.evaluateAt([1, 2, 3], { uniforms })
+    warp.bounds(box, { uniforms })
+    warp.foldover(mesh, { uniforms })
+    warp.inverseAt([1, 2, 3], { uniforms })
+    warp.frameUniforms(uniforms)
+  }
+  const sources = [
+    'return p;',
+    'float k = amount * 2.0; return p;',
+    'float k = amount * 2.0; k = 1.0; return p * k;',
+    'if (false) return p * amount; return p;',
+    'return vec3(p.xy, amount).xxy;',
+    'return p * (amount - amount);',
+    'return p * pow(amount, 0.0);',
+  ]
+  for (const perFrame of [false, true])
+    test(`may be given, ${perFrame ? 'with' : 'without'} frame constants`, () => {
+      for (const body of sources) {
+        const text = glslOffset(`uniform float amount;\nvec3 offset(vec3 p) { ${body} }`)
+        for (const more of [{}, { uniforms: { amount: 2 } }]) {
+          const warp = compileWarp(text, { perFrame, ...more })
+          callAll(warp, { amount: 3 })
+          assert.throws(() => warp.evaluateAt([1, 2, 3], { uniforms: { amout: 3 } }), /"amout"/)
+          assert.throws(
+            () => warp.evaluateAt([1, 2, 3], { uniforms: { amount: [1, 2] } }),
+            /"amount"/,
+          )
+          if (more.uniforms || !body.includes('amount')) callAll(warp, {})
+        }
+      }
+      const built = compileWarp(
+        ({ position, uniforms: { amount, center }, glsl }) =>
+          position
+            .mult(amount.sub(amount))
+            .add(position.sub(center).mult(0), glsl.param('other').mult(0)),
+        { perFrame, uniforms: { amount: 1, center: [1, 2, 3] } },
+      )
+      callAll(built, { amount: 3, center: { x: 1, y: 2, z: 3 }, other: 5, millis: 7 })
+      callAll(built, {})
+    })
+
+  test('of every type that a text can declare', () => {
+    const types = {
+      int: -3,
+      uint: 3e9,
+      bool: true,
+      vec3: [1, 2, 3],
+      ivec2: [1, -2],
+      mat3: Array(9).fill(1),
+    }
+    for (const [type, value] of Object.entries(types)) {
+      const source = `#version 300 es\nuniform ${type} amount; uniform sampler2D image; vec3 offset(vec3 p) { return p; }`
+      callAll(compileWarp(glslOffset(source)), { amount: value })
+    }
   })
 })

@@ -1,0 +1,236 @@
+// NaN and infinity as values: what divides by a uniform of 0, and vertices that are nowhere, in each host that runs on the CPU.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js'
+import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
+import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
+import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
+import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
+import { Scene } from '@babylonjs/core/scene.js'
+import '@babylonjs/core/Culling/ray.js'
+import * as THREE from 'three'
+import { compileWarp } from '../../dist/warpjet.js'
+import { BabylonWarp } from '../../dist/babylon.js'
+import { warp } from '../../dist/three.js'
+
+const beat = ({ glsl, position, millis, uniforms }) =>
+  glsl.vec3(0, millis.div(uniforms.period).mult(0.001).add(position.x).sin(), 0)
+const drift = ({ glsl, millis, uniforms }) => glsl.vec3(0, millis.div(uniforms.period), 0)
+
+describe('with frame constants', () => {
+  const options = { perFrame: true, uniforms: { period: 0 } }
+
+  test('a quotient by 0 is no missing uniform', () => {
+    for (const offset of [beat, drift])
+      for (const millis of [0, 1200]) {
+        const made = compileWarp(offset, options)
+        const frame = Object.values(made.frameUniforms({ millis })).flat()
+        assert.ok(frame.some((number) => !Number.isFinite(number)))
+        const uniforms = { millis }
+        const { position } = made.evaluateAt([1, 2, 3], { uniforms })
+        assert.deepEqual([position[0], position[2]], [1, 3])
+        assert.ok(!Number.isFinite(position[1]))
+        assert.ok(
+          !Number.isFinite(made.evaluate({ positions: [1, 2, 3] }, { uniforms }).positions[1]),
+        )
+        assert.equal(made.inverseAt([1, 2, 3], { uniforms }), undefined)
+        assert.equal(made.foldover({ positions: [1, 2, 3] }, { uniforms }).mask.length, 1)
+        const { min, max } = made.bounds({ min: [0, 0, 0], max: [1, 1, 1] }, { uniforms })
+        assert.ok(min[0] <= 0 && max[0] >= 1 && min[2] <= 0 && max[2] >= 1)
+      }
+  })
+
+  test('what is named as missing is what is read, whatever the others are', () => {
+    const made = compileWarp(beat, options)
+    const missing = (method) => new RegExp(`^WarpError: ${method}: the warp reads "millis"`)
+    assert.throws(() => made.frameUniforms({}), missing('frameUniforms'))
+    assert.throws(() => made.bounds({ min: [0, 0, 0], max: [1, 1, 1] }), missing('bounds'))
+    const pointed = compileWarp(
+      ({ glsl, position, mouse, uniforms }) =>
+        glsl.vec3(mouse.x.div(uniforms.period).add(position.x).sin(), 0, 0),
+      options,
+    )
+    assert.throws(() => pointed.frameUniforms({ millis: 5 }), /the warp reads "mouse"/)
+    assert.throws(() => pointed.evaluateAt([0, 0, 0]), /the warp reads "mouse"/)
+  })
+
+  test('a declared uniform is given as everywhere else', () => {
+    const made = compileWarp(
+      ({ glsl, millis, uniforms: { isOn, center } }) =>
+        glsl.vec3(center.x.mult(millis), isOn.mult(millis), 0),
+      { perFrame: true, uniforms: { isOn: false, center: [1, 2] } },
+    )
+    const given = { millis: 3, isOn: true, center: { x: 5, y: 6, z: 0 } }
+    assert.deepEqual(made.evaluateAt([0, 0, 0], { uniforms: given }).position, [15, 3, 0])
+    assert.ok(Object.values(made.frameUniforms(given)).flat().includes(15))
+  })
+})
+
+/** Whether three.js draws it. */
+function isSeen(object) {
+  const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 100)
+  camera.position.z = 6
+  camera.updateMatrixWorld(true)
+  object.updateMatrixWorld(true)
+  const view = new THREE.Matrix4().multiplyMatrices(
+    camera.projectionMatrix,
+    camera.matrixWorld.clone().invert(),
+  )
+  return new THREE.Frustum().setFromProjectionMatrix(view).intersectsObject(object)
+}
+const down = () =>
+  new THREE.Raycaster(new THREE.Vector3(0.21, 0.13, 5), new THREE.Vector3(0, 0, -1))
+const plane = () => new THREE.PlaneGeometry(2, 2, 8, 8)
+const material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide })
+const lifted = ({ glsl, position }) => glsl.vec3(0, 0, position.x.sin().mult(0.2))
+const spaces = ['local', 'rest', 'world']
+
+/** One vertex, in a corner that the ray is far from. */
+function broken(geometry, number, attribute = 'position') {
+  geometry.attributes[attribute].array[0] = number
+  return geometry
+}
+
+describe('three.js', () => {
+  for (const space of spaces)
+    test(`draws what divides by 0, in the space ${space}, and rays go on`, () => {
+      for (const offset of [beat, drift]) {
+        const mesh = new THREE.Mesh(plane(), material)
+        const warped = warp(mesh, offset, { space, uniforms: { period: 200 } })
+        for (const [period, millis] of [
+          [200, 0],
+          [0, 0],
+          [0, 1200],
+          [-0, 1200],
+        ]) {
+          warped.uniforms.period.value = period
+          warped.update(millis)
+          assert.equal(isSeen(mesh), true)
+          const hits = down().intersectObject(mesh)
+          assert.ok(hits.length === 0 || period !== 0)
+          warped.bounds()
+        }
+        warped.uniforms.period.value = 200
+        warped.update(0)
+        assert.equal(down().intersectObject(mesh).length, 1)
+        warped.dispose()
+      }
+    })
+
+  const objects = {
+    mesh: (geometry) => new THREE.Mesh(geometry, material),
+    points: (geometry) => new THREE.Points(geometry, new THREE.PointsMaterial()),
+    line: (geometry) => new THREE.Line(geometry, new THREE.LineBasicMaterial()),
+    instances(geometry) {
+      const mesh = new THREE.InstancedMesh(geometry, material, 2)
+      mesh.setMatrixAt(0, new THREE.Matrix4())
+      mesh.setMatrixAt(1, new THREE.Matrix4().makeTranslation(5, 0, 0))
+      return mesh
+    },
+    morphed(geometry) {
+      geometry.morphAttributes.position = [geometry.attributes.position.clone()]
+      const mesh = new THREE.Mesh(geometry, material)
+      mesh.morphTargetInfluences = [0.5]
+      return mesh
+    },
+  }
+  for (const [kind, make] of Object.entries(objects))
+    test(`a vertex of ${kind} that is nowhere neither throws nor hides the others`, () => {
+      for (const space of spaces)
+        for (const number of [NaN, Infinity, -Infinity, 1e39]) {
+          const object = make(broken(plane(), number))
+          const warped = warp(object, lifted, { space })
+          assert.equal(isSeen(object), true, `${number} ${space}`)
+          const hits = down().intersectObject(object)
+          if (object.isMesh) assert.equal(hits.length, 1, `${number} ${space}`)
+          const { min, max } = warped.bounds()
+          assert.ok(min.x === -Infinity && max.x === Infinity)
+          warped.dispose()
+        }
+    })
+
+  test('nor does a texture coordinate, or one geometry of a batch', () => {
+    const along = ({ glsl, position, uv }) => glsl.vec3(0, 0, uv.x.mult(0.1).add(position.x))
+    const mesh = new THREE.Mesh(broken(plane(), NaN, 'uv'), material)
+    warp(mesh, along)
+    assert.equal(isSeen(mesh), true)
+    assert.equal(down().intersectObject(mesh).length, 1)
+    for (const space of spaces) {
+      const geometry = broken(plane(), NaN)
+      const batch = new THREE.BatchedMesh(2, 1000, 2000, material)
+      batch.addInstance(batch.addGeometry(geometry))
+      warp(batch, lifted, { space })
+      assert.equal(isSeen(batch), true)
+      const sphere = batch.getBoundingSphereAt(0, new THREE.Sphere())
+      assert.equal(sphere.radius, Infinity)
+    }
+  })
+
+  test('a group with such a part is everywhere, not NaN', () => {
+    const group = new THREE.Group()
+    group.add(new THREE.Mesh(plane(), material), new THREE.Mesh(broken(plane(), NaN), material))
+    group.children[1].position.x = 3
+    group.updateMatrixWorld(true)
+    const { min, max } = warp(group, lifted).bounds()
+    assert.deepEqual(
+      [...min.toArray(), ...max.toArray()],
+      [...Array(3).fill(-Infinity), ...Array(3).fill(Infinity)],
+    )
+  })
+
+  test('what has no value at all is drawn, for the GPU may have one', () => {
+    const mesh = new THREE.Mesh(plane(), material)
+    warp(mesh, ({ glsl, position }) => glsl.vec3(position.x.abs().add(1).neg().sqrt(), 0, 0))
+    assert.equal(isSeen(mesh), true)
+    assert.equal(down().intersectObject(mesh).length, 0)
+  })
+})
+
+describe('Babylon.js', () => {
+  const engine = new NullEngine()
+  function sceneWith(offset, options) {
+    const scene = new Scene(engine)
+    const camera = new FreeCamera('camera', new Vector3(0, 0, -6), scene)
+    camera.setTarget(Vector3.Zero())
+    const mesh = MeshBuilder.CreateGround(
+      'ground',
+      { width: 2, height: 2, subdivisions: 6, updatable: true },
+      scene,
+    )
+    mesh.material = new StandardMaterial('material', scene)
+    const made = new BabylonWarp(mesh.material, offset, options)
+    return { scene, camera, mesh, made }
+  }
+  const isDrawn = ({ scene, camera, mesh }) => {
+    scene.updateTransformMatrix(true)
+    camera.computeWorldMatrix()
+    return camera.isInFrustum(mesh)
+  }
+
+  test('draws what divides by 0', () => {
+    for (const offset of [beat, drift])
+      for (const millis of [0, 1200]) {
+        const there = sceneWith(offset, { uniforms: { period: 0 } })
+        there.made.millis = millis
+        there.made.refresh(there.mesh)
+        assert.equal(isDrawn(there), true)
+        there.scene.pick(0, 0)
+        there.scene.dispose()
+      }
+  })
+
+  test('a vertex that is nowhere neither throws nor hides the others', () => {
+    for (const number of [NaN, Infinity]) {
+      const there = sceneWith(({ glsl }) => glsl.vec3(0, 0.5, 0), {})
+      const positions = there.mesh.getVerticesData('position')
+      positions[0] = number
+      there.mesh.setVerticesData('position', positions, true)
+      there.made.refresh(there.mesh)
+      assert.equal(isDrawn(there), true)
+      const { minimum, maximum } = there.mesh.getBoundingInfo().boundingBox
+      for (const corner of [minimum, maximum])
+        assert.ok([corner.x, corner.y, corner.z].every(Number.isFinite))
+      there.scene.dispose()
+    }
+  })
+})
