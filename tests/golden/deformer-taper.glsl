@@ -10,6 +10,8 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(position.x * t4, 0.0, position.z * t4);
   float t7 = dot(t6, t6);
   float t8 = inversesqrt(t7);
-  warpedNormal = t6 * (t7 > 0.0 ? t8 : 0.0);
+  float t9 = t7 > 0.0 ? t8 : 0.0;
+  bool t10 = t7 < 1e38;
+  warpedNormal = (t10 ? t6 : vec3(0.0)) * t9;
   warpedPosition = position + offset;
 }

@@ -16,6 +16,8 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t12 = t9 + t10 + t11;
   float t13 = dot(t12, t12);
   float t14 = inversesqrt(t13);
-  warpedNormal = t12 * (t13 > 0.0 ? t14 : 0.0);
+  float t15 = t13 > 0.0 ? t14 : 0.0;
+  bool t16 = t13 < 1e38;
+  warpedNormal = (t16 ? t12 : vec3(0.0)) * t15;
   warpedPosition = position + offset;
 }

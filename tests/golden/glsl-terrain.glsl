@@ -68,6 +68,8 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(0.0, 0.0, t2 * 0.11);
   float t48 = t46 * t46 + t47 * t47 + normal.z * normal.z;
   float t49 = inversesqrt(t48);
-  warpedNormal = vec3(t46, t47, normal.z) * (t48 > 0.0 ? t49 : 0.0);
+  float t50 = t48 > 0.0 ? t49 : 0.0;
+  bool t51 = t48 < 1e38;
+  warpedNormal = (t51 ? vec3(t46, t47, normal.z) : vec3(0.0)) * t50;
   warpedPosition = position + offset;
 }

@@ -73,6 +73,8 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(t3, t4, t5) / 10.0;
   float t60 = dot(t59, t59);
   float t61 = inversesqrt(t60);
-  warpedNormal = t59 * (t60 > 0.0 ? t61 : 0.0);
+  float t62 = t60 > 0.0 ? t61 : 0.0;
+  bool t63 = t60 < 1e38;
+  warpedNormal = (t63 ? t59 : vec3(0.0)) * t62;
   warpedPosition = position + offset;
 }

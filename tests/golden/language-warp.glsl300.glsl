@@ -28,6 +28,8 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t24 = normal * mat3(t18 * t3 + t19 * t11, -t11 * t23 - t3 * t21, t21 * t19 - t23 * t18, t19 * t10 - t20 * t3, t3 * t22 - t10 * t23, t23 * t20 - t22 * t19, -t20 * t11 - t18 * t10, t10 * t21 + t11 * t22, t22 * t18 - t21 * t20);
   float t25 = dot(t24, t24);
   float t26 = inversesqrt(t25);
-  warpedNormal = t24 * (t25 > 0.0 ? t26 : 0.0);
+  float t27 = t25 > 0.0 ? t26 : 0.0;
+  bool t28 = t25 < 1e38;
+  warpedNormal = (t28 ? t24 : vec3(0.0)) * t27;
   warpedPosition = position + offset;
 }
