@@ -134,6 +134,7 @@ std::string meshArrays() {
 
 std::string warpResults() {
   std::vector<std::string_view> names(movedResults.begin(), movedResults.end());
+  names.push_back(orientationResult);
   names.insert(names.end(), turnedResults.begin(), turnedResults.end());
   return array(names, text);
 }

@@ -1,0 +1,74 @@
+// A number as a polynomial of other nodes, in which what cancels is gone and common factors are seen:
+// (c - 1) + (u - 1) * c + 1 is u c.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "graph/graph.hpp"
+
+namespace warpjet {
+
+// A node that is no sum, product or quotient for the polynomial, or 1 divided by one.
+struct Atom {
+  NodeId node;
+  bool isInverse = false;
+
+  bool operator==(const Atom&) const = default;
+};
+
+// A product of atoms, by number and in order; one that counts twice is there twice.
+struct Monomial {
+  static constexpr std::size_t mostFactors = 12;
+  static constexpr std::uint8_t none = 0xff;
+
+  double coefficient = 1;
+  std::array<std::uint8_t, mostFactors> factors = filled();
+
+  static constexpr std::array<std::uint8_t, mostFactors> filled() {
+    std::array<std::uint8_t, mostFactors> all{};
+    all.fill(none);
+    return all;
+  }
+};
+
+// In the order of their factors, each once.
+using Polynomial = std::vector<Monomial>;
+
+// Writes nodes as polynomials, as far as that is soon done: what would be long stays an atom. The sum
+// of the squares of a sine and its cosine is 1.
+class Expansion {
+ public:
+  explicit Expansion(const Graph& graph) : graph_(graph) {}
+
+  // Nothing if even that would take long.
+  std::optional<Polynomial> of(NodeId id) {
+    const Polynomial& terms = expand(id, mostLevels);
+    return isTooLong_ ? std::nullopt : std::optional(terms);
+  }
+  // By number.
+  const std::vector<Atom>& atoms() const { return atoms_; }
+
+ private:
+  static constexpr int mostLevels = 24;
+  static constexpr std::size_t mostTerms = 64;
+
+  const Polynomial& expand(NodeId id, int levels);
+  std::optional<Polynomial> expanded(NodeId id, int levels);
+  std::optional<Polynomial> sum(const Polynomial& x, const Polynomial& y, double sign);
+  std::optional<Polynomial> product(const Polynomial& x, const Polynomial& y);
+  std::optional<Polynomial> atom(Atom wanted);
+  bool replaceSquaredSine(Polynomial& terms, std::size_t i);
+
+  const Graph& graph_;
+  std::vector<Atom> atoms_;
+  std::map<NodeId, Polynomial> known_;
+  // How many terms are still made: a few hundred microseconds.
+  std::size_t left_ = 4000;
+  bool isTooLong_ = false;
+};
+
+}  // namespace warpjet
