@@ -80,17 +80,20 @@ std::optional<Polynomial> Expansion::sum(const Polynomial& x, const Polynomial& 
     terms.push_back(term);
   }
   collect(terms);
-  return terms.size() > mostTerms ? std::nullopt : std::optional(terms);
+  isTooLong_ |= terms.size() > mostTerms;
+  return terms;
 }
 
 std::optional<Polynomial> Expansion::product(const Polynomial& x, const Polynomial& y) {
   const std::size_t work = x.size() * y.size();
-  if (work > left_) return {};
+  isTooLong_ |= work > left_;
+  if (isTooLong_) return {};
   left_ -= work;
   Polynomial terms;
   for (const Monomial& a : x) {
     for (const Monomial& b : y) {
       const auto term = warpjet::product(a, b);
+      isTooLong_ |= !term;
       if (!term) return {};
       terms.push_back(*term);
     }
@@ -98,7 +101,8 @@ std::optional<Polynomial> Expansion::product(const Polynomial& x, const Polynomi
   for (std::size_t i = 0; i < terms.size(); ++i)
     while (replaceSquaredSine(terms, i)) continue;
   collect(terms);
-  return terms.size() > mostTerms ? std::nullopt : std::optional(terms);
+  isTooLong_ |= terms.size() > mostTerms;
+  return terms;
 }
 
 // By 1 - cos².

@@ -38,7 +38,7 @@ struct Monomial {
 // In the order of their factors, each once.
 using Polynomial = std::vector<Monomial>;
 
-// Writes nodes as polynomials, as far as that is soon done: what would be long stays an atom. The sum
+// Writes nodes as polynomials, unless that would take long. The sum
 // of the squares of a sine and its cosine is 1.
 class Expansion {
  public:
@@ -66,8 +66,9 @@ class Expansion {
   const Graph& graph_;
   std::vector<Atom> atoms_;
   std::map<NodeId, Polynomial> known_;
-  // How many terms are still made: a few hundred microseconds.
-  std::size_t left_ = 4000;
+  // How many terms are still made. A mirror, twisted about an oblique axis, takes 700; most warps that can
+  // have either sign are given up before.
+  std::size_t left_ = 1500;
   bool isTooLong_ = false;
 };
 

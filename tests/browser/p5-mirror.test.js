@@ -15,9 +15,9 @@ const setup = `
   for (const space of ['local', 'world', 'camera'])
     warps[space] = createWarp(({ glsl, position }) => glsl.vec3(position.x().mult(-2), 0, 0), { space })
   warps.byUniform = createWarp(({ glsl, position, uniforms }) => ${scales}, { uniforms: { flip: 1 } })
-  // Of a sphere of radius 60 this is a matrix, too.
+  // Of a sphere, whose radius is 1 before its own matrix, this is a matrix, too.
   warps.along = createWarp(({ glsl, position, normal }) =>
-    glsl.vec3(position.x().mult(-2), 0, 0).add(normal.mult(12)))`
+    glsl.vec3(position.x().mult(-2), 0, 0).add(normal.mult(0.2)))`
 
 const lit = `ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1); pointLight(0, 120, 255, -200, -100, 100)
   specularMaterial(255, 127, 80); shininess(20)`
