@@ -31,13 +31,13 @@ export function declarationsOf(uniforms: readonly Labelled[], isWGSL: boolean, m
     ubo: numbers.map(({ name, type }) => ({ name, type, size: sizes[type]! })),
     // Where there are no buffers of uniforms.
     ...(!isWGSL && {
-      vertex: numbers.map(declared).join(''),
-      ...(mirrors && { fragment: declared(orientation) }),
+      vertex: numbers.map(declare).join(''),
+      ...(mirrors && { fragment: declare(orientation) }),
     }),
   }
 }
 
-const declared = ({ name, type }: { name: string; type: string }) => `uniform ${type} ${name};\n`
+const declare = ({ name, type }: { name: string; type: string }) => `uniform ${type} ${name};\n`
 
 /** What is used of the buffer of uniforms. */
 interface Buffer {

@@ -1,6 +1,5 @@
 // Which side of a triangle is the outer one: where a warp mirrors all of space, it is the one that the renderer takes for the back.
-import { type Material, ShaderChunk } from 'three'
-import { BackSide, FrontSide } from 'three'
+import { BackSide, FrontSide, type Material, ShaderChunk, type Side } from 'three'
 import { orientationName } from '../compile/host-names.js'
 import type { ThreeWarp } from './kept.js'
 
@@ -20,25 +19,26 @@ const isFront = `( gl_FrontFacing == ( ${orientationName} > 0.0 ) )`
 export function orientFaces(fragmentShader: string, warp: ThreeWarp): string {
   const [declaration] = declareOrientation(warp)
   if (!declaration) return fragmentShader
-  const oriented = (text: string) => text.replaceAll(/\bgl_FrontFacing\b/g, isFront)
+  const orient = (text: string) => text.replaceAll(/\bgl_FrontFacing\b/g, isFront)
   const chunks = ShaderChunk as Record<string, string | undefined>
-  const text = oriented(fragmentShader).replace(
+  const text = orient(fragmentShader).replace(
     /^[ \t]*#include +<(\w+)>/gm,
     (line, name: string) => {
       const chunk = chunks[name]
-      return chunk?.includes('gl_FrontFacing') ? oriented(chunk) : line
+      return chunk?.includes('gl_FrontFacing') ? orient(chunk) : line
     },
   )
   return text === fragmentShader ? text : `${declaration}\n${text}`
 }
 
-/** The material as rays see it where the surface is inside out. */
+const others = new Map<Side, Side>([
+  [FrontSide, BackSide],
+  [BackSide, FrontSide],
+])
+
+/** The material as rays must see it where the surface is inside out. */
 export function withOtherSide(material: Material | Material[]): Material | Material[] {
   if (Array.isArray(material)) return material.map((each) => withOtherSide(each) as Material)
-  const others = new Map([
-    [FrontSide, BackSide],
-    [BackSide, FrontSide],
-  ] as const)
-  const side = others.get(material.side as typeof FrontSide) ?? material.side
+  const side = others.get(material.side) ?? material.side
   return Object.create(material, { side: { value: side } }) as Material
 }

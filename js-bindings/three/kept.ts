@@ -55,7 +55,7 @@ export interface ThreeWarp {
   runs: boolean
   /** Whether it mirrors all of space, so that the outer side of a triangle is its back; `undefined` if uniforms decide that. */
   mirrors: boolean | undefined
-  /** Whether it does so now. */
+  /** Whether it mirrors with the uniforms of this moment. */
   isMirrored: () => boolean
   /** The numbers that it depends on now. */
   numbers: () => number[]

@@ -71,7 +71,7 @@ const standInFor = (
     }),
   ) as Warpable
 
-/** What three.js' own `raycast` finds of it; `isReversed` if its triangles turn their other side out. */
+/** The hits of three.js' own `raycast`; `isReversed` if the back of its triangles is outside. */
 function cast(own: Raycast, standIn: Warpable, isReversed: boolean, raycaster: Raycaster) {
   const found: Intersection[] = []
   if (!isReversed || !(standIn as Mesh).isMesh) {

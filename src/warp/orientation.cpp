@@ -22,7 +22,7 @@ std::optional<double> signOf(const Interval& range) {
   return range.high <= 0 ? std::optional<double>(-1) : std::nullopt;
 }
 
-// Of the nodes that a number is computed from, those that are the same for all vertices.
+// Marks the nodes that x is computed from and that are the same for all vertices.
 Flags uniformNodes(Expression x, std::span<const NodeId> vertexInputs) {
   const Graph& graph = *x.graph;
   Flags isUniform(graph.size());
@@ -43,14 +43,14 @@ struct Sign {
   std::vector<Expression> factors = {};
 };
 
-// Finds a polynomial's sign where it is a product of what is uniform and of what has one sign.
+// Finds the sign of a polynomial that is a product of a uniform factor and a factor of one sign.
 class SignOfPolynomial {
  public:
   SignOfPolynomial(Graph& graph, const std::vector<Atom>& atoms, const Flags& isUniform)
       : graph_(graph), atoms_(atoms), isUniform_(isUniform) {}
 
   std::optional<double> known(const Polynomial& terms) {
-    // What is open for inputs of usual size is open for all.
+    // A sign that is unknown for inputs of usual size is unknown for all.
     if (!signOf(rangeOf(terms, [&](NodeId id) { return graph_.range(id); }))) return {};
     if (ranges_.empty()) ranges_ = graph_.rangesOfAll();
     return signOf(rangeOf(terms, [&](NodeId id) { return ranges_[index(id)]; }));
@@ -58,7 +58,7 @@ class SignOfPolynomial {
 
   std::optional<Sign> of(Polynomial terms) {
     const std::vector<std::uint8_t> common = takeCommonFactors(terms);
-    // By what varies, with what that is multiplied.
+    // Maps each product of varying atoms to its uniform coefficient.
     std::vector<std::pair<Monomial, Polynomial>> parts;
     for (const Monomial& each : terms) {
       const auto halves = split(each);
@@ -105,7 +105,7 @@ class SignOfPolynomial {
   // Uniform factors that all terms have, which lose them; those that they have an odd number of times.
   std::vector<std::uint8_t> takeCommonFactors(Polynomial& terms) const {
     std::vector<std::uint8_t> common;
-    for (std::size_t k = 0; k < Monomial::mostFactors;) {
+    for (std::size_t k = 0; k < Monomial::maxFactors;) {
       const std::uint8_t factor = terms.front().factors[k];
       if (factor == Monomial::none) break;
       const bool isCommon =
@@ -130,7 +130,7 @@ class SignOfPolynomial {
     return common;
   }
 
-  // What varies of a term, and the rest with the coefficient.
+  // Splits a term into its varying atoms, and its uniform atoms with the coefficient.
   std::pair<Monomial, Monomial> split(const Monomial& each) const {
     Monomial varying, uniform{each.coefficient};
     std::size_t v = 0, u = 0;
@@ -144,7 +144,7 @@ class SignOfPolynomial {
     return {varying, uniform};
   }
 
-  // By which number `y` is to be multiplied to be `x`; terms are in order.
+  // The number r with x = r y, if there is one; terms are in order.
   static std::optional<double> ratioOf(const Polynomial& x, const Polynomial& y) {
     constexpr double share = 1e-9;
     if (x.size() != y.size()) return {};
@@ -163,11 +163,11 @@ class SignOfPolynomial {
     Interval total = 0.0;
     for (const Monomial& each : terms) {
       Interval product = each.coefficient;
-      for (std::size_t k = 0; k < Monomial::mostFactors && each.factors[k] != Monomial::none; ++k) {
+      for (std::size_t k = 0; k < Monomial::maxFactors && each.factors[k] != Monomial::none; ++k) {
         const auto [node, isInverse] = atoms_[each.factors[k]];
         const Interval range = rangeOfNode(node);
         const bool isSquare =
-            k + 1 < Monomial::mostFactors && each.factors[k + 1] == each.factors[k];
+            k + 1 < Monomial::maxFactors && each.factors[k + 1] == each.factors[k];
         const Interval factor = isSquare ? square(range) : range;
         product = isInverse ? product / factor : product * factor;
         k += isSquare;
@@ -227,13 +227,15 @@ std::optional<Sign> signOf(Expression x, std::span<const NodeId> vertexInputs) {
 
 }  // namespace
 
-Expression orientation(Expression determinant, std::span<const NodeId> vertexInputs) {
+std::optional<Expression> orientation(Expression determinant,
+                                      std::span<const NodeId> vertexInputs) {
   Graph& graph = *determinant.graph;
-  const Sign sign = signOf(determinant, vertexInputs).value_or(Sign{});
-  const Expression known{&graph, graph.constant(sign.known)};
-  if (sign.factors.empty()) return known;
-  Expression product = sign.factors.front();
-  for (std::size_t i = 1; i < sign.factors.size(); ++i) product = product * sign.factors[i];
+  const auto sign = signOf(determinant, vertexInputs);
+  if (!sign) return {};
+  const Expression known{&graph, graph.constant(sign->known)};
+  if (sign->factors.empty()) return known;
+  Expression product = sign->factors.front();
+  for (std::size_t i = 1; i < sign->factors.size(); ++i) product = product * sign->factors[i];
   return ifElse(lt(product, 0.0), -known, known);
 }
 

@@ -32,13 +32,13 @@ void collect(Polynomial& terms) {
   terms.resize(count);
 }
 
-// Nothing where there are too many factors.
+// Empty if there are too many factors.
 std::optional<Monomial> product(const Monomial& x, const Monomial& y) {
-  std::array<std::uint8_t, 2 * Monomial::mostFactors> all;
+  std::array<std::uint8_t, 2 * Monomial::maxFactors> all;
   std::merge(x.factors.begin(), x.factors.end(), y.factors.begin(), y.factors.end(), all.begin());
-  if (all[Monomial::mostFactors] != Monomial::none) return {};
+  if (all[Monomial::maxFactors] != Monomial::none) return {};
   Monomial result{x.coefficient * y.coefficient};
-  std::copy_n(all.begin(), Monomial::mostFactors, result.factors.begin());
+  std::copy_n(all.begin(), Monomial::maxFactors, result.factors.begin());
   return result;
 }
 
@@ -80,7 +80,7 @@ std::optional<Polynomial> Expansion::sum(const Polynomial& x, const Polynomial& 
     terms.push_back(term);
   }
   collect(terms);
-  isTooLong_ |= terms.size() > mostTerms;
+  isTooLong_ |= terms.size() > maxTerms;
   return terms;
 }
 
@@ -101,11 +101,11 @@ std::optional<Polynomial> Expansion::product(const Polynomial& x, const Polynomi
   for (std::size_t i = 0; i < terms.size(); ++i)
     while (replaceSquaredSine(terms, i)) continue;
   collect(terms);
-  isTooLong_ |= terms.size() > mostTerms;
+  isTooLong_ |= terms.size() > maxTerms;
   return terms;
 }
 
-// By 1 - cos².
+// Replaces sin² by 1 - cos².
 bool Expansion::replaceSquaredSine(Polynomial& terms, std::size_t i) {
   auto& factors = terms[i].factors;
   for (std::size_t k = 0; k + 1 < factors.size() && factors[k + 1] != Monomial::none; ++k) {

@@ -22,14 +22,14 @@ struct Atom {
 
 // A product of atoms, by number and in order; one that counts twice is there twice.
 struct Monomial {
-  static constexpr std::size_t mostFactors = 12;
+  static constexpr std::size_t maxFactors = 12;
   static constexpr std::uint8_t none = 0xff;
 
   double coefficient = 1;
-  std::array<std::uint8_t, mostFactors> factors = filled();
+  std::array<std::uint8_t, maxFactors> factors = filled();
 
-  static constexpr std::array<std::uint8_t, mostFactors> filled() {
-    std::array<std::uint8_t, mostFactors> all{};
+  static constexpr std::array<std::uint8_t, maxFactors> filled() {
+    std::array<std::uint8_t, maxFactors> all{};
     all.fill(none);
     return all;
   }
@@ -44,17 +44,17 @@ class Expansion {
  public:
   explicit Expansion(const Graph& graph) : graph_(graph) {}
 
-  // Nothing if even that would take long.
+  // Empty if the expansion would take long.
   std::optional<Polynomial> of(NodeId id) {
-    const Polynomial& terms = expand(id, mostLevels);
+    const Polynomial& terms = expand(id, maxLevels);
     return isTooLong_ ? std::nullopt : std::optional(terms);
   }
-  // By number.
+  // Indexed by the factors of monomials.
   const std::vector<Atom>& atoms() const { return atoms_; }
 
  private:
-  static constexpr int mostLevels = 24;
-  static constexpr std::size_t mostTerms = 64;
+  static constexpr int maxLevels = 24;
+  static constexpr std::size_t maxTerms = 64;
 
   const Polynomial& expand(NodeId id, int levels);
   std::optional<Polynomial> expanded(NodeId id, int levels);
@@ -66,7 +66,7 @@ class Expansion {
   const Graph& graph_;
   std::vector<Atom> atoms_;
   std::map<NodeId, Polynomial> known_;
-  // How many terms are still made. A mirror, twisted about an oblique axis, takes 700; most warps that can
+  // The number of terms that may still be made. A mirror, twisted about an oblique axis, takes 700; most warps that can
   // have either sign are given up before.
   std::size_t left_ = 1500;
   bool isTooLong_ = false;

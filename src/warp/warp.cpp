@@ -116,6 +116,10 @@ std::vector<NodeId> vertexInputs(const WarpInputs& inputs) {
   return all;
 }
 
+Expression orOne(std::optional<Expression> orientation, Graph& graph) {
+  return orientation.value_or(Expression{&graph, graph.constant(1)});
+}
+
 void orient(std::optional<Turned>& turned, Expression orientation) {
   if (!turned) return;
   turned->normal = turned->normal * Value(orientation);
@@ -149,9 +153,9 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
 
   // Also of the surface it is that of space: where gradients may be anything, the determinant can
   // have either sign, and without any it is this one.
-  warp.orientation = orientation(
+  warp.orientation = orOne(orientation(
       warp.flat ? warp.flat->determinant : determinant(sized(constant, mostCubed)),
-      vertexInputs(inputs));
+      vertexInputs(inputs)), graph);
   orient(warp.flat, *warp.orientation);
   orient(warp.surface, *warp.orientation);
   return warp;
@@ -177,13 +181,18 @@ Value turnedNormal(const Value& given, const Value& normal) {
   return unit(a * normal[0] + b * normal[1] + c * normal[2], most * most);
 }
 
-Value outwardNormal(const Value& m, const Value& normal, const Value& position) {
+std::optional<Expression> orientationOf(const Value& m, const Value& normal,
+                                        const Value& position) {
   std::vector<NodeId> vertexInputs(position.nodes().begin(), position.nodes().end());
   for (const NodeId id : reachable(m.graph(), normal.nodes())) {
     if (m.graph().isInput(id)) vertexInputs.push_back(id);
   }
+  return orientation(determinant(sized(m, mostCubed)), vertexInputs);
+}
+
+Value outwardNormal(const Value& m, const Value& normal, const Value& position) {
   const Value turned = turnedNormal(m, normal);
-  return turned * Value(orientation(determinant(sized(m, mostCubed)), vertexInputs));
+  return turned * Value(orOne(orientationOf(m, normal, position), m.graph()));
 }
 
 Value turnedTangent(const Value& given, const Value& tangent, const Value& normal) {

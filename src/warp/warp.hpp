@@ -78,7 +78,9 @@ Value varied(Differentiator& differentiator, const Value& m, const Value& offset
 // where all of space is mirrored. Where the surface folds, it is continuous as it is.
 Value turnedNormal(const Value& m, const Value& normal);
 
-// The same times the orientation of M, for which all inputs but these two are the same for all vertices.
+// The orientation of M (orientation.hpp), for which all inputs but these two are the same for all
+// vertices; and the normal times that, if there is one.
+std::optional<Expression> orientationOf(const Value& m, const Value& normal, const Value& position);
 Value outwardNormal(const Value& m, const Value& normal, const Value& position);
 
 // The unit tangent M t, less what of it goes along `normal`, the turned one; zero where M collapses
