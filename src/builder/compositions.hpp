@@ -177,12 +177,13 @@ inline constexpr std::array compositions{
         "vI",
         Kind::Matrix,
         [](auto& d, auto x) { return jacobian(d, x[0], x[1]); }},
-    Composition{{"adjustNormal", "offset, normal, position",
-                 "The unit normal after the warp of `position` by this offset; zero where there is "
-                 "none. A mirror leaves it on the outer side."},
-                "33J",
-                Kind::Vec3,
-                [](auto& d, auto x) { return outwardNormal(deformation(d, x[0], x[2]), x[1], x[2]); }},
+    Composition{
+        {"adjustNormal", "offset, normal, position",
+         "The unit normal after the warp of `position` by this offset; zero where there is "
+         "none. A mirror leaves it on the outer side."},
+        "33J",
+        Kind::Vec3,
+        [](auto& d, auto x) { return outwardNormal(deformation(d, x[0], x[2]), x[1], x[2]); }},
     Composition{
         {"adjustTangent", "offset, tangent, normal, position",
          "The unit tangent after the warp of `position` by this offset, at right angles to "

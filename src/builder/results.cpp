@@ -35,12 +35,9 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
     return needsPartials;
   }
   const Value* const given = &operands_[1];
-  const WarpInputs inputs{given[0],
-                          given[1],
-                          given[2],
-                          given[3],
-                          {given[4], given[5], given[6], given[7], given[8]},
-                          given[9]};
+  const WarpInputs inputs{
+      given[0], given[1], given[2], given[3], {given[4], given[5], given[6], given[7], given[8]},
+      given[9]};
   const Warp warp = makeWarp(differentiator_, offset, inputs, options);
   commentDerivatives();
 

@@ -102,7 +102,8 @@ class SignOfPolynomial {
            (graph_.is(node, ops::find("cos")) && isUniform_[index(graph_.operand(node, 0))]);
   }
 
-  // Uniform factors that all terms have, which lose them; those that they have an odd number of times.
+  // Uniform factors that all terms have, which lose them; those that they have an odd number of
+  // times.
   std::vector<std::uint8_t> takeCommonFactors(Polynomial& terms) const {
     std::vector<std::uint8_t> common;
     for (std::size_t k = 0; k < Monomial::maxFactors;) {

@@ -1,5 +1,5 @@
-// A number as a polynomial of other nodes, in which what cancels is gone and common factors are seen:
-// (c - 1) + (u - 1) * c + 1 is u c.
+// A number as a polynomial of other nodes, in which what cancels is gone and common factors are
+// seen: (c - 1) + (u - 1) * c + 1 is u c.
 #pragma once
 
 #include <array>
@@ -66,8 +66,8 @@ class Expansion {
   const Graph& graph_;
   std::vector<Atom> atoms_;
   std::map<NodeId, Polynomial> known_;
-  // The number of terms that may still be made. A mirror, twisted about an oblique axis, takes 700; most warps that can
-  // have either sign are given up before.
+  // The number of terms that may still be made. A mirror, twisted about an oblique axis, takes 700;
+  // most warps that can have either sign are given up before.
   std::size_t left_ = 1500;
   bool isTooLong_ = false;
 };

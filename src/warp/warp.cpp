@@ -153,9 +153,10 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
 
   // Also of the surface it is that of space: where gradients may be anything, the determinant can
   // have either sign, and without any it is this one.
-  warp.orientation = orOne(orientation(
-      warp.flat ? warp.flat->determinant : determinant(sized(constant, mostCubed)),
-      vertexInputs(inputs)), graph);
+  warp.orientation = orOne(
+      orientation(warp.flat ? warp.flat->determinant : determinant(sized(constant, mostCubed)),
+                  vertexInputs(inputs)),
+      graph);
   orient(warp.flat, *warp.orientation);
   orient(warp.surface, *warp.orientation);
   return warp;

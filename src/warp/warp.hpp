@@ -84,8 +84,8 @@ std::optional<Expression> orientationOf(const Value& m, const Value& normal, con
 Value outwardNormal(const Value& m, const Value& normal, const Value& position);
 
 // The unit tangent M t, less what of it goes along `normal`, the turned one; zero where M collapses
-// it. Beside cof(M) n the side of the bitangent stays: with t x b = n, (M t) x (M b) is cof(M) n for
-// every M. Beside -cof(M) n it is the other one.
+// it. Beside cof(M) n the side of the bitangent stays: with t x b = n, (M t) x (M b) is cof(M) n
+// for every M. Beside -cof(M) n it is the other one.
 Value turnedTangent(const Value& m, const Value& tangent, const Value& normal);
 
 }  // namespace warpjet

@@ -29,11 +29,17 @@ const pairs = {
   local: [`${turned}; warps.local(); ${cone}`, `${turned}; scale(-1, 1, 1); ${cone}`],
   world: [`warps.world(); ${turned}; ${cone}`, `scale(-1, 1, 1); ${turned}; ${cone}`],
   camera: [`warps.camera(); ${turned}; ${cone}`, `scale(-1, 1, 1); ${turned}; ${cone}`],
-  'along the normal': ['warps.along(); sphere(60, 64, 48)', 'scale(-0.8, 1.2, 1.2); sphere(60, 64, 48)'],
+  'along the normal': [
+    'warps.along(); sphere(60, 64, 48)',
+    'scale(-0.8, 1.2, 1.2); sphere(60, 64, 48)',
+  ],
   ...Object.fromEntries(
     [1, 0.6, -0.6, -1].map((flip) => [
       `by a uniform, ${flip}`,
-      [`${turned}; warps.byUniform({ flip: ${flip} }); ${cone}`, `${turned}; scale(${flip}, 1, 1); ${cone}`],
+      [
+        `${turned}; warps.byUniform({ flip: ${flip} }); ${cone}`,
+        `${turned}; scale(${flip}, 1, 1); ${cone}`,
+      ],
     ]),
   ),
 }

@@ -419,7 +419,8 @@ class MirrorTest : public WholeWarpTest {
   }
 };
 
-// (-x, y, z): the normal of a mirrored surface is the mirrored normal, its bitangent the mirrored one.
+// (-x, y, z): the normal of a mirrored surface is the mirrored normal, its bitangent the mirrored
+// one.
 TEST_F(MirrorTest, AMirrorMirrorsTheNormalAndTheBitangent) {
   const Warp warp = warpOf(vec3(p[0] * -2.0, zero, zero));
   ASSERT_TRUE(isKnown(warp));

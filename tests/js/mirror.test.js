@@ -115,7 +115,13 @@ describe('the outer side stays outside', () => {
 
   test('the normal at (1, 0, 0) of a sphere is (-1, 0, 0)', () => {
     const { normal, position } = compileWarp(mirror).evaluateAt([1, 0, 0], { normal: [1, 0, 0] })
-    assert.deepEqual([position, normal.map((x) => x + 0)], [[-1, 0, 0], [-1, 0, 0]])
+    assert.deepEqual(
+      [position, normal.map((x) => x + 0)],
+      [
+        [-1, 0, 0],
+        [-1, 0, 0],
+      ],
+    )
   })
 
   test('what does not mirror keeps its triangles, and so does what folds', () => {
@@ -183,7 +189,8 @@ describe('uniforms decide', () => {
     const warp = compileWarp(stretch({ amount: ({ uniforms }) => uniforms.by }), {
       uniforms: { by: 0 },
     })
-    for (const by of [0.5, -0.5, -2]) isOutside(bakeWarp(round, warp, { uniforms: { by } }), `${by}`)
+    for (const by of [0.5, -0.5, -2])
+      isOutside(bakeWarp(round, warp, { uniforms: { by } }), `${by}`)
   })
 
   test('flattened to nothing, normals are zero where the surface has none', () => {
@@ -230,16 +237,32 @@ test('adjustNormal and what it is made of', () => {
     return { known: of(-2), byUniform: of(glsl.param('by')) }
   })
   const at = (by) => evaluate({ position: [1, 0, 0], normal: [1, 0, 0], by })
-  assert.deepEqual(at(-3).known.map((x) => x + 0), [-1, 0, 0])
-  assert.deepEqual(at(-3).byUniform.map((x) => x + 0), [-1, 0, 0])
-  assert.deepEqual(at(3).byUniform.map((x) => x + 0), [1, 0, 0])
+  assert.deepEqual(
+    at(-3).known.map((x) => x + 0),
+    [-1, 0, 0],
+  )
+  assert.deepEqual(
+    at(-3).byUniform.map((x) => x + 0),
+    [-1, 0, 0],
+  )
+  assert.deepEqual(
+    at(3).byUniform.map((x) => x + 0),
+    [1, 0, 0],
+  )
 })
 
 describe('offsets of the normal and of uv', () => {
   const grown = ({ glsl, position, normal, uv }) =>
-    glsl
-      .vec3(position.x().mult(-2), 0, 0)
-      .add(normal.mult(uv.x().mult(2 * Math.PI).sin().mult(0.1).add(0.05)))
+    glsl.vec3(position.x().mult(-2), 0, 0).add(
+      normal.mult(
+        uv
+          .x()
+          .mult(2 * Math.PI)
+          .sin()
+          .mult(0.1)
+          .add(0.05),
+      ),
+    )
 
   for (const surfaceVariation of [true, false])
     test(`a mirror grown along the normal${surfaceVariation ? ', as it varies' : ''}`, () => {
@@ -250,15 +273,18 @@ describe('offsets of the normal and of uv', () => {
 })
 
 test('the bitangent is where texture coordinates rise, in a mirror too', () => {
-  const warp = compileWarp(to(({ glsl, position: p }) =>
-    glsl.vec3(p.x().neg(), p.y().add(p.x().sin().mult(0.3)), p.z()),
-  ))
+  const warp = compileWarp(
+    to(({ glsl, position: p }) => glsl.vec3(p.x().neg(), p.y().add(p.x().sin().mult(0.3)), p.z())),
+  )
   // On the plane z = 0, (t, b, n) is (x, y, z).
   const mesh = { positions: [0.4, 0.2, 0], normals: [0, 0, 1], tangents: [1, 0, 0, 1] }
   const { normals, tangents } = warp.evaluate(mesh)
   const [t, n] = [[...tangents.slice(0, 3)], [...normals]]
   const b = cross(n, t).map((x) => x * tangents[3])
-  assert.deepEqual(n.map((x) => Math.round(x) + 0), [0, 0, 1])
+  assert.deepEqual(
+    n.map((x) => Math.round(x) + 0),
+    [0, 0, 1],
+  )
   // M b is (0, 1, 0).
   assert.ok(b[1] > 0.9, `${b}`)
   const flipped = warp.evaluate({ ...mesh, tangents: [1, 0, 0, -1] })
@@ -331,7 +357,11 @@ describe('bakes', () => {
 
 describe('rays of three.js', () => {
   const offsets = { 'a mirror': [mirror, {}], 'by a uniform': [byUniform, { scale: -1 }] }
-  const sides = { FrontSide: THREE.FrontSide, BackSide: THREE.BackSide, DoubleSide: THREE.DoubleSide }
+  const sides = {
+    FrontSide: THREE.FrontSide,
+    BackSide: THREE.BackSide,
+    DoubleSide: THREE.DoubleSide,
+  }
 
   /** A mesh whose mirror image differs, and the one that three.js mirrors itself. */
   function pair(side) {

@@ -47,7 +47,10 @@ export const inputs = onSmallMesh({
     warp({ glsl, position, mouse }) {
       const width = mouse.x().div(-100)
       const [x, y, z] = [position.x().mult(width), position.y(), position.z()]
-      return glsl.rotateY(y).mult(glsl.vec3(x, y, z)).sub(position)
+      return glsl
+        .rotateY(y)
+        .mult(glsl.vec3(x, y, z))
+        .sub(position)
     },
     offset([x, y, z], { mouse }) {
       const wide = (x * mouse[0]) / -100
