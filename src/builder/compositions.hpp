@@ -180,7 +180,7 @@ inline constexpr std::array compositions{
     Composition{
         {"adjustNormal", "offset, normal, position",
          "The unit normal after the warp of `position` by this offset; zero where there is "
-         "none. A mirror leaves it on the outer side."},
+         "none."},
         "33J",
         Kind::Vec3,
         [](auto& d, auto x) { return outwardNormal(deformation(d, x[0], x[2]), x[1], x[2]); }},
