@@ -24,6 +24,7 @@ set_target_properties(warpjet_core warpjet_glsl PROPERTIES UNITY_BUILD ON UNITY_
 set_source_files_properties(src/diff/differentiator.cpp src/diff/together.cpp src/emit/sums.cpp src/eval/blocks.cpp src/eval/code_writer.cpp
                             src/eval/each_lane.cpp src/eval/idioms.cpp src/eval/machine_code.cpp
                             src/frame/frame.cpp src/graph/simplify.cpp src/graph/turns.cpp src/texture/texture.cpp
+                            src/warp/orientation.cpp src/warp/polynomial.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # The core once more, with rows of its own in a copy of the table; the sanitizers have enough in the core itself.

@@ -88,7 +88,8 @@ std::string composition(const Composition& each) {
                  {"operands", text(each.title.operands)},
                  {"meaning", text(each.title.meaning)},
                  {"kinds", text(each.operands)},
-                 {"result", text(std::string{static_cast<char>(each.result)})}});
+                 {"result", text(std::string{static_cast<char>(each.result)})},
+                 {"isListed", truth(each.isListed)}});
 }
 
 std::string alias(const detail::Alias& each) {
@@ -134,6 +135,7 @@ std::string meshArrays() {
 
 std::string warpResults() {
   std::vector<std::string_view> names(movedResults.begin(), movedResults.end());
+  names.push_back(orientationResult);
   names.insert(names.end(), turnedResults.begin(), turnedResults.end());
   return array(names, text);
 }

@@ -37,7 +37,10 @@ export async function readTable() {
  * apart vectors and matrices.
  */
 export function arrange({ rows, compositions, aliases, others, headings, ...numbered }) {
-  const operations = [...rows.filter(isCallable).map(fromRow), ...compositions.map(fromComposition)]
+  const operations = [
+    ...rows.filter(isCallable).map(fromRow),
+    ...compositions.filter(({ isListed }) => isListed).map(fromComposition),
+  ]
   const left = new Map(headings.map(({ text, first }) => [first, text]))
   let heading
   for (const operation of operations) {

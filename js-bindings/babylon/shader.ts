@@ -1,5 +1,5 @@
 // What goes into the vertex shaders of Babylon.js, which have the same names for a vertex in GLSL and in WGSL.
-import { millisUniform, outputs } from '../compile/host-names.js'
+import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
 import { type KeptWarp, writeWarp } from '../compile/warp-text.js'
 import { type Shape, imageShape, typeOf } from '../expression/shapes.js'
 import type { Target } from '../module/kept-module.js'
@@ -17,10 +17,12 @@ const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat
 
 const sentName = (label: string) => `${label}Sent`
 
-/** For a plugin's `getUniforms`. */
-export function declarationsOf(uniforms: readonly Labelled[], isWGSL: boolean) {
+/** For a plugin's `getUniforms`; `mirrors`: the warp may mirror all of space, which both stages know by a uniform. */
+export function declarationsOf(uniforms: readonly Labelled[], isWGSL: boolean, mirrors: boolean) {
+  const orientation = { name: orientationName, type: 'float' }
   const numbers = [
     { name: millisUniform, type: 'float' },
+    ...(mirrors ? [orientation] : []),
     ...uniforms
       .filter(({ shape }) => shape !== imageShape)
       .map(({ label, shape }) => ({ name: sentName(label), type: sent(shape) })),
@@ -29,10 +31,13 @@ export function declarationsOf(uniforms: readonly Labelled[], isWGSL: boolean) {
     ubo: numbers.map(({ name, type }) => ({ name, type, size: sizes[type]! })),
     // Where there are no buffers of uniforms.
     ...(!isWGSL && {
-      vertex: numbers.map(({ name, type }) => `uniform ${type} ${name};\n`).join(''),
+      vertex: numbers.map(declare).join(''),
+      ...(mirrors && { fragment: declare(orientation) }),
     }),
   }
 }
+
+const declare = ({ name, type }: { name: string; type: string }) => `uniform ${type} ${name};\n`
 
 /** What is used of the buffer of uniforms. */
 interface Buffer {
@@ -61,6 +66,17 @@ const widened = (n: number[]) => [
   ...[...n.slice(0, 3), 0, ...n.slice(3, 6), 0, ...n.slice(6), 0],
   ...[0, 0, 0, 1],
 ]
+
+/**
+ * For a plugin's `getCustomCode`: the outer side of a triangle is the one that the engine takes for the back where the warp
+ * mirrors all of space. Names that begin with `!` are regular expressions for Babylon.js.
+ */
+export const fragmentCode = (isWGSL: boolean): Record<string, string> =>
+  isWGSL
+    ? {
+        '!fragmentInputs\\.frontFacing': `(fragmentInputs.frontFacing == (uniforms.${orientationName} > 0.0))`,
+      }
+    : { '!\\bgl_FrontFacing\\b': `(gl_FrontFacing == (${orientationName} > 0.0))` }
 
 /** For a plugin's `getCustomCode`. */
 export function vertexCode(warp: KeptWarp, uniforms: readonly Labelled[], isWGSL: boolean) {

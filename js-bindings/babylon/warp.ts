@@ -10,13 +10,14 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { checkCallback, checkOptions } from '../checks/options.js'
 import { runOnCpu } from '../compile/compile-warp.js'
-import { millisUniform, outputs } from '../compile/host-names.js'
+import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
 import { type KeptWarp, keepWarp, readOptions, writeWarp } from '../compile/warp-text.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
+import { warpProgram } from '../cpu/warp-program.js'
 import { drawInputs, variationInputs } from '../inputs/inputs.js'
 import type { OffsetFunction, UniformOptions, UniformValues } from '../types/types.js'
 import { refreshMesh } from './mesh.js'
-import { declarationsOf, names, send, vertexCode } from './shader.js'
+import { declarationsOf, fragmentCode, names, send, vertexCode } from './shader.js'
 import { type BabylonUniform, readUniforms } from './uniforms.js'
 
 const method = 'BabylonWarp'
@@ -142,7 +143,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
   }
 
   override getUniforms(language?: ShaderLanguage) {
-    return declarationsOf(this.uniforms, language === ShaderLanguage.WGSL)
+    return declarationsOf(this.uniforms, language === ShaderLanguage.WGSL, this.mayMirror())
   }
 
   override getSamplers(samplers: string[]) {
@@ -157,6 +158,14 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
     return this.images().some(([, each]) => each === texture)
   }
 
+  private mayMirror() {
+    return this.cpu[warpProgram].mirrors() !== false
+  }
+
+  private isMirrored() {
+    return this.isOn && this.cpu[warpProgram].isMirrored(method, { millis: this.millis })
+  }
+
   private images() {
     return this.uniforms.flatMap(({ label, image }): [string, BaseTexture][] =>
       image ? [[label, image()]] : [],
@@ -165,6 +174,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
 
   override bindForSubMesh(buffer: UniformBuffer) {
     buffer.updateFloat(millisUniform, this.millis)
+    if (this.mayMirror()) buffer.updateFloat(orientationName, this.isMirrored() ? -1 : 1)
     for (const { label, numbers, image } of this.uniforms) {
       if (image) buffer.setTexture(label, image())
       else send(buffer, label, numbers())
@@ -172,8 +182,9 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
   }
 
   override getCustomCode(type: string, language?: ShaderLanguage) {
-    if (type !== 'vertex') return null
-    return vertexCode(this.warp, this.uniforms, language === ShaderLanguage.WGSL)
+    const isWGSL = language === ShaderLanguage.WGSL
+    if (type === 'vertex') return vertexCode(this.warp, this.uniforms, isWGSL)
+    return type === 'fragment' && this.mayMirror() ? fragmentCode(isWGSL) : null
   }
 
   override dispose() {

@@ -7,4 +7,7 @@ export const outputs = {
   tangent: 'warpjetSwung',
 }
 
+/** 1, or -1 where the warp mirrors all of space. */
+export const orientationName = 'warpjetOrientation'
+
 export const millisUniform = 'warpjetMillis'

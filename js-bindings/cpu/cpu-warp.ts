@@ -1,10 +1,11 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
 import { WarpError } from '../checks/errors.js'
-import { boundProgram } from '../wasm/evaluation.js'
+import { boundProgram, inputsRead } from '../wasm/evaluation.js'
 import type { Sink } from '../wasm/machine-code.js'
 import { runProgram } from '../wasm/run-program.js'
 import { type VertexInput, variationInputs, vertexInputs } from '../inputs/inputs.js'
 import type { Program } from '../module/kept-module.js'
+import { lazily } from '../module/lazily.js'
 import { noteApproximation } from '../checks/notes.js'
 import { runInDouble } from './double.js'
 import { type Moved, type Triple, inverse } from './inverse.js'
@@ -23,7 +24,7 @@ import {
 import { type Origin, keep, originsOf, readingOf } from './origins.js'
 import { copyOverwritten } from './overlaps.js'
 import { type WarpedVertices, leaveSinks, numbersOf, takeSinks, wanted } from './results.js'
-import { type WarpProgram, warpProgram } from './warp-program.js'
+import { type RunningProgram, type WarpProgram, warpProgram } from './warp-program.js'
 
 export interface EvaluationOptions {
   /** Those left out have the values of `compileWarp`'s option `uniforms`; a function there is called each time. */
@@ -119,11 +120,13 @@ export interface CpuWarp {
   /** Where the warp turns the surface inside out. */
   foldover(mesh: Vertices, options?: EvaluationOptions): Foldover
   /** @internal */
-  readonly [warpProgram]: WarpProgram
+  readonly [warpProgram]: RunningProgram
 }
 
 /** Of the program of directions: the position, and what becomes of the direction. */
 const positionAndDirection = [0, 1, 2, 3, 4, 5]
+
+const orientation = [0]
 
 const pointOptions = [
   ...Object.keys(vertexInputs).filter((name) => name !== 'position'),
@@ -182,8 +185,26 @@ export function createCpuWarp(warp: WarpProgram): CpuWarp {
     return mesh.tangents ? wanted.frame : wanted.surface
   }
 
+  function isMirrored(method: string, uniforms: Uniforms | undefined) {
+    if (!warp.hasNormals) return false
+    const program = warp.orientationProgram()
+    const reading = readingOf(warp, program, orientation)
+    const origins = originsOf(method, warp, reading, uniforms)
+    const numbers = origins.flatMap((origin) => origin.numbers)
+    keep(reading, origins)
+    return runInDouble(program, numbers, 1)[0]! < 0
+  }
+
+  function mirrors() {
+    if (!warp.hasNormals) return false
+    const program = warp.orientationProgram()
+    if (inputsRead(program, orientation).includes(true)) return undefined
+    const inputs = program.inputs.flatMap(({ shape }) => Array<number>(shape[0] * shape[1]).fill(0))
+    return runInDouble(program, inputs, 1)[0]! < 0
+  }
+
   return {
-    [warpProgram]: warp,
+    [warpProgram]: { ...warp, isMirrored, mirrors: lazily(mirrors) },
 
     evaluate(mesh, options) {
       const uniforms = uniformsOf('evaluate', options, evaluateOptions)

@@ -10,7 +10,7 @@ export interface WarpedVertices {
   positions: Float32Array
   /** Three numbers a vertex, of length 1, or 0 where the warp collapses the surface; if normals came. */
   normals?: Float32Array
-  /** Four numbers a vertex, the last one as it came; if normals and tangents came. */
+  /** Four numbers a vertex, the last one as it came, or with the other sign where the warp mirrors all of space; if normals and tangents came. */
   tangents?: Float32Array
 }
 

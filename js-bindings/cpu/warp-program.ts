@@ -1,6 +1,7 @@
 // What a warp that runs on the CPU keeps of its session, for other modules of ours too: they need nothing that runs it.
 import type { Program } from '../module/kept-module.js'
 import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
+import type { Uniforms } from '../inputs/vertices.js'
 
 /** What is kept of a session. There is no program if the warp calls a `glsl.fn` or `glsl.texture`. */
 export interface WarpProgram {
@@ -13,6 +14,8 @@ export interface WarpProgram {
   program: () => Program | undefined
   /** Its results are the position and what the tangent's direction becomes. */
   directionProgram: () => Program | undefined
+  /** Its result is 1, or -1 where the warp mirrors all of space; it reads no vertex. */
+  orientationProgram: () => Program
   hasNormals: boolean
   /** Whether the turn depends on how normal and uv vary over the surface. */
   varies: boolean
@@ -20,6 +23,14 @@ export interface WarpProgram {
   isAccepted: boolean
   /** By input of the warp, the number of the program's. */
   inputs: Record<string, number>
+}
+
+/** The same once it runs. */
+export interface RunningProgram extends WarpProgram {
+  /** Whether the warp mirrors all of space, so that triangles turn their other side out. */
+  isMirrored: (method: string, uniforms: Uniforms | undefined) => boolean
+  /** The same where it is known at once; `undefined` if it depends on uniforms. */
+  mirrors: () => boolean | undefined
 }
 
 /** Where a warp keeps it, for other modules of ours. */

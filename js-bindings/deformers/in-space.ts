@@ -40,16 +40,15 @@ export function inSpace<Uniforms extends UniformValues = {}>(
   checkWarps('inSpace', [warp], 2)
   return (inputs) => {
     const { glsl } = inputs
-    const { linear, shift } = readSpace(
-      inputs,
-      isCallable(matrix) ? matrix(inputs as OptionInputs) : matrix,
-    )
+    const given: unknown = isCallable(matrix) ? matrix(inputs as OptionInputs) : matrix
+    const { linear, shift } = readSpace(inputs, given)
     const determinant = linear.determinant()
-    const { position, normal } = surfaceOf(inputs)
+    const surface = surfaceOf(inputs)
+    const isMirror = isList(given) ? isLeftHanded(given) : undefined
+    const side = isMirror === false ? surface.side : determinant.sign().mult(surface.side ?? 1)
     const inside = inputsAt(inputs, linear.mult(inputs.position).add(shift), {
-      position,
-      // A mirror turns normals inside out.
-      normal: normal.mult(determinant.sign()),
+      ...surface,
+      ...(side !== undefined && { side }),
     })
     const offset = linear.inverse().mult(offsetOf('inSpace', 2, warp, inside))
     return determinant.eq(0).ifElse(glsl.vec3(0), offset)
@@ -92,7 +91,13 @@ function checkNumbers(matrix: unknown): asserts matrix is ArrayLike<number> {
 }
 
 /** Whether three columns lie in a plane, as far as float32 can tell. */
-function isFlat(columns: number[][]): boolean {
+const isFlat = (columns: number[][]) => Math.abs(volumeOf(columns)) < 1e-7
+
+const isLeftHanded = (matrix: ArrayLike<unknown>) =>
+  volumeOf([0, 4, 8].map((i) => [0, 1, 2].map((k) => matrix[i + k] as number))) < 0
+
+/** What three columns span, each as one of length 1. */
+function volumeOf(columns: number[][]): number {
   const [a, b, c] = columns.map((column) => {
     const length = Math.hypot(...column) || 1
     return column.map((x) => x / length)
@@ -101,7 +106,7 @@ function isFlat(columns: number[][]): boolean {
     const [j, k] = [(i + 1) % 3, (i + 2) % 3]
     return a[j]! * b[k]! - a[k]! * b[j]!
   })
-  return Math.abs(cross.reduce((sum, x, i) => sum + x * c[i]!, 0)) < 1e-7
+  return cross.reduce((sum, x, i) => sum + x * c[i]!, 0)
 }
 
 function refuse(what: string, more = ''): never {

@@ -5,17 +5,24 @@ import { WarpError, describe } from '../checks/errors.js'
 import { anyNumber, finiteFloat, firstWrong } from '../checks/numbers.js'
 import { isList } from '../checks/options.js'
 import { type Uniforms, type Vertices, uniformsOf } from '../inputs/vertices.js'
-import { type WarpProgram, warpProgram } from '../cpu/warp-program.js'
+import { type RunningProgram, warpProgram } from '../cpu/warp-program.js'
 import { type Geometry, isGeometry } from '../inputs/geometry.js'
 import { type Plain, movedGeometry } from './geometry.js'
-import { type Mesh, type MeshInput, type MeshOrGeometry, putMesh, takeMesh } from './mesh-arrays.js'
+import {
+  type Mesh,
+  type MeshInput,
+  type MeshOrGeometry,
+  putMesh,
+  reverseTriangles,
+  takeMesh,
+} from './mesh-arrays.js'
 import { withJob } from '../wasm/mesh.js'
 import { takeVariation } from './surface-variation.js'
 
 /** What of `compileWarp`'s result is used here. */
 export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {
   /** @internal */
-  readonly [warpProgram]?: WarpProgram
+  readonly [warpProgram]?: RunningProgram
 }
 
 /** Whether the warp wants to know how normals and uvs vary over the mesh. */
@@ -23,7 +30,9 @@ export const asksForVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?
 
 /**
  * The mesh with every vertex moved and every normal and tangent turned; all else is copied. Missing normals are computed
- * before, and how normals and uvs vary over the surface, if the warp depends on them. `warp` is what `compileWarp` returns. An empty mesh stays empty; 10 million triangles take some seconds.
+ * before, and how normals and uvs vary over the surface, if the warp depends on them. `warp` is what `compileWarp` returns. If it
+ * mirrors all of space, the vertices of each triangle come in the other order, by `indices`, so that its outer side stays the
+ * front. An empty mesh stays empty; 10 million triangles take some seconds.
  * A `BufferGeometry` of three.js comes back as one, with all its other attributes and its groups; its morph targets are
  * warped, too. Throws a `WarpError` if arrays do not fit together, a uniform is missing, the warp has no finite value at a vertex,
  * or the mesh is too large for the memory of the module (such as 40 million triangles).
@@ -41,8 +50,13 @@ export function bakeWarp(
 ): unknown {
   const baked = bake(given, warp, options)
   if (!isGeometry(given)) return baked
-  return movedGeometry(given, baked, (mesh) => bake(mesh, warp, options))
+  const isMirrored = isMirroredBy(warp, uniformsOf('bakeWarp', options))
+  return movedGeometry(given, baked, isMirrored, (mesh) => bake(mesh, warp, options))
 }
+
+/** False for a warp made by hand, which says nothing of it. */
+const isMirroredBy = (warp: Evaluates, uniforms: Uniforms | undefined) =>
+  warp[warpProgram]?.isMirrored('bakeWarp', uniforms) ?? false
 
 function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions): Mesh {
   checkWarp('bakeWarp', warp)
@@ -60,9 +74,9 @@ function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions
     )
   checkFinite('position', positions, 3, copy)
   checkFinite('normal', normals, 3, copy)
-  if (!tangents) return { ...copy, positions, normals }
-  checkFinite('tangent', tangents, 4, copy)
-  return { ...copy, positions, normals, tangents }
+  if (tangents) checkFinite('tangent', tangents, 4, copy)
+  const baked = { ...copy, positions, normals, ...(tangents && { tangents }) }
+  return isMirroredBy(warp, uniforms) ? reverseTriangles(baked) : baked
 }
 
 export function checkWarp(method: string, warp: unknown, makers = 'compileWarp') {

@@ -72,16 +72,21 @@ function put(made: Made, mesh: Mesh, Numbers: AttributeClass) {
   }
 }
 
-/** A copy whose vertices have moved to where `baked` has them; `bake` moves its morph targets likewise. */
+/**
+ * A copy whose vertices have moved to where `baked` has them, with its triangles if `isReversed`; `bake` moves its morph targets
+ * likewise.
+ */
 export function movedGeometry(
   given: Geometry,
   baked: Mesh,
+  isReversed: boolean,
   bake: (mesh: MeshInput) => Mesh,
 ): unknown {
   const { Plain, Numbers } = classesOf(given)
   const made = withoutBounds(new Plain().copy(given))
   const { positions, normals, tangents } = baked
   put(made, { positions, normals, ...(tangents && { tangents }) }, Numbers)
+  if (isReversed) made.setIndex(new Numbers(baked.indices, 1))
   moveTargets(made, given as Made, baked, (mesh) => bake({ ...arraysOf(given), ...mesh }), Numbers)
   return made
 }

@@ -136,6 +136,19 @@ export function takeMesh(job: Job): Mesh {
   return mesh
 }
 
+/** The mesh with each triangle's vertices in the other order; vertices stay where they are. */
+export function reverseTriangles(mesh: Mesh): Mesh {
+  const { positions, indices } = mesh
+  const reversed =
+    indices?.slice() ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i)
+  for (let i = 2; i < reversed.length; i += 3) {
+    const second = reversed[i - 1]!
+    reversed[i - 1] = reversed[i]!
+    reversed[i] = second
+  }
+  return { ...mesh, indices: reversed }
+}
+
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null
 

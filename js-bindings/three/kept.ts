@@ -53,6 +53,10 @@ export interface ThreeWarp {
   offsets: CpuWarp
   /** Whether the CPU can run it: not if it calls a `glsl.fn` or reads an image. */
   runs: boolean
+  /** Whether it mirrors all of space, so that the outer side of a triangle is its back; `undefined` if uniforms decide that. */
+  mirrors: boolean | undefined
+  /** Whether it mirrors with the uniforms of this moment. */
+  isMirrored: () => boolean
   /** The numbers that it depends on now. */
   numbers: () => number[]
   /** Those of the frame that the text reads, computed in double and within whole periods: see compile/frame.ts. */
@@ -97,6 +101,7 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
   )
   const declaredOnCpu = onCpu(uniforms)
   const silent = { ...warp, settings: { ...warp.settings, isAccepted: true } }
+  const given = () => ({ millis: millis.value })
   const cpu = runOnCpu(silent, declaredOnCpu, 'position', undefined, known, frame)
   const offsets = runOnCpu(
     { ...silent, settings: { ...silent.settings, normals: false } },
@@ -121,9 +126,11 @@ export function keep(offset: OffsetFunction, settings: Settings): ThreeWarp {
     cpu,
     offsets,
     runs: cpu[warpProgram].program() !== undefined,
+    mirrors: cpu[warpProgram].mirrors(),
+    isMirrored: remembered(numbers, () => cpu[warpProgram].isMirrored(method, given())),
     numbers,
     frame,
-    given: () => ({ millis: millis.value }),
+    given,
     key: lazily(() => {
       const { code, declarations } = writeFor(warp, 'tangent', 'glsl300', {}, known)
       const types = uniforms.map(({ shape }) => shape.join('x'))

@@ -8,8 +8,9 @@ import {
   type WebGLRenderer,
 } from 'three'
 import { WarpError, describe } from '../checks/errors.js'
-import { millisUniform } from '../compile/host-names.js'
+import { millisUniform, orientationName } from '../compile/host-names.js'
 import { describeOfThree, spriteError } from './describe.js'
+import { orientFaces } from './faces.js'
 import { type ThreeWarp, keep } from './kept.js'
 import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
 import type { ThreeUniforms, UniformHandles, ValuesOf } from './uniforms.js'
@@ -153,6 +154,7 @@ export function weaveInto(
     const source = `${vertexTangents} ${vertexShader}`
     if (!woven.has(source)) woven.set(source, weave(vertexShader, warp, vertexTangents))
     shader.vertexShader = woven.get(source)!
+    shader.fragmentShader = orientFaces(shader.fragmentShader, warp)
   }
   const key = `warpjet ${warp.key()} ${earlierKey}`
   made.customProgramCacheKey = function (this: Material & OfNodes) {
@@ -185,6 +187,13 @@ function inShader(warp: ThreeWarp, fill: () => Material) {
       warpjetFill: {
         get value() {
           return fillOf(fill())
+        },
+      },
+    }),
+    ...(warp.mirrors === undefined && {
+      [orientationName]: {
+        get value() {
+          return warp.isMirrored() ? -1 : 1
         },
       },
     }),

@@ -21,13 +21,14 @@ import {
 import * as TSL from 'three/tsl'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
 import { type Shape, imageShape, typeOf } from '../expression/shapes.js'
-import { millisUniform, outputs } from '../compile/host-names.js'
+import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
 import type { ThreeWarp, Turned } from './kept.js'
 import type { WarpSpace } from './settings.js'
 import { fillOf } from './surface.js'
 
 /** A node of three.js, whose own types tell what each may do by what it holds: too much for text that a function returns. */
 export interface AnyNode {
+  build(builder: unknown, type: string): string
   assign(value: unknown): AnyNode
   mul(value: unknown): AnyNode
   div(value: unknown): AnyNode
@@ -37,6 +38,7 @@ export interface AnyNode {
 }
 
 interface Builder {
+  getFrontFacing(): string
   object: Mesh
   geometry: Mesh['geometry']
   material: Mesh['material']
@@ -87,6 +89,7 @@ export function nodeFor(warp: ThreeWarp, before?: unknown): AnyNode {
   const uniforms = uniformsOf(warp)
   return make.Fn((builder) => {
     const { object, geometry, material, renderer } = builder
+    orientFaces(builder, warp, uniforms)
     const turned: Turned = geometry.hasAttribute('tangent')
       ? 'tangent'
       : geometry.hasAttribute('normal')
@@ -109,6 +112,16 @@ export function nodeFor(warp: ThreeWarp, before?: unknown): AnyNode {
     if (isMany) isMany(object)
     return tsl.positionLocal
   })()
+}
+
+/** Where the warp mirrors all of space, the outer side of a triangle is the one that the renderer takes for the back. */
+function orientFaces(builder: Builder, warp: ThreeWarp, uniforms: Record<string, AnyNode>) {
+  if (warp.mirrors === false || Object.hasOwn(builder, 'getFrontFacing')) return
+  const getFrontFacing = builder.getFrontFacing.bind(builder)
+  builder.getFrontFacing = () => {
+    const orientation = uniforms[orientationName]!.build(builder, 'float')
+    return `( ${getFrontFacing()} == ( ${orientation} > 0.0 ) )`
+  }
 }
 
 function manyOf(object: Mesh) {
@@ -182,6 +195,7 @@ function uniformsOf(warp: ThreeWarp): Record<string, AnyNode> {
     })
   return {
     [millisUniform]: number([1, 1], () => warp.millis.value),
+    [orientationName]: number([1, 1], () => (warp.isMirrored() ? -1 : 1)),
     warpjetColor: make.uniform(new Vector4()).onObjectUpdate(({ object }, self) => {
       ;(self.value as Vector4).fromArray(fillOf(object.material))
       return self.value

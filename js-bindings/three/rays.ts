@@ -12,6 +12,7 @@ import {
   type Sphere,
   type Vector3,
 } from 'three'
+import { withOtherSide } from './faces.js'
 import { instancesOf, sphereAround, stateOf, warpedBox } from './extent.js'
 import type { ThreeWarp } from './kept.js'
 import { type Warpable, posedBox } from './pose.js'
@@ -30,12 +31,12 @@ export function raycastOf(
   around: () => Sphere,
 ): Raycast {
   if (!warp.runs) return () => noteMiss(warp)
-  const cast =
+  const castOne =
     warp.settings.space === 'world' ? castInWorld(warp, object, own) : castHere(warp, object, own)
   return (raycaster, intersects) => {
     if (object.material === undefined || !isNear(raycaster, object, around(), object.matrixWorld))
       return
-    cast(raycaster, intersects, around())
+    castOne(raycaster, intersects, around())
   }
 }
 
@@ -70,6 +71,22 @@ const standInFor = (
     }),
   ) as Warpable
 
+/** The hits of three.js' own `raycast`; `isReversed` if the back of its triangles is outside. */
+function cast(own: Raycast, standIn: Warpable, isReversed: boolean, raycaster: Raycaster) {
+  const found: Intersection[] = []
+  if (!isReversed || !(standIn as Mesh).isMesh) {
+    own.call(standIn, raycaster, found)
+    return found
+  }
+  own.call(
+    Object.assign(standIn, { material: withOtherSide(standIn.material) }) as never,
+    raycaster,
+    found,
+  )
+  for (const { face } of found) face?.normal.negate()
+  return found
+}
+
 /** In the spaces before the object's matrix, where all instances have one surface. */
 function castHere(warp: ThreeWarp, object: Warpable, own: Raycast) {
   const geometry = remembered(
@@ -86,9 +103,8 @@ function castHere(warp: ThreeWarp, object: Warpable, own: Raycast) {
       ...(isRest && { getVertexPosition: (object as Mesh).getVertexPosition }),
       ...(isMany && { boundingSphere: extent, boundingBox: null }),
     })
-    const found: Intersection[] = []
-    own.call(standIn, raycaster, found)
-    for (const hit of found.filter(isPlace)) intersects.push({ ...hit, object })
+    const hits = cast(own, standIn, warp.isMirrored(), raycaster)
+    for (const hit of hits.filter(isPlace)) intersects.push({ ...hit, object })
   }
 }
 
@@ -110,9 +126,11 @@ function castInWorld(warp: ThreeWarp, object: Warpable, own: Raycast) {
       const range = isBatch && rangeOf(object as BatchedMesh, id!)
       if (range) warped.setDrawRange(range.start, range.count)
       const standIn = standInFor(object, warped, { matrixWorld: identity })
-      const found: Intersection[] = []
-      ;(isMany ? Mesh.prototype.raycast : own).call(standIn as Mesh, raycaster, found)
-      for (const hit of found.filter(isPlace))
+      const ownHere = isMany ? (Mesh.prototype.raycast as Raycast) : own
+      // A matrix that mirrors has turned the triangles over, since they are in the world here.
+      const isReversed = warp.isMirrored() !== toWorld.determinant() < 0
+      const hits = cast(ownHere, standIn, isReversed, raycaster)
+      for (const hit of hits.filter(isPlace))
         intersects.push({
           ...turnedBack(hit, toWorld),
           object,

@@ -6,7 +6,8 @@
 import { WarpError } from '../checks/errors.js'
 import { variationAttribute, variationNames } from '../inputs/inputs.js'
 import { typeOf } from '../expression/shapes.js'
-import { millisUniform, outputs } from '../compile/host-names.js'
+import { declareOrientation } from './faces.js'
+import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
 import type { Text, ThreeWarp, Turned } from './kept.js'
 import type { WarpSpace } from './settings.js'
 
@@ -63,7 +64,8 @@ export function weave(vertexShader: string, warp: ThreeWarp, mayHaveTangents: bo
     ...(space === 'rest' ? [block, ...poses] : [...poses, block]),
   ].join('\n')
   const [head, tail] = before.split(/(?=void\s+main\s*\(\s*\)\s*\{)/)
-  return `${head}\n${declarationsFor(warp, texts)}\n${tail}\n${body}\n${neverNaN(rest)}`
+  const end = bitangentsOf(warp, neverNaN(rest))
+  return `${head}\n${declarationsFor(warp, texts)}\n${tail}\n${body}\n${end}`
 }
 
 /** The first line of `main` that includes one of the chunks that we move. */
@@ -101,6 +103,7 @@ function declarationsFor(warp: ThreeWarp, texts: Written[]) {
     ...[...new Set(texts.flatMap(({ text }) => text.frame))].map(
       (name) => `uniform highp vec4 ${name};`,
     ),
+    ...declareOrientation(warp),
     ...variation.map(({ name }) => `attribute vec3 ${variationAttribute(name)};`),
     byTangent(texts, ({ declarations }) => declarations),
   ].join('\n')
@@ -226,6 +229,18 @@ vec3 warpjet_${variationNames[0]} = warpjetVaries[ 0 ];
 vec3 warpjet_${variationNames[1]} = warpjetVaries[ 1 ];
 vec3 warpjet_${variationNames[2]} = warpjetVaries[ 2 ];
 `
+
+/** Three.js takes their side from the attribute. */
+const bitangentsOf = ({ mirrors }: ThreeWarp, text: string) =>
+  mirrors === false
+    ? text
+    : text.replace(
+        including('normal_vertex'),
+        `${include('normal_vertex')}
+#if defined( USE_TANGENT ) && ! defined( FLAT_SHADED )
+vBitangent *= ${orientationName};
+#endif`,
+      )
 
 /**
  * Where a warp collapses the surface, its normal is zero, which three.js would make NaN of. Such a vertex is lit as if it

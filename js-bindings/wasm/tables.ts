@@ -37,15 +37,17 @@ export const warpOperands = [
   'normalZGradient',
   'uGradient',
   'vGradient',
+  'color',
 ] as const
 
 /** The results of a warp. The last 4, which turn, come again, as they are where normal and uv vary over the surface. */
 export const warpResults = {
   offset: 0,
   position: 1,
-  normal: 2,
-  tangent: 3,
-  direction: 4,
-  determinant: 5,
+  orientation: 2,
+  normal: 3,
+  tangent: 4,
+  direction: 5,
+  determinant: 6,
 }
 export const turnedResults = 4

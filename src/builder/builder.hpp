@@ -28,13 +28,14 @@ struct Sampling;
 struct WarpOptions;
 
 // What `Builder::warp` takes besides the offset, in this order.
-inline constexpr std::array<std::string_view, 9> warpOperands{
-    "position",        "normal",          "uv",        "tangent",  "normalXGradient",
-    "normalYGradient", "normalZGradient", "uGradient", "vGradient"};
+inline constexpr std::array<std::string_view, 10> warpOperands{
+    "position",        "normal",          "uv",        "tangent",   "normalXGradient",
+    "normalYGradient", "normalZGradient", "uGradient", "vGradient", "color"};
 
 // The results that it asks for, in this order. Those that turn come twice: where normal and uv
 // count as constant, and where they vary over the surface.
 inline constexpr std::array<std::string_view, 2> movedResults{"offset", "position"};
+inline constexpr std::string_view orientationResult = "orientation";
 inline constexpr std::array<std::string_view, 4> turnedResults{"normal", "tangent", "direction",
                                                                "determinant"};
 

@@ -48,6 +48,7 @@ struct Composition {
   Kind result;
   Compose compose;
   Refusal refusal = nullptr;
+  bool isListed = true;  // otherwise it is for our own JavaScript
 };
 
 inline bool isConstant(const Value& v, double value) {
@@ -176,12 +177,13 @@ inline constexpr std::array compositions{
         "vI",
         Kind::Matrix,
         [](auto& d, auto x) { return jacobian(d, x[0], x[1]); }},
-    Composition{{"adjustNormal", "offset, normal, position",
-                 "The unit normal after the warp of `position` by this offset; zero where there is "
-                 "none."},
-                "33J",
-                Kind::Vec3,
-                [](auto& d, auto x) { return turnedNormal(deformation(d, x[0], x[2]), x[1]); }},
+    Composition{
+        {"adjustNormal", "offset, normal, position",
+         "The unit normal after the warp of `position` by this offset; zero where there is "
+         "none."},
+        "33J",
+        Kind::Vec3,
+        [](auto& d, auto x) { return outwardNormal(deformation(d, x[0], x[2]), x[1], x[2]); }},
     Composition{
         {"adjustTangent", "offset, tangent, normal, position",
          "The unit tangent after the warp of `position` by this offset, at right angles to "
@@ -189,6 +191,17 @@ inline constexpr std::array compositions{
         "333J",
         Kind::Vec3,
         [](auto& d, auto x) { return turnedTangent(deformation(d, x[0], x[3]), x[1], x[2]); }},
+    Composition{{"orientation", "offset, normal, position",
+                 "-1 where the warp of `position` by this offset mirrors all of space, 1 where it "
+                 "does not, 0 if it may mirror parts of it."},
+                "33J",
+                Kind::Number,
+                [](auto& d, auto x) -> Value {
+                  const auto found = orientationOf(deformation(d, x[0], x[2]), x[1], x[2]);
+                  return found ? Value(*found) : constantLike(x[0], 0);
+                },
+                nullptr,
+                false},
 };
 
 static_assert(std::all_of(compositions.begin(), compositions.end(), [](const Composition& row) {

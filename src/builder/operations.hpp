@@ -85,7 +85,8 @@ inline constexpr auto operations = [] {
     }
   }
   for (std::size_t i = 0; i < compositions.size(); ++i)
-    all[n++] = {compositions[i].title.name, Source::Composition, number(i)};
+    all[n++] = {compositions[i].title.name, Source::Composition, number(i),
+                !compositions[i].isListed};
   for (const Operation& other : detail::others) all[n++] = other;
   return all;
 }();

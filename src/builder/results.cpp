@@ -36,7 +36,8 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
   }
   const Value* const given = &operands_[1];
   const WarpInputs inputs{
-      given[0], given[1], given[2], given[3], {given[4], given[5], given[6], given[7], given[8]}};
+      given[0], given[1], given[2], given[3], {given[4], given[5], given[6], given[7], given[8]},
+      given[9]};
   const Warp warp = makeWarp(differentiator_, offset, inputs, options);
   commentDerivatives();
 
@@ -50,6 +51,7 @@ int Builder::warp(std::string_view method, const WarpOptions& options) {
   };
   add(movedResults, std::array<Value, movedResults.size()>{warp.offset, warp.position});
   if (warp.surface) {
+    results.emplace_back(orientationResult, *warp.orientation);
     addTurned(warp.flat ? *warp.flat : *warp.surface);
     addTurned(*warp.surface);
   }

@@ -213,6 +213,8 @@ class Graph {
   // meshes and sketches have. So it may be infinite near a pole, but not from a large x * x.
   Interval range(NodeId id);
   static constexpr double usualSize = 1e4;
+  // The ranges of all nodes where inputs and functions give any finite float32.
+  std::vector<Interval> rangesOfAll() const;
   // Whether any node is of this operation.
   bool has(Op op) const { return has_[index(op)]; }
   int arity(NodeId id) const { return arities[index(node(id).op)]; }
@@ -228,7 +230,8 @@ class Graph {
   std::optional<NodeId> fold(Op op, const Operands<NodeId>& operands);
   NodeId makeList(std::span<const NodeId> items);
   std::vector<NodeId> list(NodeId id) const;
-  Interval findRange(NodeId id) const;
+  // Computes a range from `ranges`, those of the nodes before it.
+  Interval findRange(NodeId id, double inputSize, const std::vector<Interval>& ranges) const;
 
   std::vector<Node> nodes_;
   std::array<bool, arities.size()> has_{};

@@ -18,16 +18,24 @@ constexpr double leastPositive = std::numeric_limits<float>::denorm_min();
 
 Interval Graph::range(NodeId id) {
   for (std::size_t i = ranges_.size(); i <= index(id); ++i)
-    ranges_.push_back(findRange(NodeId{static_cast<std::uint32_t>(i)}));
+    ranges_.push_back(findRange(NodeId{static_cast<std::uint32_t>(i)}, usualSize, ranges_));
   return ranges_[index(id)];
 }
 
-Interval Graph::findRange(NodeId id) const {
+std::vector<Interval> Graph::rangesOfAll() const {
+  std::vector<Interval> ranges;
+  ranges.reserve(size());
+  for (std::uint32_t i = 0; i < size(); ++i)
+    ranges.push_back(findRange(NodeId{i}, std::numeric_limits<float>::max(), ranges));
+  return ranges;
+}
+
+Interval Graph::findRange(NodeId id, double inputSize, const std::vector<Interval>& ranges) const {
   if (isConstant(id)) return value(id);
-  if (!isOperation(id)) return {-usualSize, usualSize};
+  if (!isOperation(id)) return {-inputSize, inputSize};
   const Op op = node(id).op;
   Operands<Interval> x;
-  for (int i = 0; i < arity(id); ++i) x[i] = ranges_[index(operand(id, i))];
+  for (int i = 0; i < arity(id); ++i) x[i] = ranges[index(operand(id, i))];
   if (op == Mult && operand(id, 0) == operand(id, 1)) return square(x[0]);
 
   // x > 0 ? y : …, where y divides by x or by its root: neither is zero then.
@@ -39,7 +47,7 @@ Interval Graph::findRange(NodeId id) const {
     for (int i = 0; i < arity(yes); ++i) {
       const NodeId part = operand(yes, i);
       const bool isRoot = is(part, Sqrt) && operand(part, 0) == positive;
-      y[i] = ranges_[index(part)];
+      y[i] = ranges[index(part)];
       if (part == positive) y[i] = limited(y[i], leastPositive, Interval::infinity);
       if (isRoot) y[i] = limited(y[i], std::sqrt(leastPositive), Interval::infinity);
     }

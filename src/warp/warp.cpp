@@ -10,6 +10,7 @@
 #include "algebra/vectors.hpp"
 #include "graph/flags.hpp"
 #include "graph/reachable.hpp"
+#include "warp/orientation.hpp"
 
 namespace warpjet {
 
@@ -117,7 +118,7 @@ Value sized(const Value& m, double limit) {
 }
 
 std::array<Expression, 5> varying(const WarpInputs& inputs) {
-  const auto& [position, normal, uv, tangent, gradients] = inputs;
+  const auto& [position, normal, uv, tangent, gradients, color] = inputs;
   return {normal[0], normal[1], normal[2], uv[0], uv[1]};
 }
 
@@ -139,6 +140,28 @@ Turned turn(const Value& m, const WarpInputs& inputs) {
   return {normal, tangent, multiply(m, along), determinant(sized(m, mostCubed))};
 }
 
+// Inputs that differ by vertex.
+std::vector<NodeId> vertexInputs(const WarpInputs& inputs) {
+  std::vector<NodeId> all;
+  const auto add = [&](const Value& v) {
+    all.insert(all.end(), v.nodes().begin(), v.nodes().end());
+  };
+  for (const Value& v : {inputs.position, inputs.normal, inputs.uv, inputs.tangent}) add(v);
+  for (const Value& gradient : inputs.gradients) add(gradient);
+  if (inputs.color) add(*inputs.color);
+  return all;
+}
+
+Expression orOne(std::optional<Expression> orientation, Graph& graph) {
+  return orientation.value_or(Expression{&graph, graph.constant(1)});
+}
+
+void orient(std::optional<Turned>& turned, Expression orientation) {
+  if (!turned) return;
+  turned->normal = turned->normal * Value(orientation);
+  turned->tangent.set(3, (turned->tangent[3] * orientation).id);
+}
+
 }  // namespace
 
 Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInputs& inputs,
@@ -153,10 +176,6 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
   const Flags isRead = readBy(offset.nodes(), graph, nodes);
   const bool readsAny = std::find(isRead.begin(), isRead.end(), true) != isRead.end();
   if (options.isFlat || !readsAny) warp.flat = turn(constant, inputs);
-  if (!readsAny) {
-    warp.surface = warp.flat;
-    return warp;
-  }
   Value m = constant;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!isRead[i]) continue;
@@ -164,9 +183,18 @@ Warp makeWarp(Differentiator& differentiator, const Value& offset, const WarpInp
     const auto gradient = inputs.gradients[i].nodes();
     gradients.insert(gradients.end(), gradient.begin(), gradient.end());
   }
-  warp.surface = turn(m, inputs);
+  warp.surface = readsAny ? turn(m, inputs) : warp.flat;
   const Flags needed = readBy(m.nodes(), graph, gradients);
   warp.varies = std::find(needed.begin(), needed.end(), true) != needed.end();
+
+  // Also of the surface it is that of space: where gradients may be anything, the determinant can
+  // have either sign, and without any it is this one.
+  warp.orientation = orOne(
+      orientation(warp.flat ? warp.flat->determinant : determinant(sized(constant, mostCubed)),
+                  vertexInputs(inputs)),
+      graph);
+  orient(warp.flat, *warp.orientation);
+  orient(warp.surface, *warp.orientation);
   return warp;
 }
 
@@ -194,6 +222,20 @@ Value turnedNormal(const Value& given, const Value& normal) {
   }
   return unit(a * normal[0] + b * normal[1] + c * normal[2],
               {most * most, areTame(m.graph(), cofactors)});
+}
+
+std::optional<Expression> orientationOf(const Value& m, const Value& normal,
+                                        const Value& position) {
+  std::vector<NodeId> vertexInputs(position.nodes().begin(), position.nodes().end());
+  for (const NodeId id : reachable(m.graph(), normal.nodes())) {
+    if (m.graph().isInput(id)) vertexInputs.push_back(id);
+  }
+  return orientation(determinant(sized(m, mostCubed)), vertexInputs);
+}
+
+Value outwardNormal(const Value& m, const Value& normal, const Value& position) {
+  const Value turned = turnedNormal(m, normal);
+  return turned * Value(orOne(orientationOf(m, normal, position), m.graph()));
 }
 
 Value turnedTangent(const Value& given, const Value& tangent, const Value& normal) {

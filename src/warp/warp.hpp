@@ -16,12 +16,13 @@ struct WarpInputs {
   Value tangent;  // a direction, and in which direction the bitangent is: 1 or -1
   // Over the surface, of x, y and z of the normal and of u and v: how they vary.
   std::array<Value, 5> gradients;
+  std::optional<Value> color = {};
 };
 
 // What the warp makes of what lies along the surface.
 struct Turned {
   Value normal;     // of length 1, or zero where the warp collapses the surface
-  Value tangent;    // as it came, but of length 1, turned, and at right angles to the normal
+  Value tangent;    // of length 1, turned, at right angles to the normal; the bitangent's side
   Value direction;  // the tangent's direction, only turned: for lines, which have no surface
   Expression determinant;
 };
@@ -31,6 +32,9 @@ struct Warp {
   // Where normal and uv count as constant, and where they vary over the surface as the gradients
   // say; both are the same for an offset that depends on neither.
   std::optional<Turned> flat = {}, surface = {};
+  // 1, or -1 where the warp mirrors all of space: see orientation.hpp. Normals are times this, and
+  // the order of a triangle's vertices is turned round where it is -1.
+  std::optional<Expression> orientation = {};
   // Whether any of it needs the gradients.
   bool varies = false;
 };
@@ -70,12 +74,18 @@ Value varied(Differentiator& differentiator, const Value& m, const Value& offset
 // cofactor matrix, whose columns are m2 x m3, m3 x m1 and m1 x m2, turns normals. It equals
 // equation 1 of Pagurek van Mossel's "Vertex Shader Domain Warping with Automatic Differentiation"
 // (2024) for every choice of tangents. Where M collapses a direction (section 5.1 there) cof(M) n
-// can vanish.
+// can vanish. Where M mirrors, it points to what was the inner side: `orientation` puts that right
+// where all of space is mirrored. Where the surface folds, it is continuous as it is.
 Value turnedNormal(const Value& m, const Value& normal);
 
+// The orientation of M (orientation.hpp), for which all inputs but these two are the same for all
+// vertices; and the normal times that, if there is one.
+std::optional<Expression> orientationOf(const Value& m, const Value& normal, const Value& position);
+Value outwardNormal(const Value& m, const Value& normal, const Value& position);
+
 // The unit tangent M t, less what of it goes along `normal`, the turned one; zero where M collapses
-// it. The side of the bitangent stays: with t x b = n, (M t) x (M b) is cof(M) n for every M, a
-// mirror too, since that turns the normal as well.
+// it. Beside cof(M) n the side of the bitangent stays: with t x b = n, (M t) x (M b) is cof(M) n
+// for every M. Beside -cof(M) n it is the other one.
 Value turnedTangent(const Value& m, const Value& tangent, const Value& normal);
 
 }  // namespace warpjet

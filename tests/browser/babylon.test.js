@@ -87,6 +87,24 @@ function warped(material) {
   return warp
 }
 
+/** The same motion of what a mirror shows; known when the warp is made, or by uniforms alone. */
+const mirrored = Matrix.Scaling(-1, 1, 1).multiply(motion)
+const linearOf = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]
+const mirroring = {
+  known: (material) => new BabylonWarp(material, ({ glsl, position }) => {
+    const [a, b, c, d, e, f, g, h, i] = linearOf(mirrored.m)
+    return glsl.mat3(glsl.vec3(a, b, c), glsl.vec3(d, e, f), glsl.vec3(g, h, i)).mult(position)
+      .sub(position).add(glsl.vec3(mirrored.m[12], mirrored.m[13], mirrored.m[14]))
+  }),
+  'by uniforms': (material) => {
+    const warp = new BabylonWarp(material, offset, {
+      uniforms: { linear: linearOf(mirrored.m), shift: new Vector3(mirrored.m[12], mirrored.m[13], mirrored.m[14]) },
+    })
+    warp.millis = 1000
+    return warp
+  },
+}
+
 /** Its normals left as they were, in the one language and in the other. */
 function withoutNormals(warp, material) {
   const { getCustomCode } = warp
@@ -127,6 +145,14 @@ window.draw = async (backend, kind, way) => {
   const target = new RenderTargetTexture('target', size, scene)
   scene.activeCamera.outputRenderTarget = target
   if (way === 'moved') move(knot)
+  if (/mirror/.test(way)) Object.assign(material, { backFaceCulling: false, twoSidedLighting: true })
+  if (way === 'mirrored') move(knot, mirrored)
+  if (way === 'mirroring, switched off') {
+    const warp = mirroring.known(material)
+    await scene.whenReadyAsync()
+    warp.isEnabled = false
+  }
+  mirroring[way.replace('mirroring, ', '')]?.(material)
   if (way === 'shifted') move(knot, Matrix.Translation(...amount))
   if (way === 'by an image') byImage(material, scene)
   if (way.startsWith('sampled by')) bySampling(material, scene, way === 'sampled by hand')
@@ -274,6 +300,17 @@ for (const backend of ['webgl', 'webgpu'])
           const off = await draw(backend, kind, 'switched off')
           assert.equal(differing(off, still), 0)
         }
+        assert.deepEqual(printed(), [])
+      })
+
+    for (const kind of ['Standard', 'PBR'])
+      test(`${kind}Material and a motion that mirrors, of both sides`, async () => {
+        const still = await draw(backend, kind, 'mirror nothing')
+        const expected = await draw(backend, kind, 'mirrored')
+        assert.ok(differing(still, expected) > 300)
+        for (const how of ['known', 'by uniforms'])
+          assert.equal(differing(await draw(backend, kind, `mirroring, ${how}`), expected), 0, how)
+        assert.equal(differing(await draw(backend, kind, 'mirroring, switched off'), still), 0)
         assert.deepEqual(printed(), [])
       })
 

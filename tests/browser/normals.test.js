@@ -66,14 +66,14 @@ const isTiny = (x) => x !== 0 && Math.abs(x) <= 1e-15
 describe('positions and normals are right:', () => {
   for (const warp of warps)
     test(warp.name, async () => {
-      const { compile, offset, size, step, every, reach, params } = warp
+      const { compile, offset, size, step, every, reach, params, mirrors } = warp
       assert.ok(offset, `tests/warps/gallery.js has no oracle for ${warp.name}`)
       const mesh = denseMesh(size, every * thinning)
       const points = vertices(mesh)
       const draws = moments.map((moment) => ({ ...moment, ...params }))
       await gpu.load(mesh)
       const expected = draws.map((inputs) =>
-        points.map((vertex) => warpVertex(offset, vertex, inputs, step)),
+        points.map((vertex) => warpVertex(offset, vertex, inputs, step, mirrors)),
       )
       const compiled = compile('glsl300')
       const best = asAccurateAsCanBe(compiled)

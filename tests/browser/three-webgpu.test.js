@@ -61,6 +61,19 @@ for (const backend of ['webgl', 'webgpu'])
         await isSame(name, { space: 'world' })
     })
 
+    test('a motion that mirrors, of both sides', async () => {
+      for (const name of ['plain', 'normal map', 'bump map', 'skin', 'instances'])
+        for (const isKnown of [true, false]) {
+          messages.length = 0
+          const { differing, moved } = await page.evaluate(
+            ([name, settings]) => three.mirror(name, settings),
+            [name, { backend, isKnown }],
+          )
+          assert.deepEqual([messages, differing], [[], 0], name)
+          assert.ok(moved > seen, `${name}: ${moved}`)
+        }
+    })
+
     test('a normal in the world has length 1, however large the object', async () => {
       messages.length = 0
       const { differing, moved } = await page.evaluate((given) => three.alongNormal(given), {

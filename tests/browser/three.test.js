@@ -73,6 +73,27 @@ for (const version of isRun('three 0.159') ? versions : versions.slice(0, 1))
         await isSame(name, { space: 'rest', light: 'spot' })
     })
 
+    test('a motion that mirrors, of both sides', async () => {
+      const names = ['plain', 'normal map', 'bump map', 'vertex tangents', 'skin', 'instances']
+      const more = ['batch', 'group', 'morphs', 'flat shading', 'MeshPhysicalMaterial', 'clipping']
+      for (const name of [...names, ...more, 'MeshNormalMaterial', 'MeshMatcapMaterial'])
+        for (const [isKnown, space] of [
+          [true, 'local'],
+          [false, 'local'],
+          [false, 'world'],
+        ]) {
+          messages.length = 0
+          const { differing, moved } = await page.evaluate(
+            ([name, settings]) => three.mirror(name, settings),
+            [name, { isKnown, space }],
+          )
+          const what = `${name}, ${space}${isKnown ? '' : ', by uniforms'}`
+          assert.deepEqual(messages, [], what)
+          assert.equal(differing, 0, what)
+          assert.ok(moved > seen, `${what}: ${moved}`)
+        }
+    })
+
     test('soft, hard and variance shadows', async () => {
       for (const map of ['Basic', 'PCF', 'VSM'])
         for (const light of map === 'VSM'

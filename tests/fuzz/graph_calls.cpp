@@ -306,6 +306,7 @@ void GraphCalls::warp(int offset) {
   };
   std::vector<int> inputs{input("normal", 3), input("uv", 2), input("tangent", 4)};
   for (const char* name : {"nx", "ny", "nz", "u", "v"}) inputs.push_back(input(name, 3));
+  inputs.push_back(input("color", 4));
   if (std::find(inputs.begin(), inputs.end(), Builder::failed) != inputs.end())
     return requireProblem(builder_);
   const WarpOptions options{(reader_.byte() & 3) != 0, (reader_.byte() & 1) != 0};

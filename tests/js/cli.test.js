@@ -264,6 +264,36 @@ describe('bake', () => {
     assert.deepEqual(out.material, model.material)
   })
 
+  test('a mirror, by a uniform: triangles turn round with it, so that normals agree with their fronts', async () => {
+    write(
+      'flip.js',
+      `export const uniforms = { flip: 1 }
+export default ({ glsl, position, uniforms }) =>
+  glsl.vec3(position.x().mult(uniforms.flip.sub(1)), 0, 0)`,
+    )
+    const agreeing = async (flip) => {
+      await works('bake', 'model.glb', 'flip.js', '-o', 'flip.glb', '--set', `flip=${flip}`)
+      const { positions, normals, indices } = await load('flip.glb')
+      const at = (numbers, i) => [...numbers.slice(3 * i, 3 * i + 3)]
+      let count = 0
+      for (let i = 0; i < indices.length; i += 3) {
+        const [a, b, c] = [...indices.slice(i, i + 3)].map((k) => at(positions, k))
+        const [u, v] = [b, c].map((p) => p.map((x, k) => x - a[k]))
+        const front = [
+          u[1] * v[2] - u[2] * v[1],
+          u[2] * v[0] - u[0] * v[2],
+          u[0] * v[1] - u[1] * v[0],
+        ]
+        const [x, y, z] = at(normals, indices[i])
+        count += Math.sign(front[0] * x + front[1] * y + front[2] * z)
+      }
+      return count
+    }
+    const before = await agreeing(1)
+    assert.equal(Math.abs(before), 168)
+    assert.equal(await agreeing(-1), before)
+  })
+
   test('numbers of a vector, negative ones too; --quiet', async () => {
     const { stderr } = await works(
       'bake',

@@ -53,6 +53,7 @@ const sketches = (await sketchWarps())
  * - `degrees` is how far off its normals may be;
  * - `every` takes only each so many-th vertex, where the oracle is slow;
  * - `reach` is how large the numbers in the formulas get, for rounding errors are in proportion to it;
+ * - `mirrors` tells, of the inputs, whether the warp mirrors all of space;
  * - `params` are values of the warp's own parameters;
  * - `collapses`: where the moved surface has no normal, its derivatives are exactly zero in float32 too;
  * - `kept`: its text is one of tests/golden;

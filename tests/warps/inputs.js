@@ -1,7 +1,7 @@
 // Warps that read inputs other than position and time, beside plain functions of numbers. See stress.js.
 import { onSmallMesh, seconds } from './plain.js'
 
-const { sin, exp, hypot } = Math
+const { sin, cos, exp, hypot } = Math
 
 export const inputs = onSmallMesh({
   'inflation along the normal': {
@@ -23,6 +23,40 @@ export const inputs = onSmallMesh({
       const [r, g, b, alpha] = color
       return [uv[0] * y, sin(5 * uv[1]), r * x + g * y + b * z].map((value) => value * alpha)
     },
+  },
+
+  'a mirror, with a wave along it': {
+    warp: ({ glsl, position }) =>
+      glsl.vec3(position.x().mult(-2), position.x().mult(3).sin().mult(0.2), 0),
+    offset: ([x]) => [-2 * x, 0.2 * sin(3 * x), 0],
+    mirrors: () => true,
+  },
+
+  'a mirror by a parameter': {
+    warp({ glsl, position }) {
+      const width = glsl.param('flip')
+      const wave = position.x().mult(3).sin().mult(0.2).mult(width)
+      return glsl.vec3(position.x().mult(width.sub(1)), wave, 0)
+    },
+    offset: ([x], { flip }) => [(flip - 1) * x, 0.2 * flip * sin(3 * x), 0],
+    params: { flip: -0.7 },
+    mirrors: ({ flip }) => flip < 0,
+  },
+
+  'a mirror by the mouse, twisted': {
+    warp({ glsl, position, mouse }) {
+      const width = mouse.x().div(-100)
+      const [x, y, z] = [position.x().mult(width), position.y(), position.z()]
+      return glsl
+        .rotateY(y)
+        .mult(glsl.vec3(x, y, z))
+        .sub(position)
+    },
+    offset([x, y, z], { mouse }) {
+      const wide = (x * mouse[0]) / -100
+      return [wide * cos(y) + z * sin(y) - x, 0, z * cos(y) - wide * sin(y) - z]
+    },
+    mirrors: ({ mouse }) => mouse[0] > 0,
   },
 
   'mouse, size and pixelDensity': {

@@ -18,7 +18,7 @@ const positionBound = { exact: 1e-5, late: 2e-5, builtIn: 1e-3 }
  * sine. `expected`, if the oracle has been asked before, has what it said.
  */
 export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expected) {
-  const { offset, reach, step, degrees } = warp
+  const { offset, reach, step, degrees, mirrors } = warp
   const worst = { position: 0, angle: 0, builtIn: 0, leftOut: 0 }
   const vertexCount = mesh.length / stride
   draws.forEach((uniforms, k) => {
@@ -32,7 +32,8 @@ export function compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expec
       const angle = bothZero ? 0 : angleBetween(normal, shownNormal)
       const distance = distanceBetween(position, shownPosition) / scale
       if (angle > degrees || distance > bound) {
-        const truth = expected?.[k][i] ?? warpVertex(offset, vertexAt(mesh, i), uniforms, step)
+        const truth =
+          expected?.[k][i] ?? warpVertex(offset, vertexAt(mesh, i), uniforms, step, mirrors)
         const isSmooth = truth.normal?.some(Boolean) && truth.sensitivity <= mostSensitive
         if (!isSmooth) {
           worst.leftOut++

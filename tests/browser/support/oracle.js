@@ -68,9 +68,10 @@ const vanished = 1e-10
 /**
  * The vertex after the warp → { position, normal, sensitivity }. `normal` is null where the function is not smooth
  * within `h`, and zero where the moved surface has none. `sensitivity`, 1 for a warp that moves nothing, tells how much an
- * error of the derivatives grows on its way to the normal: much where the surface has all but collapsed.
+ * error of the derivatives grows on its way to the normal: much where the surface has all but collapsed. `mirrors` tells, of
+ * the inputs, whether the warp mirrors all of space: then the outer side is not where the moved tangents have it.
  */
-export function warpVertex(offset, vertex, inputs, h) {
+export function warpVertex(offset, vertex, inputs, h, mirrors) {
   const all = { ...inputs, ...vertex }
   const move = (p) => add(p, offset(p, all))
   const position = move(vertex.position)
@@ -87,7 +88,7 @@ export function warpVertex(offset, vertex, inputs, h) {
       ),
     ),
   )
-  const normal = cross(u, v)
+  const normal = mirrors?.(all) ? cross(v, u) : cross(u, v)
   const size = Math.max(1, ...columns.map(length))
   if (length(normal) < vanished * size ** 2) return none
   return { position, normal: normalize(normal), sensitivity: size ** 2 / length(normal) }

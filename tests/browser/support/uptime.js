@@ -16,7 +16,7 @@ const [{ millis: _, ...others }] = moments
  * vertices go from one frame to the next is from the right one, in parts of the longest such way.
  */
 export async function afterAWeek(gpu, warp, options) {
-  const { compile, offset, size, step, every, reach, params, degrees } = warp
+  const { compile, offset, size, step, every, reach, params, degrees, mirrors } = warp
   const mesh = denseMesh(size, every)
   const points = vertices(mesh)
   await gpu.load(mesh)
@@ -31,7 +31,7 @@ export async function afterAWeek(gpu, warp, options) {
   const shader = vertexShader(asAccurateAsCanBe(compiled), 'glsl300', declared)
   const results = await gpu.run(shader, given)
   const expected = draws.map((draw) =>
-    points.map((vertex) => warpVertex(offset, vertex, draw, step)),
+    points.map((vertex) => warpVertex(offset, vertex, draw, step, mirrors)),
   )
   const [start, then] = [0, 1].map((i) => compare([results[i]], [expected[i]], reach, degrees))
   return { start, then, step: stepError(results.slice(1), expected.slice(1)) }

@@ -68,6 +68,24 @@ async function compare(name, { backend, light = 'directional', space, sabotage, 
   }
 }
 
+/** As in page.js. */
+async function mirror(name, { backend, light = 'directional', space, isKnown = false }) {
+  const renderer = await rendererFor(backend)
+  const make = scenes.shapes[name]
+  const { mirroredMotion, doubleSided } = scenes
+  const pictureOf = (object) => draw(renderer, scenes.sceneOf(object, light))
+  const before = await pictureOf(doubleSided(scenes.unmoved(make)))
+  const expected = await pictureOf(doubleSided(scenes.moved(make, space, mirroredMotion)))
+  const object = doubleSided(scenes.unmoved(make))
+  const warped = isKnown
+    ? warp(object, scenes.constantOffset(mirroredMotion), { space })
+    : warp(object, scenes.offset, { space, uniforms: scenes.uniforms(mirroredMotion) })
+  warped.update(1000)
+  const shown = await pictureOf(object)
+  warped.dispose()
+  return { differing: differing(shown, expected), moved: differing(shown, before) }
+}
+
 /** As in page.js. Of a target with floats: the material's colours are made linear there. */
 async function normals({ backend, asNode }) {
   const renderer = await rendererFor(backend)
@@ -228,6 +246,7 @@ window.three = {
   both,
   churn,
   compare,
+  mirror,
   names: Object.keys(scenes.shapes),
   normals,
   image,

@@ -94,6 +94,34 @@ export function compare(
   }
 }
 
+/**
+ * The same where the motion mirrors, of materials that show both sides, the matrix known when the warp is made or by uniforms
+ * alone → also how many pixels differ with normals on the inner side.
+ */
+export function mirror(name, { light = 'directional', space, isKnown = false }) {
+  const make = scenes.shapes[name]
+  renderer = rendererFor({})
+  renderer.shadowMap.type = THREE.PCFShadowMap
+  const pictureOf = (object) => {
+    const scene = scenes.sceneOf(object, light)
+    const picture = draw(scene)
+    free(scene)
+    return picture
+  }
+  const { mirroredMotion, doubleSided } = scenes
+  const before = pictureOf(doubleSided(scenes.unmoved(make)))
+  const reference = scenes.moved(make, space, mirroredMotion)
+  const expected = pictureOf(scenes.withOtherBitangents(doubleSided(reference)))
+  const object = doubleSided(scenes.unmoved(make))
+  const warped = isKnown
+    ? warp(object, scenes.constantOffset(mirroredMotion), { space })
+    : warp(object, scenes.offset, { space, uniforms: scenes.uniforms(mirroredMotion) })
+  warped.update(1000)
+  const shown = pictureOf(object)
+  warped.dispose()
+  return { differing: differing(shown, expected), moved: differing(shown, before) }
+}
+
 /** How wrong the normals of a wave are shown, in 255ths; without the warp's, for comparison. */
 export function normals() {
   renderer = rendererFor({})
@@ -234,6 +262,7 @@ export const names = Object.keys(scenes.shapes)
 
 window.three = {
   compare,
+  mirror,
   names,
   normals,
   image,

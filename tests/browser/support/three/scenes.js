@@ -7,8 +7,8 @@ export const motion = new THREE.Matrix4()
   .multiply(new THREE.Matrix4().makeShear(0.3, 0, 0, 0.2, 0, 0))
   .setPosition(0.2, 0.1, -0.15)
 
-const linear = new THREE.Matrix4().copy(motion).setPosition(0, 0, 0).elements
-const shift = new THREE.Vector3().setFromMatrixPosition(motion).toArray()
+/** The same of what a mirror shows. */
+export const mirroredMotion = motion.clone().multiply(new THREE.Matrix4().makeScale(-1, 1, 1))
 
 /** The offset that does it. The matrix is a uniform, and the shift a function of the time. */
 export const offset = ({ glsl, position, uniforms, millis }) =>
@@ -17,10 +17,37 @@ export const offset = ({ glsl, position, uniforms, millis }) =>
     .sub(position)
     .add(uniforms.shift.mult(millis.div(1000)))
 
-export const uniforms = () => ({
-  linear: new THREE.Matrix3().setFromMatrix4(new THREE.Matrix4().fromArray(linear)),
-  shift: new THREE.Vector3(...shift),
+export const uniforms = (matrix = motion) => ({
+  linear: new THREE.Matrix3().setFromMatrix4(matrix),
+  shift: new THREE.Vector3().setFromMatrixPosition(matrix),
 })
+
+/** The same offset where the matrix is known when the warp is made. */
+export const constantOffset =
+  ({ elements: e }) =>
+  ({ glsl, position }) =>
+    glsl
+      .mat3(glsl.vec3(e[0], e[1], e[2]), glsl.vec3(e[4], e[5], e[6]), glsl.vec3(e[8], e[9], e[10]))
+      .mult(position)
+      .sub(position)
+      .add(glsl.vec3(e[12], e[13], e[14]))
+
+/** Both sides are seen, so that nothing depends on which of them the renderer takes for the front. */
+export function doubleSided(object) {
+  object.traverse(({ material }) => {
+    for (const each of [material ?? []].flat()) each.side = THREE.DoubleSide
+  })
+  return object
+}
+
+/** Of a mirror of three.js itself, whose shaders take the side of the bitangent from the attribute. */
+export function withOtherBitangents(object) {
+  object.traverse(({ geometry }) => {
+    const { tangent } = geometry?.attributes ?? {}
+    for (let i = 0; i < (tangent?.count ?? 0); i++) tangent.setW(i, -tangent.getW(i))
+  })
+  return object
+}
 
 function normalMap() {
   const data = new Uint8Array(4 * 16 * 16)
@@ -135,6 +162,7 @@ export const shapes = {
       knot(),
       standard({ normalMap: normalMap(), normalScale: new THREE.Vector2(1, 1) }),
     ),
+  'bump map': () => new THREE.Mesh(knot(), standard({ bumpMap: normalMap(), bumpScale: 4 })),
   'vertex tangents': () =>
     new THREE.Mesh(withTangents(knot()), standard({ normalMap: normalMap() })),
   'flat shading': () => new THREE.Mesh(knot(), standard({ flatShading: true })),
@@ -306,8 +334,10 @@ export const place = new THREE.Matrix4().compose(
   new THREE.Vector3(1.1, 0.9, 1),
 )
 
+const plainMotion = motion
+
 /** The motion by three's own matrices; `space` says before or after the object's place. */
-export function moved(make, space) {
+export function moved(make, space, motion = plainMotion) {
   const object = (make.moved ?? make)()
   const set = (part, before = new THREE.Matrix4()) => {
     const matrix = space === 'world' ? [motion, place, before] : [place, before, motion]

@@ -1,0 +1,44 @@
+// Which side of a triangle is the outer one: where a warp mirrors all of space, it is the one that the renderer takes for the back.
+import { BackSide, FrontSide, type Material, ShaderChunk, type Side } from 'three'
+import { orientationName } from '../compile/host-names.js'
+import type { ThreeWarp } from './kept.js'
+
+/** Empty for a warp that never mirrors. */
+export const declareOrientation = ({ mirrors }: ThreeWarp): string[] =>
+  mirrors === false
+    ? []
+    : [
+        mirrors
+          ? `const float ${orientationName} = -1.0;`
+          : `uniform highp float ${orientationName};`,
+      ]
+
+const isFront = `( gl_FrontFacing == ( ${orientationName} > 0.0 ) )`
+
+/** A fragment shader for WebGLRenderer, in which double-sided materials light the side that is seen. */
+export function orientFaces(fragmentShader: string, warp: ThreeWarp): string {
+  const [declaration] = declareOrientation(warp)
+  if (!declaration) return fragmentShader
+  const orient = (text: string) => text.replaceAll(/\bgl_FrontFacing\b/g, isFront)
+  const chunks = ShaderChunk as Record<string, string | undefined>
+  const text = orient(fragmentShader).replace(
+    /^[ \t]*#include +<(\w+)>/gm,
+    (line, name: string) => {
+      const chunk = chunks[name]
+      return chunk?.includes('gl_FrontFacing') ? orient(chunk) : line
+    },
+  )
+  return text === fragmentShader ? text : `${declaration}\n${text}`
+}
+
+const others = new Map<Side, Side>([
+  [FrontSide, BackSide],
+  [BackSide, FrontSide],
+])
+
+/** The material as rays must see it where the surface is inside out. */
+export function withOtherSide(material: Material | Material[]): Material | Material[] {
+  if (Array.isArray(material)) return material.map((each) => withOtherSide(each) as Material)
+  const side = others.get(material.side) ?? material.side
+  return Object.create(material, { side: { value: side } }) as Material
+}
