@@ -11,6 +11,7 @@ const read = (path) => readFile(new URL(path, root))
 
 const plainFiles = {
   'site/site.css': 'web/site/site.css',
+  'playground/host.html': 'web/playground/frame/host.html',
   'site/hero.webp': 'web/site/hero.webp',
   'site/fredoka.woff2': 'node_modules/@fontsource/fredoka/files/fredoka-latin-600-normal.woff2',
 }
