@@ -64,7 +64,7 @@ test('turns the shape where the sketch lets the pointer turn it', async () => {
   const bent = still('#ff8040', 'glsl.vec3(position.y(), 0, 0)')
   await write(page, bent.replace('warp()\n', 'orbitControl(); lights(); warp()\n'))
   const before = await canvasPixels(page)
-  const { x, y, width, height } = await page.locator('iframe.shown').boundingBox()
+  const { x, y, width, height } = await page.locator('.stage iframe').boundingBox()
   await page.mouse.move(x + width / 2, y + height / 2)
   await page.mouse.down()
   await page.mouse.move(x + width / 2 + 60, y + height / 2 + 20, { steps: 6 })

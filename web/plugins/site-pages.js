@@ -5,6 +5,7 @@
 import { readFile, readdir } from 'node:fs/promises'
 import { extname } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { pathOf } from './path-of.js'
 
 const root = new URL('../../', import.meta.url)
 const read = (path) => readFile(new URL(path, root))
@@ -76,7 +77,7 @@ export function sitePagesPlugin() {
       }
       server.watcher.on('all', (_, file) => forget(file))
       server.middlewares.use(async (request, response, next) => {
-        let path = decodeURIComponent(request.url.split('?')[0]).slice(1)
+        let path = pathOf(request)
         if (path === '' || /^(?:docs|gallery\/[\w-]+)\/$/.test(path)) path += 'index.html'
         try {
           let content

@@ -22,11 +22,17 @@
       column: found[2] && Number(found[2]),
     })
   }
-  addEventListener('error', ({ error, message, filename, lineno, colno }) => {
+  // The page shows them, so that the browser's own console need not.
+  addEventListener('error', (event) => {
+    const { error, message, filename, lineno, colno } = event
     const isHere = filename === source
+    event.preventDefault()
     tell(error ?? message, isHere ? lineno : undefined, isHere ? colno : undefined)
   })
-  addEventListener('unhandledrejection', ({ reason }) => tell(reason))
+  addEventListener('unhandledrejection', (event) => {
+    event.preventDefault()
+    tell(event.reason)
+  })
   // An image or a script that is missing says so on itself alone.
   addEventListener(
     'error',
