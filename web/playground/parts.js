@@ -2,6 +2,7 @@
 import { guarded } from './guard.js'
 import { hosts, isThree, tagsOf } from './hosts.js'
 import { moduleTexts } from './modules.js'
+import { remember } from './remember.js'
 import { folder, siteFile } from './site-files.js'
 import { namesOfFiles } from './strings.js'
 
@@ -19,19 +20,6 @@ const watched = (modules) => ({
 const mesh = '../../dist/mesh.min.js'
 /** Functions for which the script of p5 imports the file beside it. */
 const needsMesh = /\b(?:loadWarpModel|subdivide|addSurfaceVariation)\b/
-
-const remember = (make) => {
-  const made = new Map()
-  return (key, ...rest) => {
-    if (!made.has(key)) {
-      const result = make(key, ...rest)
-      made.set(key, result)
-      // So that the next run tries again.
-      result.catch(() => made.delete(key))
-    }
-    return made.get(key)
-  }
-}
 
 export const readText = remember(async (path) => {
   const response = await fetch(new URL(path, folder))

@@ -1,4 +1,5 @@
 /** Files of the site that a sketch may load: those of the folder `files/`, and of packages. Nothing else of the site's origin. */
+import { remember } from './remember.js'
 
 export const root = new URL('../', location.href).href
 /** What a sketch's relative addresses start from. */
@@ -15,9 +16,12 @@ export const isSiteFile = (address) =>
 export async function siteFile(name) {
   if (!URL.canParse(name, folder)) return undefined
   const address = new URL(name, folder).href
-  if (!isSiteFile(address)) return undefined
+  return isSiteFile(address) ? load(address) : undefined
+}
+
+const load = remember(async (address) => {
   const response = await fetch(address)
   const type = response.headers.get('content-type') ?? ''
   // Some hosts answer with a page where there is no file.
   return response.ok && !type.startsWith('text/html') ? response.blob() : undefined
-}
+})
