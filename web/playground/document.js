@@ -21,8 +21,7 @@ export function insideScript(text, { isModule = false } = {}) {
     const rest = text.slice(index, index + 4)
     const kind = kindAt(tree, index)
     let sign = '<'
-    if (kind === 'String' || kind === 'RegExp')
-      sign = isEscaped(text, index) ? 'u003C' : '\\u003C'
+    if (kind === 'String' || kind === 'RegExp') sign = isEscaped(text, index) ? 'u003C' : '\\u003C'
     else if (kind === 'TemplateString') sign = "<${''}"
     else if (rest.startsWith('</')) sign = '< '
     // In a classic script it begins a comment of one line.
@@ -84,5 +83,4 @@ export function pageOf(
 }
 
 const importMap = (imports) =>
-  Object.keys(imports).length > 0 &&
-  `<script type="importmap">${jsonInside({ imports })}</script>`
+  Object.keys(imports).length > 0 && `<script type="importmap">${jsonInside({ imports })}</script>`

@@ -88,7 +88,8 @@ function select(event, view) {
   const at = view.posAtCoords({ x: event.clientX, y: event.clientY })
   const number = at === null ? undefined : numberAt(view.state, at)
   if (!number) return false
-  const anchor = view.state.sliceDoc(number.from, number.from + 1) === '-' ? number.from + 1 : number.from
+  const anchor =
+    view.state.sliceDoc(number.from, number.from + 1) === '-' ? number.from + 1 : number.from
   view.dispatch({ selection: { anchor, head: number.to } })
   return true
 }

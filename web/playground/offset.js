@@ -25,7 +25,8 @@ function offset({ glsl, position, millis, uniforms }) {
 `
 
 const loaderOf = (name) =>
-  /\.(?:obj|stl)$/i.test(name) ? `loadModel(${quoted(name)}, true)`
+  /\.(?:obj|stl)$/i.test(name)
+    ? `loadModel(${quoted(name)}, true)`
     : `loadWarpModel(${quoted(name)})`
 
 /** The sketch as p5 runs it: its own lines first, so that they keep their numbers. */

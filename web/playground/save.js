@@ -114,7 +114,9 @@ export function pageWithTags(sketch) {
   const text = withFiles(sketch.text, (name) => atCDN(name, versions))
   return pageOf(sketch, {
     title: 'Made with warpjet',
-    before: atHome.length ? `<!-- Upload beside this page: ${insideComment(atHome.join(', '))} -->` : '',
+    before: atHome.length
+      ? `<!-- Upload beside this page: ${insideComment(atHome.join(', '))} -->`
+      : '',
     tags: tagsOf(sketch).map((path) => tag(atCDN(path, versions))),
     modules: Object.fromEntries(
       Object.entries(modules).map(([name, path]) => [name, atCDN(path, versions)]),

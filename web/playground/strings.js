@@ -18,7 +18,8 @@ export function stringsIn(text) {
   const strings = []
   javascriptLanguage.parser.parse(text).iterate({
     enter({ name, from, to, node }) {
-      const isWhole = name === 'String' || (name === 'TemplateString' && !node.getChild('Interpolation'))
+      const isWhole =
+        name === 'String' || (name === 'TemplateString' && !node.getChild('Interpolation'))
       if (isWhole) strings.push({ from, to, value: unescaped(text.slice(from + 1, to - 1)) })
     },
   })
@@ -26,7 +27,9 @@ export function stringsIn(text) {
 }
 
 const isFileName = (name) =>
-  /^[^\n]+\.(?:obj|stl|glb|gltf|bin|woff2?|[to]tf|png|jpe?g|gif|webp|svg|glsl|vert|frag|json|csv|txt)$/i.test(name)
+  /^[^\n]+\.(?:obj|stl|glb|gltf|bin|woff2?|[to]tf|png|jpe?g|gif|webp|svg|glsl|vert|frag|json|csv|txt)$/i.test(
+    name,
+  )
 
 /** The files that a text names. Some of them it may write. */
 export const namesOfFiles = (text) => [

@@ -51,7 +51,9 @@
       ? new Promise((resolve) => report({ kind: 'wanted', id: wanted.push(resolve) - 1, address }))
       : undefined
   answers.file = (id, blob) =>
-    wanted[id](blob ? new Response(blob) : new Response(null, { status: 404, statusText: 'Not Found' }))
+    wanted[id](
+      blob ? new Response(blob) : new Response(null, { status: 404, statusText: 'Not Found' }),
+    )
 
   for (const level of ['log', 'info', 'warn', 'error']) {
     const print = console[level]
