@@ -88,7 +88,8 @@ for (const [name, launch] of Object.entries(browsers))
       browser = await launch()
       evil = await startEvil()
       page = await browser.newPage()
-      await page.goto(`${site}playground/index.html`, patience)
+      // Small, since without a GPU a large picture leaves the machine no time.
+      await page.goto(await linkTo(still), patience)
       await settle(page)
       await page.waitForFunction(() => navigator.serviceWorker.controller, patience)
       await page.evaluate(async () => {
