@@ -1,4 +1,4 @@
-// Where Chromium and Firefox are: CHROME_PATH and FIREFOX_PATH, the system's, or those that playwright-core has fetched.
+// Finds Chromium and Firefox: CHROME_PATH and FIREFOX_PATH, the system's, or those that playwright-core has fetched.
 import { existsSync, readFileSync, statSync } from 'node:fs'
 import { path } from './files.mjs'
 import { Stop } from './terminal.mjs'

@@ -7,7 +7,7 @@ import { onPath } from './which.mjs'
 
 const presets = path('CMakePresets.json')
 
-/** Whether the cache is of the sources of this checkout: one that was copied or moved with its .build has that of another. */
+/** Is the cache for the sources in this folder? A checkout that was copied or moved with its .build has the cache of the old folder. */
 function isOfThisCheckout(cache) {
   const [, home] = /^CMAKE_HOME_DIRECTORY:INTERNAL=(.*)$/m.exec(readFileSync(cache, 'utf8')) ?? []
   return home && existsSync(home) && realpathSync(home) === realpathSync(path())

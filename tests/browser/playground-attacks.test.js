@@ -53,7 +53,7 @@ async function frameOf(page) {
   return frame
 }
 
-/** What the site keeps in the browser, and how its page looks. */
+/** Reads everything that the site stores in the browser, and how its page looks. */
 const look = (page) =>
   page.evaluate(async () => {
     const kept = []

@@ -11,7 +11,7 @@ import { whole } from '../../web/playground/offset.js'
 import { evaluatedOf, maskOf, readMessage, shapesOf } from '../../web/playground/messages.js'
 import { plain, withOrigins } from '../../web/playground/origins.js'
 import { across, down, normalErrors, spherePoints } from '../../web/playground/sphere.js'
-import { namesOfFiles, quoted, stringsIn, withFiles } from '../../web/playground/strings.js'
+import { namesOfFiles, quote, stringsIn, withFiles } from '../../web/playground/strings.js'
 import { zip } from '../../web/playground/zip.js'
 import { compileWarp } from '../../dist/warpjet.js'
 
@@ -166,9 +166,9 @@ describe('the strings of a sketch', () => {
   })
 
   test('take any name of a file, which comes back', () => {
-    assert.equal(new Function(`return ${quoted(nasty)}`)(), nasty)
+    assert.equal(new Function(`return ${quote(nasty)}`)(), nasty)
     assert.deepEqual(
-      stringsIn(`f(${quoted(nasty)})`).map(({ value }) => value),
+      stringsIn(`f(${quote(nasty)})`).map(({ value }) => value),
       [nasty],
     )
     const { text } = whole({ text: 'function offset() {}', host: 'offset', model: nasty })

@@ -5,7 +5,7 @@ import { hosts, isThree, tagsOf } from './hosts.js'
 /** JSON inside a script tag. */
 export const jsonInside = (value) => JSON.stringify(value).replaceAll('<', '\\u003C')
 
-/** What a browser's reader of HTML takes for the end of a script, or, after a comment has begun, for another script in it. */
+/** An HTML parser takes this for the end of a script or, after a comment has begun, for another script in it. */
 const dangerous = /<(?=\/script|!--|script)/gi
 
 /**
@@ -33,7 +33,7 @@ export function insideScript(text, { isModule = false } = {}) {
 
 const kinds = ['String', 'TemplateString', 'RegExp', 'LineComment', 'BlockComment']
 
-/** The kind of text around a place, undefined in code. */
+/** Returns the kind of text around a place, `undefined` in code. */
 function kindAt(tree, at) {
   for (let node = tree.resolveInner(at, 1); node; node = node.parent) {
     if (node.name === 'Interpolation') return undefined

@@ -1,7 +1,7 @@
 /** A sketch in a link: compressed, behind the #, which no server ever sees. */
 const mark = '#sketch='
 
-/** Bytes of a sketch with its settings. A link of few letters may hold a text that fills the memory. */
+/** Largest sketch with its settings, in bytes: a short link may unpack to a text that fills the memory. */
 const MAX_BYTES = 1_000_000
 
 async function through(bytes, stream) {
@@ -38,8 +38,8 @@ export const holdsSketch = (fragment) => fragment.startsWith(mark)
 
 const isShort = (value) => typeof value === 'string' && value.length <= 300
 
-/** What of a sketch has the type that it should have; anything else is left out. */
-function checked({ text, host, chosen, model, values }) {
+/** Keeps the settings that have the expected type; drops anything else. */
+function keepValid({ text, host, chosen, model, values }) {
   const isList = Array.isArray(chosen) && chosen.length <= 20 && chosen.every(isShort)
   return {
     text,
@@ -50,7 +50,7 @@ function checked({ text, host, chosen, model, values }) {
   }
 }
 
-/** What `fragmentOf` was given; throws an error whose message is for the reader where the link is broken. */
+/** Returns the sketch that `fragmentOf` was given; throws an error whose message is for the reader if the link is broken. */
 export async function sketchOf(fragment) {
   let sketch
   try {
@@ -68,5 +68,5 @@ export async function sketchOf(fragment) {
   }
   if (typeof sketch?.text !== 'string')
     throw new Error('There is no sketch in this link: copy the whole link once more.')
-  return checked(sketch)
+  return keepValid(sketch)
 }

@@ -16,7 +16,7 @@ const isPart = (value) => Number.isFinite(value)
 /** A place in the sketch: lines and columns begin with 1. */
 const place = (value) => (Number.isSafeInteger(value) && value > 0 ? value : undefined)
 
-/** What the page shows of a uniform: a number, two to four of them, or a colour such as '#ff8040'. */
+/** The page shows a uniform as a number, two to four of them, or a colour such as '#ff8040'. */
 export const isValue = (value) =>
   isPart(value) ||
   (typeof value === 'string' && /^#[\da-f]{6}$/.test(value)) ||
@@ -38,7 +38,7 @@ const isWarp = (warp) =>
 
 const levels = ['log', 'info', 'warn', 'error']
 
-/** By kind. */
+/** Maps kind → reader. */
 const readers = {
   error: ({ message, line, column }) => ({
     message: String(message).slice(0, MAX_TEXT),
@@ -65,13 +65,13 @@ export function readMessage(data) {
   return read ? { kind, ...read } : undefined
 }
 
-const unexpected = () =>
+const makeError = () =>
   new Error('The sketch has sent something else than the page asked for: run it again.')
 
 /** An answer that is to be a file of that type. */
 export function fileOf(value, type) {
   if (value === undefined || value === null) return undefined
-  if (!(value instanceof Blob)) throw unexpected()
+  if (!(value instanceof Blob)) throw makeError()
   return value.slice(0, value.size, type)
 }
 
@@ -81,13 +81,13 @@ const isFloatsOf = (length) => (value) => isFloats(value) && value.length === le
 /** An answer that is to be an evaluated mesh of as many positions and normals as `mesh`. */
 export function evaluatedOf(value, mesh) {
   const isAlike = isFloatsOf(mesh.positions.length)
-  if (!isAlike(value?.positions) || (mesh.normals && !isAlike(value.normals))) throw unexpected()
+  if (!isAlike(value?.positions) || (mesh.normals && !isAlike(value.normals))) throw makeError()
   return value
 }
 
 /** An answer that is to tell for each of `count` vertices whether it is folded. */
 export function maskOf(value, count) {
-  if (!ArrayBuffer.isView(value?.mask) || value.mask.length !== count) throw unexpected()
+  if (!ArrayBuffer.isView(value?.mask) || value.mask.length !== count) throw makeError()
   return value.mask
 }
 
@@ -105,6 +105,6 @@ export function shapesOf(value) {
       matrix.every(isPart)
     )
   }
-  if (!isList(value, isShape)) throw unexpected()
+  if (!isList(value, isShape)) throw makeError()
   return value
 }

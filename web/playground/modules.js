@@ -50,7 +50,7 @@ export async function moduleTexts(text, modules, read) {
   return imports
 }
 
-/** The same as data → { name: address }. */
+/** Makes data: addresses of the modules → { name: address }. */
 export async function modulesAsData(text, modules, read) {
   const texts = await moduleTexts(text, modules, read)
   const dataOf = ({ text }) => `data:text/javascript;charset=utf-8,${encodeURIComponent(text)}`

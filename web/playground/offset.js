@@ -1,5 +1,5 @@
 /** A sketch that is an offset function alone: a model to try it on, and the rest of a sketch of p5 around both. */
-import { quoted } from './strings.js'
+import { quote } from './strings.js'
 
 /** What p5 draws by itself; a unit is a pixel, as space: 'world' has it. */
 const shapes = {
@@ -25,9 +25,7 @@ function offset({ glsl, position, millis, uniforms }) {
 `
 
 const loaderOf = (name) =>
-  /\.(?:obj|stl)$/i.test(name)
-    ? `loadModel(${quoted(name)}, true)`
-    : `loadWarpModel(${quoted(name)})`
+  /\.(?:obj|stl)$/i.test(name) ? `loadModel(${quote(name)}, true)` : `loadWarpModel(${quote(name)})`
 
 /** The sketch as p5 runs it: its own lines first, so that they keep their numbers. */
 export function whole({ text, host, model = 'sphere', ...rest }) {

@@ -78,7 +78,7 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
   }
   choose(chosen)
 
-  /** Once a frame: a sketch may print faster than a page is laid out. */
+  /** Fills it once per frame: a sketch may print faster than the browser updates the page. */
   let isConsoleDue = false
   function fillConsoleSoon() {
     if (isConsoleDue) return

@@ -41,7 +41,7 @@ const inputsNow = () => {
   const { millis } = stage.state()
   return { millis, mouse: [width / 2, height / 2], size: [width, height], pixelDensity: 1 }
 }
-/** What the frame of the sketch works out of its warps, each by its index. */
+/** The sketch's frame evaluates its warps, each by its index. */
 const warpsInFrame = {
   evaluate: async (index, mesh, options) =>
     evaluatedOf(await stage.ask('evaluate', index, mesh, options), mesh),
@@ -124,7 +124,7 @@ function listen(message) {
   show(message.milliseconds)
 }
 
-/** What the sketch that is seen has made; `first` is how long its first picture took. */
+/** Shows the warps and uniforms of the visible sketch; `first` is the time of its first picture in milliseconds. */
 function show(first) {
   const { warps, uniforms } = stage.made()
   sliders.show(uniforms)
@@ -240,7 +240,7 @@ takeFiles((file) => {
 /** #sketch=… holds a sketch, #example=… names one of the gallery. */
 async function follow() {
   const { hash } = location
-  // What somebody allowed one sketch, the next may not do.
+  // The permission is for one sketch: the next link starts without it.
   network.checked = false
   const [, name] = /^#example=([\w-]+)$/.exec(hash) ?? []
   if (name || !holdsSketch(hash)) return choices.begin(name)

@@ -1,4 +1,4 @@
-/** What the frame of a sketch runs: its scripts, modules and files, as blobs. */
+/** Assembles the scripts, modules and files that a sketch's frame runs, as blobs. */
 import { guarded } from './guard.js'
 import { hosts, isThree, tagsOf } from './hosts.js'
 import { moduleTexts } from './modules.js'
@@ -8,8 +8,8 @@ import { namesOfFiles } from './strings.js'
 
 const frameScripts = (names) => names.map((name) => `../dist/${name}.js`)
 
-/** What the sketch imports of warpjet goes through a module of the frame, which keeps what is made. */
-const watched = (modules) => ({
+/** Maps imports of warpjet to modules of the frame, which record each warp. */
+const watchWarps = (modules) => ({
   ...modules,
   'warpjet/itself': modules.warpjet,
   'warpjet/three/itself': modules['warpjet/three'],
@@ -27,7 +27,7 @@ export const readText = remember(async (path) => {
   return response.text()
 })
 
-/** A script whose errors name the file of the site, not the blob: warpjet tells its own lines from the sketch's by that. */
+/** A script whose errors name the file of the site, not the blob: warpjet distinguishes its own lines from the sketch's by that. */
 const scriptBlob = (text, href) =>
   new Blob([text.replace(/^\/\/# sourceMappingURL=.*$/m, ''), `\n//# sourceURL=${href}\n`], {
     type: 'text/javascript',
@@ -52,7 +52,7 @@ const moduleBlobs = remember(async (_, text, modules) => {
 const importsIn = (text) => (text.match(/\b(?:from|import)\s*\(?\s*["'][^"'\n]+["']/g) ?? []).join()
 
 async function importsOf({ host, text }) {
-  if (isThree(host)) return moduleBlobs(importsIn(text), text, watched(hosts[host].modules))
+  if (isThree(host)) return moduleBlobs(importsIn(text), text, watchWarps(hosts[host].modules))
   if (!needsMesh.test(text)) return {}
   const { href, blob } = await script(mesh)
   return { [href]: blob }

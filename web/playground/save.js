@@ -17,7 +17,7 @@ const versions = {
 const inline = (text) =>
   `<script>\n${insideScript(text.replace(/^\/\/# sourceMappingURL.*$/m, ''))}\n</script>`
 
-/** The files that a sketch names and that are there → [[name, Blob]]. Others it writes, or misses where it runs, too. */
+/** Finds the files that a sketch names → [[name, Blob]]. It may write the others itself. */
 async function filesOf({ text }, dropped) {
   const files = await Promise.all(
     namesOfFiles(text).map(async (name) => [name, dropped.get(name) ?? (await siteFile(name))]),
@@ -70,7 +70,7 @@ const configOfTags = `// The scripts that index.html names are served from there
 export default { publicDir: 'node_modules' }
 `
 
-/** Whether a file of that name can lie beside the sketch. */
+/** Can a file of that name be in the sketch's own folder? */
 const isPlain = (name) => !/[/\\:]/.test(name)
 
 /** A project of npm, packed: `npm i`, then `npm start`. `dropped` is a Map of files by name. */
@@ -103,7 +103,7 @@ export async function project(sketch, dropped = new Map()) {
   return zip({ ...own, ...Object.fromEntries(files) })
 }
 
-/** Text inside a comment of HTML. */
+/** Escapes text for an HTML comment. */
 const insideComment = (text) => text.replaceAll('--', '- -').replaceAll(/[<>]/g, '')
 
 /** A page whose scripts come from a CDN, for index.html of the p5 editor or anywhere else. */

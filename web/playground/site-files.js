@@ -2,13 +2,13 @@
 import { remember } from './remember.js'
 
 export const root = new URL('../', location.href).href
-/** What a sketch's relative addresses start from. */
+/** The base of a sketch's relative addresses. */
 export const folder = new URL('files/', location.href).href
 
-/** As a server decodes no further: no `%2f` that would lead out of a folder. */
+/** Without `%`: a server might decode `%2f` and leave the folder. */
 const allowed = /^(?:playground\/files|node_modules)\/[\w./-]+$/
 
-/** Whether a sketch may load the file at that address, which `URL` has made whole. */
+/** Is this absolute address that of a file which a sketch may load? */
 export const isSiteFile = (address) =>
   address.startsWith(root) && allowed.test(address.slice(root.length))
 

@@ -56,7 +56,7 @@ export function makeSliders(place, changed) {
   return {
     /** [{ name, value }] of the sketch that is shown. */
     show: (uniforms = []) => place.replaceChildren(...uniforms.flatMap(controlsFor)),
-    /** By name: { source, value }. */
+    /** Maps name → { source, value }. */
     moved: () => moved,
     /** Such as a link has brought; anything else than values is left out. */
     set(values) {

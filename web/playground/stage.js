@@ -76,14 +76,14 @@ export function makeStage(place, listen) {
     place.classList.add('drawn')
   }
 
-  /** Asks the sketch that is seen for what one of its frame's `answers` gives. */
+  /** Calls one of the `answers` of the visible sketch's frame. */
   function ask(method, ...args) {
     return new Promise((resolve, reject) => {
       const id = shown.questions.push({ resolve, reject }) - 1
       shown.port.postMessage({ kind: 'ask', id, method, args })
     })
   }
-  /** The same where no answer is awaited. Those who are coming are told, too. */
+  /** Calls one without an answer, in the sketch that is coming, too. */
   function tell(method, ...args) {
     for (const { port } of [shown, coming].filter(Boolean))
       port?.postMessage({ kind: 'ask', method, args })

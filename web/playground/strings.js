@@ -3,7 +3,7 @@ import { javascriptLanguage } from '@codemirror/lang-javascript'
 
 const escapes = { n: '\n', t: '\t', r: '\r', b: '\b', f: '\f', v: '\v', 0: '\0' }
 
-const unescaped = (text) =>
+const unescape = (text) =>
   text.replaceAll(
     /\\(?:u\{([\da-f]{1,6})\}|u([\da-f]{4})|x([\da-f]{2})|(\r\n|[^]))/gi,
     (_, long, four, two, sign) => {
@@ -20,7 +20,7 @@ export function stringsIn(text) {
     enter({ name, from, to, node }) {
       const isWhole =
         name === 'String' || (name === 'TemplateString' && !node.getChild('Interpolation'))
-      if (isWhole) strings.push({ from, to, value: unescaped(text.slice(from + 1, to - 1)) })
+      if (isWhole) strings.push({ from, to, value: unescape(text.slice(from + 1, to - 1)) })
     },
   })
   return strings
@@ -45,13 +45,13 @@ export function withFiles(text, change) {
   let result = text
   for (const { from, to, value } of stringsIn(text).reverse()) {
     if (!isFileName(value) || change(value) === value) continue
-    result = result.slice(0, from) + quoted(change(value)) + result.slice(to)
+    result = result.slice(0, from) + quote(change(value)) + result.slice(to)
   }
   return result
 }
 
 const asCode = (sign) => `\\u${sign.charCodeAt(0).toString(16).padStart(4, '0')}`
 
-/** As a string of JavaScript. */
-export const quoted = (text) =>
+/** Writes a text as a string literal. */
+export const quote = (text) =>
   `'${text.replaceAll(/[\\']/g, '\\$&').replaceAll(/[\0-\x1f\u2028\u2029]/g, asCode)}'`

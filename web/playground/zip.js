@@ -29,7 +29,7 @@ const day = 33
 /** The flag of names in UTF-8. */
 const inUTF8 = 0x800
 
-/** Whether an unpacker puts a file of that name below its folder, on every system. */
+/** Does every unpacker put a file of that name below its folder, on every system? */
 const isInside = (name) =>
   /^[^\\:\0-\x1f]+$/.test(name) &&
   name.split('/').every((part) => part !== '' && part !== '.' && part !== '..')

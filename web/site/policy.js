@@ -22,13 +22,13 @@ const scripts = { page: "'self' 'wasm-unsafe-eval'", sketch: "'self' 'unsafe-eva
 
 const hashOf = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`
 
-/** Texts of scripts that stand in the page; JSON is no script. */
+/** Returns the texts of inline scripts; JSON is no script. */
 const inlineScripts = (html) =>
   [...html.matchAll(/<script\b([^>]*)>([^]*?)<\/script>/g)]
     .filter(([, attributes]) => !/\bsrc=|application\/json/.test(attributes))
     .map(([, , text]) => text)
 
-/** The page with its policy, which allows the scripts that stand in it and no others. */
+/** Adds a policy to the page that allows its inline scripts and no others. */
 export function withPolicy(html, kind = 'page') {
   const hashes = [...new Set(inlineScripts(html).map(hashOf))]
   const policy = { ...common, 'script-src': [scripts[kind], ...hashes].join(' ') }

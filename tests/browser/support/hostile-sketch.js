@@ -1,7 +1,7 @@
-// What a hostile sketch tries, as functions that run in its frame: each gives what it has obtained, or throws. `site` is the address of
+// The attacks of a hostile sketch, as functions that run in its frame: each returns what it obtained, or throws. `site` is the address of
 // the first page of the site, `evil` that of a server of the attacker's.
 
-/** By name. None may give anything. */
+/** Maps name → attack. None may return anything. */
 export const attacks = {
   'reads localStorage': () => localStorage.getItem('secret'),
   'writes localStorage': () => localStorage.setItem('secret', 'stolen'),

@@ -36,7 +36,7 @@
   answers.foldover = (index, mesh, options) => warps[index].made.foldover(mesh, options)
   answers.shapes = (index) => warps[index].shapes()
 
-  /** Those that a hand has moved, by name: { source, value }. Where the sketch has another value than `source`, it counts. */
+  /** Maps the name of a moved slider → { source, value }. If the sketch has another value than `source`, that counts. */
   let { values } = playground
   answers.setValues = (now) => (values = now)
   const valueOf = (name, source) =>
