@@ -13,13 +13,14 @@ import { makeMenu } from './menu.js'
 import { draggableNumbers } from './numbers.js'
 import { makeOutput } from './output.js'
 import { glbOf } from './mesh.js'
-import { evaluatedOf, fileOf, maskOf, shapesOf } from './messages.js'
+import { fileOf } from './messages.js'
 import { isModelFile, whole } from './offset.js'
 import { download, pageAlone, pageWithTags, project } from './save.js'
 import { makeSliders } from './sliders.js'
 import { makeStage } from './stage.js'
 import { hasWebGL, showStill } from './still.js'
 import { makeTime } from './time.js'
+import { makeWarpsInFrame } from './warps-in-frame.js'
 
 /** Milliseconds without a key, after which the sketch is built again. */
 const PAUSE = 400
@@ -41,14 +42,8 @@ const inputsNow = () => {
   const { millis } = stage.state()
   return { millis, mouse: [width / 2, height / 2], size: [width, height], pixelDensity: 1 }
 }
-/** The sketch's frame evaluates its warps, each by its index. */
-const warpsInFrame = {
-  evaluate: async (index, mesh, options) =>
-    evaluatedOf(await stage.ask('evaluate', index, mesh, options), mesh),
-  foldedOf: async (index, mesh, options) =>
-    maskOf(await stage.ask('foldover', index, mesh, options), mesh.positions.length / 3),
-  shapesOf: async (index) => shapesOf(await stage.ask('shapes', index)),
-}
+const stage = makeStage(find('.stage'), listen)
+const warpsInFrame = makeWarpsInFrame(stage)
 const checks = makeChecks(inputsNow, warpsInFrame)
 const output = makeOutput(
   find('.tabs'),
@@ -56,7 +51,6 @@ const output = makeOutput(
   { checks },
   { pointed: (lines) => editor.light(lines), picked: (line) => editor.goTo(line) },
 )
-const stage = makeStage(find('.stage'), listen)
 const time = makeTime(find('.time'), stage)
 const sliders = makeSliders(find('.sliders'), (values) => stage.tell('setValues', values))
 const editor = makeEditor(find('.editor'), {
@@ -132,7 +126,7 @@ function show(first) {
 }
 
 function explainBlocked({ address }) {
-  if (blocked) return
+  if (blocked || network.checked) return
   blocked = address
   complain({ message: '' })
 }

@@ -59,6 +59,8 @@ export function makeStage(place, listen) {
     if (message.kind === 'answer') return settle(running, message)
     if (message.kind === 'wanted') return send(running, message)
     if (message.kind === 'made') running.made = message
+    // Once: a sketch that says so again has the page redo its tabs for nothing.
+    else if (message.kind === 'drawn' && running === shown) return
     else if (message.kind === 'drawn') show(running)
     // It goes on only after the listener has looked at it.
     if (message.kind !== 'made' || running === shown) listen(message)
@@ -69,7 +71,6 @@ export function makeStage(place, listen) {
   }
 
   function show(running) {
-    if (running === shown) return
     remove(shown)
     ;[shown, coming] = [running, undefined]
     running.frame.className = 'shown'
