@@ -188,11 +188,15 @@ for (const window of [parent, parent.parent, top])
       const link = await linkTo(still)
       const other = await browser.newPage()
       await other.goto(evil.address)
-      const target = new Promise((resolve) => browser.once('targetcreated', resolve))
+      const known = new Set(browser.targets())
       await other.evaluate((link) => {
         window.opened = window.open(link)
       }, link)
-      const opened = await (await target).page()
+      const target = await browser.waitForTarget(
+        (target) => target.type() === 'page' && !known.has(target),
+        patience,
+      )
+      const opened = await target.page()
       await settle(opened)
       await other.evaluate(() => {
         const { opened } = window
