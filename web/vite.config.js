@@ -6,6 +6,7 @@ import { ownTypesPlugin } from './plugins/own-types.js'
 import { quietClient } from './plugins/quiet-client.js'
 import { sitePagesPlugin, siteScripts } from './plugins/site-pages.js'
 import { folderAddresses } from './site/folder-address.js'
+import { policies } from './site/policy.js'
 
 const path = (relative) => fileURLToPath(new URL(relative, import.meta.url))
 
@@ -19,6 +20,7 @@ export default {
   plugins: [
     sitePagesPlugin(),
     folderAddresses(),
+    policies(),
     exampleFiles(),
     ownTypesPlugin(),
     offline(),

@@ -1,4 +1,4 @@
-// Where Chromium is: CHROME_PATH, the system's, or the one that playwright-core has fetched.
+// Finds Chromium and Firefox: CHROME_PATH and FIREFOX_PATH, the system's, or those that playwright-core has fetched.
 import { existsSync, readFileSync, statSync } from 'node:fs'
 import { path } from './files.mjs'
 import { Stop } from './terminal.mjs'
@@ -18,6 +18,9 @@ const applications = [
   '/Applications/Chromium.app/Contents/MacOS/Chromium',
 ]
 
+const firefoxNames = ['firefox-esr', 'firefox']
+const firefoxApplications = ['/Applications/Firefox.app/Contents/MacOS/firefox']
+
 export const isUbuntu = () =>
   existsSync('/etc/os-release') && /^ID=ubuntu$/m.test(readFileSync('/etc/os-release', 'utf8'))
 
@@ -27,16 +30,37 @@ function isStub(file) {
   return /snap install chromium/.test(readFileSync(file, 'utf8'))
 }
 
-export async function findBrowser() {
-  const chosen = process.env.CHROME_PATH
-  if (chosen && !isProgram(chosen)) throw new Stop(`CHROME_PATH names no program: ${chosen}`)
-  if (chosen) return chosen
-  const found = [...names.map((name) => onPath(name)), ...applications]
-  return found.find((file) => file && isProgram(file) && !isStub(file)) ?? (await fetchedBrowser())
+/** Ubuntu's package `firefox` is a script that starts the snap, whose Firefox cannot use a profile in /tmp. */
+const startsSnap = (file) =>
+  isUbuntu() && statSync(file).size < 20_000 && /\bsnap\b/.test(readFileSync(file, 'utf8'))
+
+/** The program that the variable names, or undefined. */
+function chosenBy(variable) {
+  const chosen = process.env[variable]
+  if (chosen && !isProgram(chosen)) throw new Stop(`${variable} names no program: ${chosen}`)
+  return chosen
 }
 
-async function fetchedBrowser() {
+export async function findBrowser() {
+  const found = [...names.map((name) => onPath(name)), ...applications]
+  return (
+    chosenBy('CHROME_PATH') ??
+    found.find((file) => file && isProgram(file) && !isStub(file)) ??
+    (await fetchedBrowser('chromium'))
+  )
+}
+
+export async function findFirefox() {
+  const found = [...firefoxNames.map((name) => onPath(name)), ...firefoxApplications]
+  return (
+    chosenBy('FIREFOX_PATH') ??
+    found.find((file) => file && isProgram(file) && !startsSnap(file)) ??
+    (await fetchedBrowser('firefox'))
+  )
+}
+
+async function fetchedBrowser(name) {
   if (!existsSync(path('node_modules/playwright-core'))) return null
-  const { chromium } = await import('playwright-core')
-  return isProgram(chromium.executablePath()) ? chromium.executablePath() : null
+  const { [name]: browser } = await import('playwright-core')
+  return isProgram(browser.executablePath()) ? browser.executablePath() : null
 }

@@ -72,8 +72,16 @@ async function nodeTests(folder, { atOnce = availableParallelism(), longest = []
 const browsersAtOnce = availableParallelism() + 1
 /** Each takes 40 seconds of a core and more, or waits for long: then it stands among those that work. */
 const longest = [
-  ...['playground', 'gallery', 'site', 'p5-webgpu-examples', 'playground-habits'],
-  ...['playground-examples', 'three', 'playground-hosts', 'docs', 'random', 'site-offline'],
+  ...['playground', 'gallery', 'site', 'playground-attacks', 'p5-webgpu-examples'],
+  ...[
+    'playground-habits',
+    'playground-examples',
+    'three',
+    'playground-hosts',
+    'docs',
+    'random',
+    'site-offline',
+  ],
   ...['operations', 'playground-help', 'glsl', 'three-webgpu', 'site-motion', 'p5-webgpu'],
 ]
 const browser = () =>

@@ -1,5 +1,5 @@
 // Configures and builds one preset of CMakePresets.json, all of it or only some targets, incrementally, in .build/<preset>.
-import { copyFileSync, existsSync, readFileSync, rmSync } from 'node:fs'
+import { copyFileSync, existsSync, readFileSync, realpathSync, rmSync } from 'node:fs'
 import { availableParallelism } from 'node:os'
 import { path } from './files.mjs'
 import { run } from './run.mjs'
@@ -7,11 +7,18 @@ import { onPath } from './which.mjs'
 
 const presets = path('CMakePresets.json')
 
+/** Is the cache for the sources in this folder? A checkout that was copied or moved with its .build has the cache of the old folder. */
+function isOfThisCheckout(cache) {
+  const [, home] = /^CMAKE_HOME_DIRECTORY:INTERNAL=(.*)$/m.exec(readFileSync(cache, 'utf8')) ?? []
+  return home && existsSync(home) && realpathSync(home) === realpathSync(path())
+}
+
 /** Whether the folder was configured by the presets as they are; CMake itself would keep another compiler. */
 function isConfigured(folder) {
-  const used = path(folder, 'CMakePresets.json')
+  const [cache, used] = ['CMakeCache.txt', 'CMakePresets.json'].map((name) => path(folder, name))
   return (
-    existsSync(path(folder, 'CMakeCache.txt')) &&
+    existsSync(cache) &&
+    isOfThisCheckout(cache) &&
     existsSync(used) &&
     readFileSync(used, 'utf8') === readFileSync(presets, 'utf8')
   )

@@ -1,6 +1,6 @@
 // What the project needs, how it is recognised, and which Debian packages bring it.
 import { mkdirSync, writeFileSync } from 'node:fs'
-import { findBrowser, isUbuntu } from './browser.mjs'
+import { findBrowser, findFirefox, isUbuntu } from './browser.mjs'
 import { path } from './files.mjs'
 import { capture } from './run.mjs'
 import { atLeast, cmakePackageVersion, headerVersion, remembered, versionOf } from './versions.mjs'
@@ -111,5 +111,21 @@ export const requirements = [
     // Ubuntu's package is a stub for snap, whose browser cannot read /tmp: playwright-core fetches one instead.
     apt: isUbuntu() ? [] : ['chromium-headless-shell'],
     fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', 'chromium'] : null,
+  },
+  {
+    name: 'Firefox',
+    find: async () => {
+      const file = await findFirefox()
+      return file ? { found: `${await versionOf(file)} (${file})` } : {}
+    },
+    // Ubuntu's package starts a snap, whose browser cannot read /tmp.
+    apt: isUbuntu() ? [] : ['firefox-esr'],
+    fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', 'firefox'] : null,
+  },
+  {
+    name: 'Xvfb',
+    find: async () => (onPath('Xvfb') ? { found: `(${onPath('Xvfb')})` } : {}),
+    // The display on which Firefox draws WebGL, and the driver for it.
+    apt: ['xvfb', 'libgl1-mesa-dri'],
   },
 ]

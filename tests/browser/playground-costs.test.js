@@ -10,15 +10,18 @@ before(async () => ({ page, messages, close } = await openPlayground(5252, await
 after(() => close())
 
 const open = (name) => page.getByRole('tab', { name }).click()
-/** Terms and figures of the open tab. */
-const readOuts = () =>
-  page
+/** Terms and figures of the open tab, once the sketch's frame has worked them out. */
+const readOuts = async () => {
+  await page.locator('#panel .read-outs').first().waitFor()
+  await page.locator('#panel [aria-busy="true"]').waitFor({ state: 'detached' })
+  return page
     .locator('#panel .read-outs > div')
     .evaluateAll((rows) =>
       Object.fromEntries(
         rows.map((row) => ['dt', 'dd'].map((kind) => row.querySelector(kind).textContent)),
       ),
     )
+}
 
 test('says what a warp costs: operations, characters, the first picture and a frame', async () => {
   await write(page, still('#ff0000', 'glsl.vec3(position.y().mult(3).sin(), 0, 0)'))
@@ -39,8 +42,9 @@ test('says what a warp costs: operations, characters, the first picture and a fr
 })
 
 /** How many pixels of the map are violet, which is inside out, and how many are red, which is wrong. */
-const map = () =>
-  page.locator('#panel .map').evaluate((canvas) => {
+const map = async () => {
+  await page.locator('#panel .map').waitFor()
+  return page.locator('#panel .map').evaluate((canvas) => {
     const { width, height } = canvas
     const { data } = canvas.getContext('2d').getImageData(0, 0, width, height)
     const counts = { all: width * height, violet: 0, red: 0 }
@@ -50,6 +54,7 @@ const map = () =>
     }
     return counts
   })
+}
 
 test('finds the normals of a warp right, where differences have them too', async () => {
   await write(page, still('#ff0000', 'glsl.vec3(position.y().mult(3).sin().mult(0.3), 0, 0)'))

@@ -64,7 +64,7 @@ test('turns the shape where the sketch lets the pointer turn it', async () => {
   const bent = still('#ff8040', 'glsl.vec3(position.y(), 0, 0)')
   await write(page, bent.replace('warp()\n', 'orbitControl(); lights(); warp()\n'))
   const before = await canvasPixels(page)
-  const { x, y, width, height } = await page.locator('iframe.shown').boundingBox()
+  const { x, y, width, height } = await page.locator('.stage iframe').boundingBox()
   await page.mouse.move(x + width / 2, y + height / 2)
   await page.mouse.down()
   await page.mouse.move(x + width / 2 + 60, y + height / 2 + 20, { steps: 6 })
@@ -165,6 +165,60 @@ test('a picture that is dropped is the sketch’s to load, and goes into the pag
   assert.equal(difference(before, await pixels(other.page)), 0)
   assert.deepEqual(other.messages, [])
   await other.page.close()
+})
+
+/** Drops a file of that name: a corner of four triangles. */
+async function dropCorner(name) {
+  const dataTransfer = await page.evaluateHandle((name) => {
+    const transfer = new DataTransfer()
+    const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n'
+    transfer.items.add(new File([text], name))
+    return transfer
+  }, name)
+  await page.dispatchEvent('body', 'drop', { dataTransfer })
+  await settled(page)
+}
+
+test('a file of any name can be dropped, tried as a model, and saved', async () => {
+  const host = page.getByLabel('Runs in')
+  for (const name of [`Bob's cat.obj`, `a "b" \\ </script> --> 100% #1?.obj`]) {
+    await host.selectOption('offset')
+    await settled(page)
+    await dropCorner(name)
+    assert.equal(await mistake(), '')
+    assert.equal(await page.locator('#model').inputValue(), name)
+    assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
+    await host.selectOption('p5')
+    await settled(page)
+    assert.equal(await mistake(), '')
+    const other = await openFromDisk(page, `${folder}/named.html`, () => window.frameCount > 1)
+    assert.equal(await other.page.evaluate('shape.faces.length'), 4)
+    assert.deepEqual(other.messages, [])
+    await other.page.close()
+  }
+})
+
+test('a sketch is saved that names a file which it writes, and compares with what begins as a tag does', async () => {
+  const words =
+    'const scripts = [1, 2, 3]; let a = 0; while (a<scripts.length) a++; document.title = `${a}`'
+  await write(
+    page,
+    `${still('#ff8040')}\nfunction keyPressed() { saveCanvas('mine.png') }\n${words}\n`,
+  )
+  assert.equal(await mistake(), '')
+  const other = await openFromDisk(page, `${folder}/writes.html`)
+  assert.equal(await other.page.title(), '3')
+  assert.deepEqual(other.messages, [])
+  await other.page.close()
+})
+
+test('a double click selects the number, which is then written over', async () => {
+  await write(page, still('#ff8040', 'glsl.vec3(-0.125, 0, 0)'))
+  await page.locator('.cm-number').getByText('0.125', { exact: true }).dblclick()
+  assert.equal(await page.evaluate(() => String(getSelection())), '0.125')
+  await page.keyboard.type('0.5')
+  await settled(page)
+  assert.equal(await text(page), still('#ff8040', 'glsl.vec3(-0.5, 0, 0)'))
 })
 
 test('the menu closes by Escape, which gives the focus back, and by a press elsewhere', async () => {

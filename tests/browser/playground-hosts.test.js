@@ -115,7 +115,10 @@ const marked = async () => {
   await page.locator('.panel .lit').first().waitFor()
   return (await page.locator('.panel .lit').allTextContents()).join('')
 }
-const figures = () => page.locator('#panel .read-outs dd').allTextContents()
+const figures = async () => {
+  await page.locator('#panel .read-outs').waitFor()
+  return page.locator('#panel .read-outs dd').allTextContents()
+}
 
 test('has of a warp of three.js the text in each language, marked both ways, its costs and checks', async () => {
   await run('three')

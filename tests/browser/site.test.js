@@ -150,6 +150,32 @@ for (const file of [
     assert.deepEqual(missed, [], `${reached}`)
   })
 
+test('every page has a policy that lets it run no foreign script, and nothing written into it', () => {
+  for (const file of walk(folder, /\.html$/)) {
+    const html = readFileSync(path(file), 'utf8')
+    const [, policy] =
+      /<meta\s+http-equiv="Content-Security-Policy"\s+content="([^"]*)"/.exec(html) ?? []
+    assert.ok(policy, `${file} has no policy`)
+    // It counts for what stands behind it.
+    assert.ok(
+      html.indexOf('Content-Security-Policy') < html.search(/<(?:script|link|style)\b/),
+      file,
+    )
+    const [, scripts] = /script-src ([^;]*)/.exec(policy)
+    assert.match(policy, /default-src 'none'/)
+    // The host of sketches has no script; the sketches' own policy is tightened by the playground.
+    if (file.endsWith('playground/host.html')) {
+      assert.doesNotMatch(html, /<script/)
+      assert.match(policy, /frame-src 'none'/)
+      continue
+    }
+    assert.doesNotMatch(scripts, /'unsafe-inline'|https?:|\*/, file)
+    const isSketch = /\/examples\//.test(file)
+    assert.equal(/'unsafe-eval'/.test(scripts), isSketch, file)
+    assert.match(policy, /base-uri 'none'/, file)
+  }
+})
+
 test('the pages keep their budgets', () => checkSite(folder))
 
 describe('the first page', () => {

@@ -1,9 +1,9 @@
-// node tests/firefox/site.mjs [words of paths]: opens every page of the built site in Firefox, on a desktop and on a phone, and says what
-// any of them prints, what does not fit, and what stays undrawn. By hand, after `npm run site`: Firefox is no part of the set-up.
-import { mkdirSync, writeFileSync } from 'node:fs'
+// node tests/firefox/site.mjs [words of paths]: opens every page of the built site in Firefox, on a desktop and on a phone, and prints what
+// any of them prints, what does not fit, and what stays undrawn. By hand, after `npm run site`.
+import { mkdirSync } from 'node:fs'
 import { preview } from 'vite'
 import { path, walk } from '../../.scripts/lib/files.mjs'
-import { startFirefox } from './bidi.mjs'
+import { launchFirefox } from '../browser/support/two-browsers.js'
 
 const folder = '.build/site'
 const screenshots = path('.build/screenshots/firefox')
@@ -33,7 +33,7 @@ async function look() {
   }
   const { scrollWidth } = document.documentElement
   if (scrollWidth > innerWidth) wrong.push(`It is ${scrollWidth} wide`)
-  return JSON.stringify(wrong)
+  return wrong
 }
 
 /** What a driver without a GPU says of itself. */
@@ -53,39 +53,29 @@ const server = await preview({
   build: { outDir: path(folder) },
 })
 const url = server.resolvedUrls.local[0]
-const firefox = await startFirefox()
+const firefox = await launchFirefox()
+const page = await firefox.newPage()
 let messages = []
-firefox.on((method, params) => {
-  if (method === 'log.entryAdded' && !isOfDriver(params.text ?? ''))
-    messages.push(`${params.level}: ${params.text}`)
+page.on('console', (message) => {
+  if (!isOfDriver(message.text())) messages.push(`${message.type()}: ${message.text()}`)
 })
-await firefox.send('session.subscribe', { events: ['log.entryAdded'] })
-const { contexts } = await firefox.send('browsingContext.getTree', {})
-const { context } = contexts[0]
+page.on('pageerror', ({ message }) => messages.push(`uncaught: ${message}`))
 const wrong = []
 for (const [size, viewport] of Object.entries(sizes)) {
-  await firefox.send('browsingContext.setViewport', { context, viewport })
+  await page.setViewport(viewport)
   for (const file of pages) {
     messages = []
-    const late = new Promise((give) =>
-      setTimeout(give, 2 * patience, { result: { value: '["It hangs"]' } }),
-    )
+    const late = new Promise((give) => setTimeout(give, 2 * patience, ['It hangs']))
     const seen = async () => {
-      await firefox.send('browsingContext.navigate', { context, url: url + file, wait: 'complete' })
-      return firefox.send('script.callFunction', {
-        functionDeclaration: String(look),
-        awaitPromise: true,
-        target: { context },
-      })
+      await page.goto(url + file, { timeout: 2 * patience })
+      return page.evaluate(look)
     }
-    const { result, exceptionDetails } = await Promise.race([seen(), late])
-    const found = [...(result ? JSON.parse(result.value) : [exceptionDetails.text]), ...messages]
+    const found = [...(await Promise.race([seen(), late])), ...messages]
     for (const each of found) wrong.push(`${size}, ${file}: ${each}`)
     console.log(`${size} ${file} ${found.length ? found.join(' | ') : 'is well'}`)
     if (/^index|playground|units|gallery\/(?:lotus|three-sea)/.test(file)) {
-      const { data } = await firefox.send('browsingContext.captureScreenshot', { context })
       const name = `${size}-${file.replaceAll('/', '-')}.png`
-      writeFileSync(`${screenshots}/${name}`, Buffer.from(data, 'base64'))
+      await page.screenshot({ path: `${screenshots}/${name}` })
     }
   }
 }

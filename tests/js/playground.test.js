@@ -8,8 +8,10 @@ import { insideScript } from '../../web/playground/document.js'
 import { fragmentOf, holdsSketch, sketchOf } from '../../web/playground/link.js'
 import { modulesAsData } from '../../web/playground/modules.js'
 import { whole } from '../../web/playground/offset.js'
+import { evaluatedOf, maskOf, readMessage, shapesOf } from '../../web/playground/messages.js'
 import { plain, withOrigins } from '../../web/playground/origins.js'
 import { across, down, normalErrors, spherePoints } from '../../web/playground/sphere.js'
+import { namesOfFiles, quote, stringsIn, withFiles } from '../../web/playground/strings.js'
 import { zip } from '../../web/playground/zip.js'
 import { compileWarp } from '../../dist/warpjet.js'
 
@@ -59,6 +61,20 @@ describe('a link', () => {
     assert.ok(fragment.length < 300)
     assert.ok(holdsSketch(fragment))
     assert.deepEqual(await sketchOf(fragment), sketch)
+  })
+
+  test('that would fill the memory is given up', async () => {
+    const bomb = await fragmentOf({ text: ' '.repeat(300_000_000) })
+    assert.ok(bomb.length < 500_000)
+    const before = process.memoryUsage().arrayBuffers
+    await assert.rejects(sketchOf(bomb), /too large: expected at most 1 MB/)
+    assert.ok(process.memoryUsage().arrayBuffers - before < 50_000_000)
+    await assert.rejects(sketchOf(`#sketch=${'A'.repeat(3_000_000)}`), /too large/)
+  })
+
+  test('keeps only what has the type that it should have', async () => {
+    const odd = { text: 'a', host: 7, chosen: 'glsl', model: {}, values: 3, more: 1 }
+    assert.deepEqual(await sketchOf(await fragmentOf(odd)), { text: 'a' })
   })
 
   test('that is cut off or of something else gets a sentence', async () => {
@@ -114,6 +130,116 @@ test('text in a script tag cannot end it', () => {
   const inside = insideScript(text)
   assert.doesNotMatch(inside, /<\/script|<!--|<script/i)
   assert.equal(new Function(`${inside}; return a`)(), new Function(`${text}; return a`)())
+})
+
+test('text in a script tag means what it meant, in strings and outside of them', () => {
+  for (const [text, isModule] of [
+    ['const scripts = [1, 2]; let a = 0; while (a<scripts.length) a++; return a'],
+    [
+      "const a = '\\</script>', b = `<!-- ${'</script'}`, c = /<\\/script>|[</script]/.test('<'); return a + b + c",
+    ],
+    ['const script = /x/; return 1</script/.test("x")'],
+    ['const b = 0; return 1<!--b', true],
+    ['/* </script> <!-- */ return 1 // </script>'],
+    ['return String.raw`</script>\\n<!--`'],
+    ['return 1 + 1 <!-- </script> the rest of the line is a comment\n'],
+  ]) {
+    const inside = insideScript(text, { isModule })
+    assert.doesNotMatch(inside, /<\/script|<!--/i)
+    // `new Function` makes classic scripts, where `<!--` begins a comment.
+    const meant = isModule ? text.replace('<!--', '< !--') : text
+    const run = (body) => new Function(isModule ? body.replace('const', 'let') : body)()
+    assert.equal(run(inside), run(meant), text)
+  }
+})
+
+describe('the strings of a sketch', () => {
+  const nasty = `Bob's "cat" \\ </script> --> 100% \u2028 \n ä🌸.glb`
+
+  test('are read as JavaScript reads them', () => {
+    const text = `f('a\\'b.obj', "\\x41\\u0042\\u{43}.obj", \`d.obj\`, \`\${e}.obj\`) // 'g.obj'`
+    assert.deepEqual(
+      stringsIn(text).map(({ value }) => value),
+      ["a'b.obj", 'ABC.obj', 'd.obj'],
+    )
+    assert.deepEqual(namesOfFiles(text), ["a'b.obj", 'ABC.obj', 'd.obj'])
+  })
+
+  test('take any name of a file, which comes back', () => {
+    assert.equal(new Function(`return ${quote(nasty)}`)(), nasty)
+    assert.deepEqual(
+      stringsIn(`f(${quote(nasty)})`).map(({ value }) => value),
+      [nasty],
+    )
+    const { text } = whole({ text: 'function offset() {}', host: 'offset', model: nasty })
+    assert.ok(stringsIn(text).some(({ value }) => value === nasty))
+    new Function(text)
+  })
+
+  test('name files that can be changed', () => {
+    const text = 'load("a.obj", "b.obj", "c")'
+    assert.equal(
+      withFiles(text, (name) => name.replace('b.', "it's.")),
+      `load("a.obj", 'it\\'s.obj', "c")`,
+    )
+  })
+})
+
+describe('a message of a sketch’s frame', () => {
+  test('is read if it is of a known kind and shape', () => {
+    for (const message of [
+      { kind: 'drawn', milliseconds: 5 },
+      { kind: 'state', frames: 3, millis: 4 },
+      { kind: 'printed', level: 'warn', text: 'a' },
+      { kind: 'wanted', id: 0, address: 'a' },
+    ])
+      assert.deepEqual(readMessage(message), message)
+    assert.deepEqual(readMessage({ kind: 'error', message: 'a', line: 1e300, column: -1 }), {
+      kind: 'error',
+      message: 'a',
+      line: undefined,
+      column: undefined,
+    })
+  })
+
+  test('is left out otherwise', () => {
+    const text = { code: 'a' }
+    const warp = {
+      maker: 'a',
+      own: text,
+      texts: { glsl300: text, glsl100: text, wgsl: text },
+      reads: [],
+    }
+    const made = { kind: 'made', warps: [warp], uniforms: [{ name: 'a', value: [1, 2] }] }
+    assert.ok(readMessage(made))
+    for (const message of [
+      null,
+      'drawn',
+      { kind: 'constructor' },
+      { kind: '__proto__' },
+      { kind: 'drawn', milliseconds: NaN },
+      { kind: 'state', frames: -1, millis: 0 },
+      { kind: 'printed', level: 'log" onclick="', text: 'a' },
+      { kind: 'made', warps: [{}], uniforms: [] },
+      { ...made, warps: [{ ...warp, maker: {} }] },
+      { ...made, warps: Array(1000).fill(warp) },
+      { ...made, uniforms: [{ name: 'a', value: 'red' }] },
+      { ...made, uniforms: [{ name: 'a'.repeat(1000), value: 1 }] },
+    ])
+      assert.equal(readMessage(message), undefined)
+  })
+
+  test('answers with arrays of the lengths that were asked for, or is an error', () => {
+    const mesh = { positions: new Float32Array(6), normals: new Float32Array(6) }
+    assert.equal(evaluatedOf(mesh, mesh), mesh)
+    for (const wrong of [null, {}, { positions: mesh.positions }, { ...mesh, normals: [1] }])
+      assert.throws(() => evaluatedOf(wrong, mesh), /something else than the page asked for/)
+    assert.throws(() => maskOf({ mask: new Uint8Array(3) }, 2), /something else/)
+    const shape = { ...mesh, indices: new Uint32Array([0, 1, 0]), matrix: Array(16).fill(0) }
+    assert.deepEqual(shapesOf([shape]), [shape])
+    for (const wrong of [{ indices: new Uint32Array([9]) }, { matrix: [1] }, { positions: [1] }])
+      assert.throws(() => shapesOf([{ ...shape, ...wrong }]), /something else/)
+  })
 })
 
 test('modules as data import each other by names', async () => {
@@ -176,6 +302,12 @@ test('an archive has the sums and sizes that unpackers look for', () => {
   assert.equal(bytes.readUInt16LE(bytes.length - 12), 2)
 })
 
+test('an archive has no name that leads out of its folder', () => {
+  const names = ['../a', 'a/../../b', '/a', '..\\a', 'c:a', 'a//b', './a', 'a\nb', '..', '']
+  for (const name of names) assert.throws(() => zip({ [name]: 'a' }), /cannot be packed/, name)
+  zip({ 'public/a..b.obj': 'a', 'ä 100%.obj': 'b' })
+})
+
 test('the lines of a text know where they are from, and the text is as it was without', () => {
   const code = 'vec3 a;\n  // From line 7\n  // From line 2\n  // From line 7\n  a = b;\n}'
   assert.deepEqual(withOrigins(code), [
@@ -213,7 +345,10 @@ describe('an offset alone', () => {
     new Function(sketch.text)
   })
   test('takes a name of a file for nothing else, and leaves other sketches alone', () => {
-    new Function(whole({ text, host: 'offset', model: "a'); alert('b.obj" }).text)
+    const name = "a'); alert('b.obj"
+    const { text: made } = whole({ text, host: 'offset', model: name })
+    assert.ok(stringsIn(made).some(({ value }) => value === name))
+    new Function(made)
     assert.deepEqual(whole({ text, host: 'p5', model: 'box' }), { text, host: 'p5' })
   })
 })

@@ -12,13 +12,18 @@ const degrees = new Intl.NumberFormat('en', { maximumSignificantDigits: 2 })
 /** The map's lightest color, in degrees. */
 const MOST = 1
 
-/** `uniforms()` has what the warp may read at this moment. → { title, fill(panel, sketch) } for output.js. */
-export function makeChecks(uniforms) {
+/**
+ * `uniforms()` has what the warp may read at this moment, `frame` evaluates the sketch's warps. → { title, fill(place, sketch) } for
+ * output.js.
+ */
+export function makeChecks(uniforms, frame) {
   let radius
-  const fill = (panel, { warps }) => {
-    const checked = warps.filter(({ made }) => made.evaluate)
+  const fill = async (place, { warps }) => {
+    const checked = warps
+      .map((warp, index) => ({ ...warp, index }))
+      .filter(({ canEvaluate }) => canEvaluate)
     if (!checked.length)
-      return panel.replaceChildren(
+      return place.replaceChildren(
         make('p', {
           className: 'none',
           textContent: 'The sketch has made no warp that can be checked.',
@@ -34,20 +39,24 @@ export function makeChecks(uniforms) {
     select.value = radius ?? checked[0].radius ?? 1
     select.addEventListener('change', () => {
       radius = select.value
-      fill(panel, { warps })
+      fill(place, { warps })
     })
     const label = make('label', { className: 'chooser' }, 'On a sphere of ', select)
     const points = spherePoints(Number(select.value))
-    panel.replaceChildren(label, ...checked.map((warp) => check(warp, points, uniforms())))
+    place.ariaBusy = 'true'
+    const results = []
+    for (const warp of checked) results.push(await check(warp, points, uniforms(), frame))
+    place.replaceChildren(label, ...results)
+    place.ariaBusy = 'false'
   }
   return { title: 'Checks', fill }
 }
 
-function check({ maker, made, surfaceVariation, declared = [] }, points, all) {
+async function check({ index, maker, reads, surfaceVariation, declared = [] }, points, all, frame) {
   const title = make('h2', { textContent: maker })
   try {
     // What the option declares has its value there.
-    const read = made.uniforms.map(({ name }) => name).filter((name) => !declared.includes(name))
+    const read = reads.filter((name) => !declared.includes(name))
     const unknown = read.find((name) => !(name in all))
     if (unknown)
       throw new Error(
@@ -57,8 +66,8 @@ function check({ maker, made, surfaceVariation, declared = [] }, points, all) {
     const { positions, normals, uvs, colors } = points
     // Without, the shader takes normal and uv for constant, and so does this.
     const mesh = surfaceVariation === false ? { positions, normals, uvs, colors } : points
-    const errors = normalErrors(made.evaluate(mesh, { uniforms }))
-    const { mask } = made.foldover(mesh, { uniforms })
+    const errors = normalErrors(await frame.evaluate(index, mesh, { uniforms }))
+    const mask = await frame.foldedOf(index, mesh, { uniforms })
     const folded = errors.map((_, i) => mask[5 * i])
     return make('div', { className: 'check' }, title, ...report(errors, folded))
   } catch (error) {

@@ -1,6 +1,6 @@
 /** Files that fall onto the page: the sketch may load them by their names. */
 
-/** `take` gets the name of each file, and its address. */
+/** `take` gets each file. */
 export function takeFiles(take) {
   let depth = 0
   const drag = (change) => (event) => {
@@ -22,7 +22,7 @@ export function takeFiles(take) {
       drag(0)(event)
       // The editor would take in a file's text.
       event.stopPropagation()
-      for (const file of event.dataTransfer.files) take(file.name, URL.createObjectURL(file))
+      for (const file of event.dataTransfer.files) take(file)
     },
     true,
   )

@@ -1,9 +1,28 @@
 /** A sketch in a link: compressed, behind the #, which no server ever sees. */
 const mark = '#sketch='
 
+/** Largest sketch with its settings, in bytes: a short link may unpack to a text that fills the memory. */
+const MAX_BYTES = 1_000_000
+
 async function through(bytes, stream) {
-  const body = new Blob([bytes]).stream().pipeThrough(stream)
-  return new Uint8Array(await new Response(body).arrayBuffer())
+  const parts = []
+  let size = 0
+  for await (const part of readAll(new Blob([bytes]).stream().pipeThrough(stream))) {
+    size += part.length
+    if (size > MAX_BYTES) throw new RangeError('too large')
+    parts.push(part)
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer())
+}
+
+/** Not every browser's streams are iterable. */
+async function* readAll(stream) {
+  const reader = stream.getReader()
+  try {
+    for (let next = await reader.read(); !next.done; next = await reader.read()) yield next.value
+  } finally {
+    await reader.cancel()
+  }
 }
 
 /** → the fragment of a link, with its #. */
@@ -17,18 +36,37 @@ export async function fragmentOf(sketch) {
 
 export const holdsSketch = (fragment) => fragment.startsWith(mark)
 
-/** What `fragmentOf` was given; throws a sentence where the link is broken. */
+const isShort = (value) => typeof value === 'string' && value.length <= 300
+
+/** Keeps the settings that have the expected type; drops anything else. */
+function keepValid({ text, host, chosen, model, values }) {
+  const isList = Array.isArray(chosen) && chosen.length <= 20 && chosen.every(isShort)
+  return {
+    text,
+    ...(isShort(host) && { host }),
+    ...(isList && { chosen }),
+    ...(isShort(model) && { model }),
+    ...(values && typeof values === 'object' && { values }),
+  }
+}
+
+/** Returns the sketch that `fragmentOf` was given; throws an error whose message is for the reader if the link is broken. */
 export async function sketchOf(fragment) {
   let sketch
   try {
+    if (fragment.length > 2 * MAX_BYTES) throw new RangeError('too large')
     const text = atob(fragment.slice(mark.length).replaceAll('-', '+').replaceAll('_', '/'))
     const packed = Uint8Array.from(text, (character) => character.charCodeAt(0))
     const bytes = await through(packed, new DecompressionStream('deflate-raw'))
     sketch = JSON.parse(new TextDecoder().decode(bytes))
-  } catch {
-    throw new Error('The sketch in this link is damaged: copy the whole link once more.')
+  } catch (error) {
+    throw new Error(
+      error instanceof RangeError
+        ? `The sketch in this link is too large: expected at most ${MAX_BYTES / 1e6} MB.`
+        : 'The sketch in this link is damaged: copy the whole link once more.',
+    )
   }
   if (typeof sketch?.text !== 'string')
     throw new Error('There is no sketch in this link: copy the whole link once more.')
-  return sketch
+  return keepValid(sketch)
 }

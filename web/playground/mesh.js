@@ -32,15 +32,20 @@ function moved(array, move) {
 
 const upright = ([x, y, z]) => [x, -y, -z]
 
-/** `inside` is the frame's; `uniforms` are the clock's, the mouse's and the canvas's, by name. → the file's bytes */
-export async function glbOf(inside, uniforms) {
-  const warps = (inside?.warps ?? []).filter(({ shapes }) => shapes)
+/**
+ * `made` is what the sketch has made, which `frame` evaluates; `uniforms` are the clock's, the mouse's and the canvas's, by name. → the
+ * file's bytes
+ */
+export async function glbOf(made, frame, uniforms) {
+  const warps = made.warps
+    .map((warp, index) => ({ ...warp, index }))
+    .filter(({ hasShapes }) => hasShapes)
   if (warps.length > 1)
     throw new Error(
       `The sketch has ${warps.length} warps: leave one, so that it is clear which shape to save.`,
     )
   const [warp] = warps
-  const shapes = warp?.shapes() ?? []
+  const shapes = warp ? await frame.shapesOf(warp.index) : []
   if (!shapes.length)
     throw new Error(
       'There is no shape to save: the sketch must draw one with a warp of createWarp, or warp a mesh of three.js.',
@@ -49,14 +54,17 @@ export async function glbOf(inside, uniforms) {
     throw new Error(
       'A warp in space: "camera" depends on where one looks from, and cannot be saved.',
     )
-  const read = warp.made.uniforms.map(({ name }) => name).filter((name) => name in uniforms)
+  const read = warp.reads.filter((name) => Object.hasOwn(uniforms, name))
   const values = Object.fromEntries(read.map((name) => [name, uniforms[name]]))
   const { exportGLB } = await import('../../dist/mesh.js')
-  return exportGLB(joined(shapes.map((shape) => warped(warp, shape, values))))
+  const evaluate = (mesh) => frame.evaluate(warp.index, mesh, { uniforms: values })
+  return exportGLB(
+    joined(await Promise.all(shapes.map((shape) => warped(warp.space, shape, evaluate)))),
+  )
 }
 
 /** A shape that the frame has kept, moved by the warp to where it stands. */
-function warped({ made, space }, { matrix, isUpsideDown, indices, ...own }, uniforms) {
+async function warped(space, { matrix, isUpsideDown, indices, ...own }, evaluate) {
   const { point, direction } = mover(matrix)
   const isInWorld = space === 'world'
   const normals = own.normals && { normals: own.normals }
@@ -67,7 +75,7 @@ function warped({ made, space }, { matrix, isUpsideDown, indices, ...own }, unif
       }
     : { positions: own.positions, ...normals }
   const uvs = own.uvs && { uvs: own.uvs }
-  const { positions, normals: turned } = made.evaluate({ ...given, ...uvs }, { uniforms })
+  const { positions, normals: turned } = await evaluate({ ...given, ...uvs })
   const [toWorld, turn] = isInWorld ? [(p) => p, (n) => n] : [point, direction]
   const end = isUpsideDown ? upright : (vector) => vector
   return {

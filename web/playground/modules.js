@@ -1,14 +1,14 @@
 /**
- * Modules as data in an import map, for a page that stands alone: what one asks of its neighbours by a relative path gets a
- * name, since data lies in no folder.
+ * Modules for an import map whose addresses are data or blobs: what one imports of its neighbours by a relative path gets a name,
+ * since data lies in no folder.
  */
 const asked = /(\bfrom\s*|\bimport\s*\(?\s*)(["'])([^"'\n]+)\2/g
 
 /**
  * All that `text` imports, and what that imports. `modules` maps names, or beginnings of names with a slash, to paths; `read`
- * gives the text of a path → { name: data }.
+ * gives the text of a path → { name: { path, text } }.
  */
-export async function modulesAsData(text, modules, read) {
+export async function moduleTexts(text, modules, read) {
   const imports = {}
 
   /** The path that is meant, from the module at `path`; nothing for what is no module's name. */
@@ -38,9 +38,9 @@ export async function modulesAsData(text, modules, read) {
       names[name] = path ? known : name
       if (names[name] in imports) continue
       // Before it is read: modules may ask for each other.
-      imports[names[name]] = ''
-      const source = await named(await read(found), found)
-      imports[names[name]] = `data:text/javascript;charset=utf-8,${encodeURIComponent(source)}`
+      imports[names[name]] = {}
+      const text = await named(await read(found), found)
+      Object.assign(imports[names[name]], { path: found, text })
     }
     return text.replaceAll(asked, (whole, head, quote, name) =>
       name in names ? head + quote + names[name] + quote : whole,
@@ -48,6 +48,13 @@ export async function modulesAsData(text, modules, read) {
   }
   await named(text)
   return imports
+}
+
+/** Makes data: addresses of the modules → { name: address }. */
+export async function modulesAsData(text, modules, read) {
+  const texts = await moduleTexts(text, modules, read)
+  const dataOf = ({ text }) => `data:text/javascript;charset=utf-8,${encodeURIComponent(text)}`
+  return Object.fromEntries(Object.entries(texts).map(([name, each]) => [name, dataOf(each)]))
 }
 
 /** `path` is relative, so that it cannot be a URL's. */

@@ -82,6 +82,18 @@ function drag(event, view) {
   return true
 }
 
+/** Selects the number under a double click, without the minus before it. */
+function select(event, view) {
+  if (!event.target.closest?.('.cm-number')) return false
+  const at = view.posAtCoords({ x: event.clientX, y: event.clientY })
+  const number = at === null ? undefined : numberAt(view.state, at)
+  if (!number) return false
+  const anchor =
+    view.state.sliceDoc(number.from, number.from + 1) === '-' ? number.from + 1 : number.from
+  view.dispatch({ selection: { anchor, head: number.to } })
+  return true
+}
+
 function change(steps) {
   return (view) => {
     const { empty, head } = view.state.selection.main
@@ -122,7 +134,8 @@ export const draggableNumbers = [
   // A mouse that is pressed would begin a selection.
   EditorView.domEventHandlers({
     pointerdown: drag,
-    mousedown: (event) => document.body.classList.contains('drags-number'),
+    mousedown: () => document.body.classList.contains('drags-number'),
+    dblclick: select,
   }),
   Prec.high(
     keymap.of([

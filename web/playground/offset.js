@@ -1,4 +1,5 @@
 /** A sketch that is an offset function alone: a model to try it on, and the rest of a sketch of p5 around both. */
+import { quote } from './strings.js'
 
 /** What p5 draws by itself; a unit is a pixel, as space: 'world' has it. */
 const shapes = {
@@ -24,7 +25,7 @@ function offset({ glsl, position, millis, uniforms }) {
 `
 
 const loaderOf = (name) =>
-  /\.(?:obj|stl)$/i.test(name) ? `loadModel('${name}', true)` : `loadWarpModel('${name}')`
+  /\.(?:obj|stl)$/i.test(name) ? `loadModel(${quote(name)}, true)` : `loadWarpModel(${quote(name)})`
 
 /** The sketch as p5 runs it: its own lines first, so that they keep their numbers. */
 export function whole({ text, host, model = 'sphere', ...rest }) {
@@ -36,9 +37,8 @@ export function whole({ text, host, model = 'sphere', ...rest }) {
       host: 'p5',
       ...rest,
     }
-  const isFile = !(model in shapes)
+  const isFile = !Object.hasOwn(shapes, model)
   const options = /\buniforms\s*=/.test(own) ? "{ space: 'world', uniforms }" : "{ space: 'world' }"
-  const name = model.replaceAll(/['\\\n]/g, '')
   return {
     text: `${own}
 
@@ -47,7 +47,7 @@ let warp${isFile ? ', shape' : ''}
 ${isFile ? 'async ' : ''}function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-${isFile ? `  shape = await ${loaderOf(name)}\n` : ''}  warp = createWarp(offset, ${options})
+${isFile ? `  shape = await ${loaderOf(model)}\n` : ''}  warp = createWarp(offset, ${options})
 }
 
 function draw() {

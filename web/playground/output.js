@@ -6,11 +6,11 @@ import { plain, withOrigins } from './origins.js'
 const targets = { glsl300: 'GLSL 3.00', glsl100: 'GLSL 1.00', wgsl: 'WGSL' }
 const MOST_LINES = 200
 
-const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 })
+const integer = new Intl.NumberFormat('en', { maximumFractionDigits: 0 })
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 })
 
 /**
- * `list` gets the tabs, `panel` what the chosen one shows. `more` has further tabs: { title, fill(panel) }. `pointed` gets the lines
+ * `list` gets the tabs, `panel` what the chosen one shows. `more` has further tabs: { title, fill(place, sketch) }. `pointed` gets the lines
  * of the sketch that a statement under the pointer is from, and `picked` the first of them when it is pressed.
  */
 export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
@@ -27,7 +27,15 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
     ...Object.fromEntries(
       Object.entries(more).map(([name, { title, fill }]) => [
         name,
-        { title, fill: () => fill(panel, sketch) },
+        {
+          title,
+          fill: () => {
+            // One of its own each time: it may be filled later, when another tab is chosen.
+            const place = make('div')
+            panel.replaceChildren(place)
+            fill(place, sketch)
+          },
+        },
       ]),
     ),
     console: { title: 'Console', fill: () => panel.replaceChildren(lines(printed)) },
@@ -70,6 +78,17 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
   }
   choose(chosen)
 
+  /** Fills it once per frame: a sketch may print faster than the browser updates the page. */
+  let isConsoleDue = false
+  function fillConsoleSoon() {
+    if (isConsoleDue) return
+    isConsoleDue = true
+    requestAnimationFrame(() => {
+      isConsoleDue = false
+      if (chosen === 'console') tabs.console.fill()
+    })
+  }
+
   // From the text to the sketch, and from the sketch to the text.
   const fromOf = (target) => {
     const { from } = target.closest('[data-from]')?.dataset ?? {}
@@ -95,9 +114,9 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
       light()
       panel.querySelector('.lit')?.scrollIntoView({ block: 'nearest' })
     },
-    /** { warps, first, rate }: of the sketch that is shown. */
-    show(next) {
-      sketch = next
+    /** { warps, first }: of the sketch that is shown; without `first` the same sketch has made more. */
+    show({ warps, first }) {
+      sketch = first === undefined ? { ...sketch, warps } : { warps, first }
       if (chosen !== 'console') tabs[chosen].fill()
     },
     rate(rate) {
@@ -109,7 +128,7 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
     print(line) {
       printed = line ? [...printed, line].slice(-MOST_LINES) : []
       buttons.at(-1).textContent = printed.length ? `Console (${printed.length})` : 'Console'
-      if (chosen === 'console') tabs.console.fill()
+      if (chosen === 'console') fillConsoleSoon()
     },
   }
 }
@@ -117,7 +136,7 @@ export function makeOutput(list, panel, more = {}, { pointed, picked } = {}) {
 const none = (text) => make('p', { className: 'none', textContent: text })
 
 function textIn(target, warps) {
-  const texts = warps.map(({ maker, made }) => `// ${maker}\n${inLanguage(made, target)}`)
+  const texts = warps.map(({ maker, texts }) => `// ${maker}\n${whole(texts[target])}`)
   if (!texts.length) return none('No text to show: the sketch has made none.')
   const code = make('code')
   code.innerHTML = withOrigins(texts.join('\n\n'))
@@ -129,23 +148,16 @@ function textIn(target, warps) {
   return make('pre', { tabIndex: 0 }, code)
 }
 
-function inLanguage(made, target) {
-  if (!made.emit && !made.stats) return made.code
-  try {
-    const { code, declarations } = made.emit ? made.emit(target) : made
-    return declarations ? `${code}\n\n// Above main:\n${declarations}` : code
-  } catch (error) {
-    return `// ${error.message}`
-  }
-}
+const whole = ({ code, declarations }) =>
+  declarations ? `${code}\n\n// Above main:\n${declarations}` : code
 
 const rateText = (rate) =>
-  rate ? `${short.format(1000 / rate)} ms (${whole.format(rate)} a second)` : '–'
+  rate ? `${short.format(1000 / rate)} ms (${integer.format(rate)} a second)` : '–'
 
 function costs({ warps, first, rate }) {
   const rows = warps
-    .filter(({ made }) => made.stats)
-    .map(({ maker, made: { code, declarations = '', stats } }) => [
+    .filter(({ stats }) => stats)
+    .map(({ maker, stats, own: { code, declarations = '' } }) => [
       maker,
       stats.nodes,
       stats.operations,
@@ -174,14 +186,14 @@ function costs({ warps, first, rate }) {
 }
 
 const figure = (value, unit) =>
-  make('dd', { textContent: value === undefined ? '–' : `${whole.format(value)} ${unit}` })
+  make('dd', { textContent: value === undefined ? '–' : `${integer.format(value)} ${unit}` })
 
 const line = (kind, cells) =>
   make(
     'tr',
     {},
     ...cells.map((cell) =>
-      make(kind, { textContent: typeof cell === 'number' ? whole.format(cell) : cell }),
+      make(kind, { textContent: typeof cell === 'number' ? integer.format(cell) : cell }),
     ),
   )
 

@@ -13,12 +13,14 @@ import { makeMenu } from './menu.js'
 import { draggableNumbers } from './numbers.js'
 import { makeOutput } from './output.js'
 import { glbOf } from './mesh.js'
+import { fileOf } from './messages.js'
 import { isModelFile, whole } from './offset.js'
 import { download, pageAlone, pageWithTags, project } from './save.js'
 import { makeSliders } from './sliders.js'
 import { makeStage } from './stage.js'
 import { hasWebGL, showStill } from './still.js'
 import { makeTime } from './time.js'
+import { makeWarpsInFrame } from './warps-in-frame.js'
 
 /** Milliseconds without a key, after which the sketch is built again. */
 const PAUSE = 400
@@ -37,28 +39,32 @@ const mistakePlace = find('.mistake')
 /** What a warp may read at this moment. */
 const inputsNow = () => {
   const { innerWidth: width, innerHeight: height } = window
-  const millis = stage.inside()?.clock?.now() ?? 0
+  const { millis } = stage.state()
   return { millis, mouse: [width / 2, height / 2], size: [width, height], pixelDensity: 1 }
 }
-const checks = makeChecks(inputsNow)
+const stage = makeStage(find('.stage'), listen)
+const warpsInFrame = makeWarpsInFrame(stage)
+const checks = makeChecks(inputsNow, warpsInFrame)
 const output = makeOutput(
   find('.tabs'),
   find('#panel'),
   { checks },
   { pointed: (lines) => editor.light(lines), picked: (line) => editor.goTo(line) },
 )
-const stage = makeStage(find('.stage'), listen)
-const time = makeTime(find('.time'), () => stage.inside()?.clock)
-const sliders = makeSliders(find('.sliders'))
+const time = makeTime(find('.time'), stage)
+const sliders = makeSliders(find('.sliders'), (values) => stage.tell('setValues', values))
 const editor = makeEditor(find('.editor'), {
   changed,
   moved: output.follow,
   extensions: [draggableNumbers, help],
 })
 const normals = find('#normals')
+const network = find('#network')
 const choices = makeChoices(editor, complain)
 /** By name, those that were dropped. */
-const files = {}
+const files = new Map()
+/** An address that the sketch was not let load from. */
+let blocked
 
 /** Follows the editor once nobody has changed anything for a while. */
 let timer
@@ -81,11 +87,13 @@ function run() {
   }
   tell({ doing: 'Building…' })
   output.print()
+  blocked = undefined
   stage.run(whole(sketch), {
     clock: time.start(),
     files,
     view: normals.checked ? 'normals' : 'picture',
-    valueOf: sliders.valueOf,
+    values: sliders.moved(),
+    mayLoad: network.checked,
   })
   keepInAddress(sketch)
 }
@@ -97,19 +105,34 @@ async function keepInAddress(sketch) {
 
 function listen(message) {
   if (message.kind === 'printed') return output.print(message)
+  if (message.kind === 'blocked') return explainBlocked(message)
+  if (message.kind === 'made') return show()
   if (!isPending) {
     find('main').ariaBusy = 'false'
     tell({ doing: '' })
   }
   if (message.kind === 'error') return complain(message)
   complain()
-  const { warps = [], uniforms } = stage.inside()
+  // A hand may have moved one while the sketch was on its way.
+  stage.tell('setValues', sliders.moved())
+  show(message.milliseconds)
+}
+
+/** Shows the warps and uniforms of the visible sketch; `first` is the time of its first picture in milliseconds. */
+function show(first) {
+  const { warps, uniforms } = stage.made()
   sliders.show(uniforms)
-  output.show({ warps, first: message.milliseconds })
+  output.show({ warps, first })
+}
+
+function explainBlocked({ address }) {
+  if (blocked || network.checked) return
+  blocked = address
+  complain({ message: '' })
 }
 
 /** { message, line }, or nothing. */
-function complain(mistake) {
+function complain(mistake = blocked && { message: '' }) {
   editor.mark(mistake)
   mistakePlace.replaceChildren()
   if (!mistake) return
@@ -121,12 +144,16 @@ function complain(mistake) {
   mistakePlace.append(mistake.message)
   const box = boxNamedIn(mistake.message, editor.sketch().host)
   if (box) mistakePlace.append(` Here, tick “${box}” above.`)
+  if (blocked)
+    mistakePlace.append(
+      ` The sketch would load ${blocked}: if you trust it, tick “Load from other sites” below the picture.`,
+    )
 }
 
 /** Frames a second, as the frame counts them. */
 let counted = { frames: 0, at: 0 }
 setInterval(() => {
-  const frames = stage.inside()?.frames?.() ?? 0
+  const { frames } = stage.state()
   const at = performance.now()
   const passed = frames - counted.frames
   if (passed > 0 && counted.frames) output.rate((1000 * passed) / (at - counted.at))
@@ -134,6 +161,7 @@ setInterval(() => {
 }, REPORT_EVERY)
 
 normals.addEventListener('change', changed)
+network.addEventListener('change', changed)
 find('.sliders').addEventListener('change', () => keepInAddress(editor.sketch()))
 
 const copyLink = find('#copy-link')
@@ -154,23 +182,24 @@ makeMenu(
   'Save',
   {
     'Picture (PNG)': async () => {
-      const picture = await stage.inside()?.snapshot()
+      const picture = !stage.isEmpty() && fileOf(await stage.ask('snapshot'), 'image/png')
       if (!picture) throw new Error('There is no picture to save yet.')
       download(picture, 'warp.png')
     },
     'Film of four seconds (WebM)': async () => {
-      const inside = stage.inside()
-      if (!inside) throw new Error('There is no picture to film yet.')
+      if (stage.isEmpty()) throw new Error('There is no picture to film yet.')
       tell({ doing: 'Filming…' })
       try {
-        download(await inside.film(4), 'warp.webm')
+        download(fileOf(await stage.ask('film', 4), 'video/webm'), 'warp.webm')
       } finally {
         tell({ doing: '' })
       }
     },
     'Warped shape (GLB)': async () =>
       download(
-        new Blob([await glbOf(stage.inside(), inputsNow())], { type: 'model/gltf-binary' }),
+        new Blob([await glbOf(stage.made(), warpsInFrame, inputsNow())], {
+          type: 'model/gltf-binary',
+        }),
         'warp.glb',
       ),
     'npm project (zip)': async () =>
@@ -194,8 +223,9 @@ makeMenu(
   { done: say, failed: complain },
 )
 
-takeFiles((name, address) => {
-  files[name] = address
+takeFiles((file) => {
+  const { name } = file
+  files.set(name, file)
   if (isModelFile(name)) choices.addModel(name)
   say(`“${name}” is there for the sketch to load`)
   changed()
@@ -204,6 +234,8 @@ takeFiles((name, address) => {
 /** #sketch=… holds a sketch, #example=… names one of the gallery. */
 async function follow() {
   const { hash } = location
+  // The permission is for one sketch: the next link starts without it.
+  network.checked = false
   const [, name] = /^#example=([\w-]+)$/.exec(hash) ?? []
   if (name || !holdsSketch(hash)) return choices.begin(name)
   try {
@@ -212,8 +244,8 @@ async function follow() {
     editor.set({
       text,
       host: Object.hasOwn(hosts, named) ? named : 'p5',
-      model: String(model),
-      chosen: chosen.filter((each) => each in scripts),
+      model,
+      chosen: chosen.filter((each) => Object.hasOwn(scripts, each)),
     })
   } catch (error) {
     if (!editor.sketch().text) choices.begin()

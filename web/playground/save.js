@@ -1,58 +1,54 @@
 /** What one takes away: a page that stands alone, a page for the p5 editor, a picture. */
 import { devDependencies, version } from '../../package.json'
-import { insideScript, pageOf, tag } from './document.js'
+import { insideScript, jsonInside, pageOf, tag } from './document.js'
 import { atCDN, hosts, inModules, isThree, tagsOf } from './hosts.js'
 import { modulesAsData } from './modules.js'
+import { readText } from './parts.js'
+import { siteFile } from './site-files.js'
+import { namesOfFiles, withFiles } from './strings.js'
 import { zip } from './zip.js'
 
-const folder = new URL('files/', location.href)
 const versions = {
   ...devDependencies,
   warpjet: version,
   'p5-v1': devDependencies['p5-v1'].replace(/^.*@/, ''),
 }
 
-/** Files that a sketch names. */
-const named =
-  /(['"`])([^'"`\n]+\.(?:obj|stl|glb|gltf|woff2?|[to]tf|png|jpe?g|webp|glsl|vert|frag|json|csv|txt))\1/g
-export const filesIn = (text) => [...new Set([...text.matchAll(named)].map(([, , name]) => name))]
-
 const inline = (text) =>
   `<script>\n${insideScript(text.replace(/^\/\/# sourceMappingURL.*$/m, ''))}\n</script>`
 
-async function read(path) {
-  const response = await fetch(new URL(path, folder))
-  if (!response.ok)
-    throw new Error(`The file ${path} is not there: the sketch cannot be saved with it.`)
-  return response
+/** Finds the files that a sketch names → [[name, Blob]]. It may write the others itself. */
+async function filesOf({ text }, dropped) {
+  const files = await Promise.all(
+    namesOfFiles(text).map(async (name) => [name, dropped.get(name) ?? (await siteFile(name))]),
+  )
+  return files.filter(([, blob]) => blob)
 }
-const textAt = async (path) => (await read(path)).text()
 
-async function dataOf(name, dropped) {
-  const response = dropped[name] ? await fetch(dropped[name]) : await read(name)
-  const bytes = new Uint8Array(await response.arrayBuffer())
+async function dataOf(blob) {
+  const bytes = new Uint8Array(await blob.arrayBuffer())
   let text = ''
   for (const byte of bytes) text += String.fromCharCode(byte)
-  const [type] = (response.headers.get('content-type') || 'application/octet-stream').split(';')
+  const [type] = (blob.type || 'application/octet-stream').split(';')
   return `data:${type};base64,${btoa(text)}`
 }
 
-/** A page with all that it needs in it, which opens from a disk. `dropped` are files by name. */
-export async function pageAlone(sketch, dropped = {}) {
+/** A page with all that it needs in it, which opens from a disk. `dropped` is a Map of files by name. */
+export async function pageAlone(sketch, dropped = new Map()) {
   const files = await Promise.all(
-    filesIn(sketch.text).map(async (name) => [name, await dataOf(name, dropped)]),
+    (await filesOf(sketch, dropped)).map(async ([name, blob]) => [name, await dataOf(blob)]),
   )
   const isModule = isThree(sketch.host)
   const shim = files.length && [
-    inline(`window.sketchFiles = ${JSON.stringify(Object.fromEntries(files))}`),
-    inline(await textAt('../dist/files.js')),
+    `<script>\nwindow.sketchFiles = ${jsonInside(Object.fromEntries(files))}\n</script>`,
+    inline(await readText('../dist/files.js')),
   ]
-  const body = insideScript(sketch.text)
+  const body = insideScript(sketch.text, { isModule })
   return pageOf(sketch, {
     title: 'Made with warpjet',
     before: shim ? shim.join('\n    ') : '',
-    tags: await Promise.all(tagsOf(sketch).map(async (path) => inline(await textAt(path)))),
-    modules: isModule && (await modulesAsData(sketch.text, hosts[sketch.host].modules, textAt)),
+    tags: await Promise.all(tagsOf(sketch).map(async (path) => inline(await readText(path)))),
+    modules: isModule && (await modulesAsData(sketch.text, hosts[sketch.host].modules, readText)),
     sketch: `<script${isModule ? ' type="module"' : ''}>\n${body}\n</script>`,
   })
 }
@@ -74,8 +70,11 @@ const configOfTags = `// The scripts that index.html names are served from there
 export default { publicDir: 'node_modules' }
 `
 
-/** A project of npm, packed: `npm i`, then `npm start`. `dropped` are files by name. */
-export async function project(sketch, dropped = {}) {
+/** Can a file of that name be in the sketch's own folder? */
+const isPlain = (name) => !/[/\\:]/.test(name)
+
+/** A project of npm, packed: `npm i`, then `npm start`. `dropped` is a Map of files by name. */
+export async function project(sketch, dropped = new Map()) {
   const kind = isThree(sketch.host) ? 'type="module" ' : ''
   const page = pageOf(sketch, {
     title: 'Made with warpjet',
@@ -84,42 +83,45 @@ export async function project(sketch, dropped = {}) {
     modules: {},
     sketch: `<script ${kind}src="sketch.js"></script>`,
   })
-  const files = await Promise.all(
-    filesIn(sketch.text)
-      .filter((name) => !name.includes('/'))
-      .map(async (name) => {
-        const response = dropped[name] ? await fetch(dropped[name]) : await read(name)
-        // What lies in `public` is built, too.
-        const place = isThree(sketch.host) ? `public/${name}` : name
-        return [place, new Uint8Array(await response.arrayBuffer())]
-      }),
-  )
-  return zip({
+  const own = {
     'package.json': `${JSON.stringify(packageOf(sketch), null, 2)}\n`,
     ...(!isThree(sketch.host) && { 'vite.config.js': configOfTags }),
     'index.html': page,
     'sketch.js': sketch.text,
-    ...Object.fromEntries(files),
-  })
+  }
+  const files = await Promise.all(
+    (await filesOf(sketch, dropped))
+      .filter(([name]) => isPlain(name))
+      .map(async ([name, blob]) => {
+        // What lies in `public` is built, too.
+        const place = isThree(sketch.host) ? `public/${name}` : name
+        if (Object.hasOwn(own, place))
+          throw new Error(`The project has a ${name} of its own: give your file another name.`)
+        return [place, new Uint8Array(await blob.arrayBuffer())]
+      }),
+  )
+  return zip({ ...own, ...Object.fromEntries(files) })
 }
+
+/** Escapes text for an HTML comment. */
+const insideComment = (text) => text.replaceAll('--', '- -').replaceAll(/[<>]/g, '')
 
 /** A page whose scripts come from a CDN, for index.html of the p5 editor or anywhere else. */
 export function pageWithTags(sketch) {
   const isModule = isThree(sketch.host)
   const { modules = {} } = hosts[sketch.host]
-  const atHome = filesIn(sketch.text).filter((name) => !name.includes('/'))
-  const text = sketch.text.replaceAll(
-    named,
-    (whole, quote, name) => quote + atCDN(name, versions) + quote,
-  )
+  const atHome = namesOfFiles(sketch.text).filter(isPlain)
+  const text = withFiles(sketch.text, (name) => atCDN(name, versions))
   return pageOf(sketch, {
     title: 'Made with warpjet',
-    before: atHome.length ? `<!-- Upload beside this page: ${atHome.join(', ')} -->` : '',
+    before: atHome.length
+      ? `<!-- Upload beside this page: ${insideComment(atHome.join(', '))} -->`
+      : '',
     tags: tagsOf(sketch).map((path) => tag(atCDN(path, versions))),
     modules: Object.fromEntries(
       Object.entries(modules).map(([name, path]) => [name, atCDN(path, versions)]),
     ),
-    sketch: `<script${isModule ? ' type="module"' : ''}>\n${insideScript(text)}\n</script>`,
+    sketch: `<script${isModule ? ' type="module"' : ''}>\n${insideScript(text, { isModule })}\n</script>`,
   })
 }
 

@@ -1,5 +1,6 @@
 /** What moves the uniforms of the sketch: a slider for a number, one for each part of a vector, and a field for a colour. */
 import { make } from '../bench/dom.js'
+import { isValue } from './messages.js'
 
 const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrouping: false })
 
@@ -7,16 +8,10 @@ const short = new Intl.NumberFormat('en', { maximumSignificantDigits: 3, useGrou
 const rangeOf = (value) => (value === 0 ? [-1, 1] : [0, 4 * value].sort((a, b) => a - b))
 
 const isColor = (value) => typeof value === 'string'
-const kinds = {
-  number: Number.isFinite,
-  string: (value) => /^#[\da-f]{6}$/.test(value),
-  object: (value) => Array.isArray(value) && value.length < 5 && value.every(Number.isFinite),
-}
-/** A number, a list of them, or a colour such as '#ff8040'. */
-const isValue = (value) => kinds[typeof value]?.(value) ?? false
 const isAlike = (a, b) => typeof a === typeof b && a.length === b.length
 
-export function makeSliders(place) {
+/** `changed` gets what hands have moved, as `moved()` does. */
+export function makeSliders(place, changed) {
   /** By name: { source, value }, the sketch's value and the hand's. Another value in the sketch counts anew. */
   let moved = {}
 
@@ -40,7 +35,10 @@ export function makeSliders(place) {
   }
 
   function controlsFor({ name, value: source }) {
-    const move = (value) => (moved[name] = { source, value })
+    const move = (value) => {
+      moved[name] = { source, value }
+      changed(moved)
+    }
     const now = () => valueOf(name, source)
     if (isColor(source)) {
       const input = make('input', { type: 'color', value: now() })
@@ -56,9 +54,9 @@ export function makeSliders(place) {
   }
 
   return {
-    valueOf,
     /** [{ name, value }] of the sketch that is shown. */
     show: (uniforms = []) => place.replaceChildren(...uniforms.flatMap(controlsFor)),
+    /** Maps name → { source, value }. */
     moved: () => moved,
     /** Such as a link has brought; anything else than values is left out. */
     set(values) {

@@ -6,8 +6,8 @@ const SPAN = 20_000
 const UPDATE_EVERY = 100
 const seconds = new Intl.NumberFormat('en', { minimumFractionDigits: 1, maximumFractionDigits: 1 })
 
-/** `clockOf()` is the clock of the sketch that is shown, if there is one. → { start }, what the next sketch begins with. */
-export function makeTime(place, clockOf) {
+/** `stage` has the sketch that is shown, and its time. → { start }, what the next sketch begins with. */
+export function makeTime(place, stage) {
   // Who wants no motion gets a moment at which most warps show.
   let isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches
   let time = isPlaying ? 0 : 1000
@@ -18,7 +18,7 @@ export function makeTime(place, clockOf) {
   place.append(button, bar, output)
 
   function show() {
-    if (isPlaying) time = clockOf()?.now() ?? time
+    if (isPlaying && !stage.isEmpty()) time = stage.state().millis
     if (time > bar.max) bar.max = SPAN * Math.ceil(time / SPAN)
     bar.value = time
     output.textContent = `${seconds.format(time / 1000)} s`
@@ -26,7 +26,9 @@ export function makeTime(place, clockOf) {
   }
   function play(value) {
     isPlaying = value
-    clockOf()?.play(value)
+    stage.tell('play', value)
+    // The page knows the time a moment later than the sketch.
+    if (!value) stage.tell('setTime', time)
     button.textContent = value ? 'Stop' : 'Play'
     show()
   }
@@ -34,8 +36,6 @@ export function makeTime(place, clockOf) {
   bar.addEventListener('input', () => {
     time = Number(bar.value)
     play(false)
-    clockOf()?.set(time)
-    show()
   })
   setInterval(() => isPlaying && show(), UPDATE_EVERY)
   play(isPlaying)

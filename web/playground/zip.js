@@ -29,8 +29,15 @@ const day = 33
 /** The flag of names in UTF-8. */
 const inUTF8 = 0x800
 
+/** Does every unpacker put a file of that name below its folder, on every system? */
+const isInside = (name) =>
+  /^[^\\:\0-\x1f]+$/.test(name) &&
+  name.split('/').every((part) => part !== '' && part !== '.' && part !== '..')
+
 /** { name: text or bytes } → its bytes, in parts for a Blob. */
 export function zip(files) {
+  for (const name of Object.keys(files))
+    if (!isInside(name)) throw new Error(`“${name}” cannot be packed: give the file another name.`)
   const parts = []
   const entries = []
   let at = 0

@@ -1,11 +1,13 @@
 /**
  * Vite plugin: gives the examples what they load, at the paths that they name. In development each file is answered
- * as it is asked for, in a build each is written once. The examples themselves go out exactly as they are in the
- * repository, so that what the gallery shows is what a user copies.
+ * as it is asked for, in a build each is written once. The examples themselves go out as they are in the repository, so that what
+ * the gallery shows is what a user copies; their pages get a policy.
  */
 import { readFile, readdir } from 'node:fs/promises'
 import { extname } from 'node:path'
 import { models, toOBJ } from '../models/index.js'
+import { withPolicy } from '../site/policy.js'
+import { pathOf } from './path-of.js'
 
 const root = new URL('../../', import.meta.url)
 const read = (path) => readFile(new URL(path, root))
@@ -75,7 +77,7 @@ const started = (kind) =>
 
 /** The example's page with the recorder in it: what the gallery frames. */
 const framedPage = (html) =>
-  String(html)
+  html
     .replace(
       '<script src="sketch.js"></script>',
       `<script src="../../recorder.js"></script>\n    ${started('')}`,
@@ -97,8 +99,10 @@ async function contentOf(path) {
   const model = /^(\w+)\.obj$/.exec(file)?.[1]
   if (model) return model in models ? obj(model) : undefined
   if (!example) return
-  if (file === 'gallery.html') return framedPage(await read(`examples/${example}/index.html`))
-  return read(`examples/${example}/${file || 'index.html'}`)
+  const page = async () => String(await read(`examples/${example}/index.html`))
+  if (file === 'gallery.html') return withPolicy(framedPage(await page()), 'sketch')
+  if (!file || file === 'index.html') return withPolicy(await page(), 'sketch')
+  return read(`examples/${example}/${file}`)
 }
 
 /** Everything that a built gallery needs: for each example its pages, its sketch, and what the sketch loads. */
@@ -117,7 +121,7 @@ async function allPaths() {
 }
 
 async function answer(request, response, next) {
-  const path = decodeURIComponent(request.url.split('?')[0]).slice(1)
+  const path = pathOf(request)
   const content = await contentOf(path).catch(() => undefined)
   if (content === undefined) return next()
   response.setHeader('Content-Type', types[extname(path) || '.html'])

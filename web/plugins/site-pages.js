@@ -5,12 +5,14 @@
 import { readFile, readdir } from 'node:fs/promises'
 import { extname } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { pathOf } from './path-of.js'
 
 const root = new URL('../../', import.meta.url)
 const read = (path) => readFile(new URL(path, root))
 
 const plainFiles = {
   'site/site.css': 'web/site/site.css',
+  'playground/host.html': 'web/playground/frame/host.html',
   'site/hero.webp': 'web/site/hero.webp',
   'site/fredoka.woff2': 'node_modules/@fontsource/fredoka/files/fredoka-latin-600-normal.woff2',
 }
@@ -75,7 +77,7 @@ export function sitePagesPlugin() {
       }
       server.watcher.on('all', (_, file) => forget(file))
       server.middlewares.use(async (request, response, next) => {
-        let path = decodeURIComponent(request.url.split('?')[0]).slice(1)
+        let path = pathOf(request)
         if (path === '' || /^(?:docs|gallery\/[\w-]+)\/$/.test(path)) path += 'index.html'
         try {
           let content

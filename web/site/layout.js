@@ -2,6 +2,7 @@
 import { folderAddress } from './folder-address.js'
 import { escaped } from './html.js'
 import { places } from './navigation.js'
+import { withPolicy } from './policy.js'
 
 /** `url` is where the page stands, from the first page; → what leads from there to the first page. */
 export const rootOf = (url) => '../'.repeat(url.split('/').length - 1) || './'
@@ -18,7 +19,7 @@ const link =
 export function frame({ url, title, description, kind, here, script, preload }, content) {
   const root = rootOf(url)
   const scripts = ['site', script].filter(Boolean)
-  return `<!doctype html>
+  return withPolicy(`<!doctype html>
 <html lang="en" data-root="${root}">
   <head>
     <meta charset="utf-8" />
@@ -50,5 +51,5 @@ export function frame({ url, title, description, kind, here, script, preload }, 
     ${content}
   </body>
 </html>
-`
+`)
 }

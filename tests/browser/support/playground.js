@@ -45,9 +45,10 @@ export async function dragNumber(page, number, pixels) {
   await page.mouse.up()
 }
 
-/** The frame with the picture that is shown. */
+/** The frame with the picture that is shown: a sandbox in a page that is a frame of the playground itself. */
 export async function shown(page) {
-  const element = await page.waitForSelector('iframe.shown', patience)
+  const host = await (await page.waitForSelector('.stage iframe', patience)).contentFrame()
+  const element = await host.waitForSelector('iframe.shown', patience)
   return element.contentFrame()
 }
 

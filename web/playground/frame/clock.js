@@ -21,6 +21,8 @@
     },
   }
   window.playground.clock = clock
+  window.playground.answers.setTime = clock.set
+  window.playground.answers.play = clock.play
 
   if (window.p5) p5.prototype.millis = now
   else performance.now = now

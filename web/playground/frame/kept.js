@@ -1,16 +1,55 @@
-// In the playground's frame, behind the libraries: what its hosts have in common. Keeps each warp that the sketch makes, for the
-// tabs, and lets sliders and colour fields take the place of its uniforms.
+// In the playground's frame, behind the libraries: what its hosts have in common. Keeps each warp that the sketch makes, describes and
+// evaluates it for the page's tabs, and lets sliders and colour fields take the place of its uniforms.
 {
   const { playground } = window
-  const warps = (playground.warps = [])
-  const uniforms = (playground.uniforms = [])
+  const { answers, report } = playground
+  const warps = []
+  const uniforms = []
+  let isReported = false
+
+  const languages = ['glsl300', 'glsl100', 'wgsl']
+  const textOf = ({ code, declarations }) => ({ code, declarations })
+  function textIn(made, language) {
+    try {
+      return textOf(made.emit ? made.emit(language) : made)
+    } catch (error) {
+      return { code: `// ${error.message}` }
+    }
+  }
+  const describe = ({ maker, made, shapes, ...more }) => ({
+    ...more,
+    maker,
+    hasShapes: Boolean(shapes),
+    canEvaluate: Boolean(made.evaluate),
+    reads: (made.uniforms ?? []).map(({ name }) => name),
+    stats: made.stats && { ...made.stats },
+    own: textOf(made),
+    texts: Object.fromEntries(languages.map((language) => [language, textIn(made, language)])),
+  })
+  /** From the first picture on, and again when the sketch makes another warp later. */
+  playground.reportWarps = () => {
+    isReported = true
+    report({ kind: 'made', warps: warps.map(describe), uniforms })
+  }
+
+  answers.evaluate = (index, mesh, options) => warps[index].made.evaluate(mesh, options)
+  answers.foldover = (index, mesh, options) => warps[index].made.foldover(mesh, options)
+  answers.shapes = (index) => warps[index].shapes()
+
+  /** Maps the name of a moved slider → { source, value }. If the sketch has another value than `source`, that counts. */
+  let { values } = playground
+  answers.setValues = (now) => (values = now)
+  const valueOf = (name, source) =>
+    String(values[name]?.source) === String(source) ? values[name].value : source
 
   /** Each text once, as a sketch may make its warp again in every frame. */
   playground.keep = (maker, make, more) => {
     try {
       const made = make()
       const isKnown = warps.some(({ made: { code } }) => code === made.code)
-      if (!isKnown) warps.push({ maker, made, ...more })
+      if (isKnown) return
+      warps.push({ maker, made, ...more })
+      if (isReported) playground.reportWarps()
     } catch {
       // The sketch's own call says what is wrong.
     }
@@ -97,7 +136,7 @@
       return [
         name,
         () => {
-          const now = playground.valueOf(name, source)
+          const now = valueOf(name, source)
           return now === source ? still : moved(value, now)
         },
       ]

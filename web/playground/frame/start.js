@@ -1,8 +1,7 @@
-// In the playground's frame, before everything else: what goes wrong, what is printed, and when the first picture is there
-// is told to the page around it.
+// In the playground's frame, before everything else: reports to the page what goes wrong, what is printed, what is blocked, the time,
+// the frames, and the first picture.
 {
-  const { report, source } = (window.playground = frameElement.playground)
-  window.sketchFiles = window.playground.files
+  const { report, source, root, answers } = window.playground
   const place = new RegExp(`${source.replaceAll(/[.*+?^${}()|[\]\\/]/g, '\\$&')}:(\\d+):(\\d+)`)
   // clock.js puts the sketch's time in its place.
   const now = performance.now.bind(performance)
@@ -23,17 +22,38 @@
       column: found[2] && Number(found[2]),
     })
   }
-  addEventListener('error', ({ error, message, filename, lineno, colno }) => {
+  // The page shows them, so that the browser's own console need not.
+  addEventListener('error', (event) => {
+    const { error, message, filename, lineno, colno } = event
     const isHere = filename === source
+    event.preventDefault()
     tell(error ?? message, isHere ? lineno : undefined, isHere ? colno : undefined)
   })
-  addEventListener('unhandledrejection', ({ reason }) => tell(reason))
+  addEventListener('unhandledrejection', (event) => {
+    event.preventDefault()
+    tell(event.reason)
+  })
   // An image or a script that is missing says so on itself alone.
   addEventListener(
     'error',
     ({ target }) => target?.tagName === 'SCRIPT' && tell(`${target.src} is not there.`),
     true,
   )
+
+  addEventListener('securitypolicyviolation', ({ blockedURI }) => {
+    if (/^https?:/.test(blockedURI)) report({ kind: 'blocked', address: blockedURI })
+  })
+
+  // Files of the site that no text names, such as one whose name is put together: the page has them.
+  const wanted = []
+  window.playground.findFile = (address) =>
+    address?.startsWith(root)
+      ? new Promise((resolve) => report({ kind: 'wanted', id: wanted.push(resolve) - 1, address }))
+      : undefined
+  answers.file = (id, blob) =>
+    wanted[id](
+      blob ? new Response(blob) : new Response(null, { status: 404, statusText: 'Not Found' }),
+    )
 
   for (const level of ['log', 'info', 'warn', 'error']) {
     const print = console[level]
@@ -71,21 +91,22 @@
   let rounds = 0
   setInterval(() => (alive = now()), 200)
 
-  Object.assign(window.playground, {
-    /** Throws in a loop that seems to have no end. */
-    goOn() {
-      if (++rounds % 1024 || now() - alive < MOST) return
-      alive = now()
-      throw new Error(
-        'This loop went on for five seconds and was stopped: see that its condition becomes false.',
-      )
-    },
-    /** Since the page began; of p5 those that it has drawn. */
-    frames: () => window.frameCount ?? frames,
-    canvas: () => document.querySelector('canvas.p5Canvas, canvas[data-engine], canvas'),
+  /** Throws in a loop that seems to have no end. */
+  window.playground.goOn = () => {
+    if (++rounds % 1024 || now() - alive < MOST) return
+    alive = now()
+    throw new Error(
+      'This loop went on for five seconds and was stopped: see that its condition becomes false.',
+    )
+  }
+  /** Since the page began; of p5 those that it has drawn. */
+  const count = () => window.frameCount ?? frames
+  const findCanvas = () => document.querySelector('canvas.p5Canvas, canvas[data-engine], canvas')
+
+  Object.assign(answers, {
     /** So many seconds of the canvas as a Blob. */
     async film(seconds) {
-      const canvas = window.playground.canvas()
+      const canvas = findCanvas()
       const type = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'].find((kind) =>
         window.MediaRecorder?.isTypeSupported(kind),
       )
@@ -113,7 +134,7 @@
         const take = () => {
           if (isTaken) return
           isTaken = true
-          const canvas = window.playground.canvas()
+          const canvas = findCanvas()
           if (canvas) canvas.toBlob(resolve)
           else resolve()
         }
@@ -122,12 +143,19 @@
       }),
   })
 
+  const REPORT_EVERY = 100 // ms
+  const reportState = () =>
+    report({ kind: 'state', frames: count(), millis: window.playground.clock?.now() ?? 0 })
+
   // p5 counts a frame before it draws it, and says later what went wrong in it.
   let seen = 0
   const look = () => {
-    if (window.playground.frames() >= 1) seen++
+    if (count() >= 1) seen++
     if (seen < 3) return requestAnimationFrame(look)
+    reportState()
+    window.playground.reportWarps?.()
     report({ kind: 'drawn', milliseconds: now() - began })
+    setInterval(reportState, REPORT_EVERY)
   }
   requestAnimationFrame(look)
 }

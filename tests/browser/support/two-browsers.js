@@ -1,0 +1,44 @@
+// Chromium and Firefox by the same calls, those of Puppeteer: Playwright drives no Firefox but its own.
+import { spawn } from 'node:child_process'
+import puppeteer from 'puppeteer-core'
+import { findBrowser, findFirefox } from '../../../.scripts/lib/browser.mjs'
+import { testFlags } from '../../../.scripts/lib/flags.mjs'
+
+const options = { headless: true, protocolTimeout: 300_000 }
+
+const launchChromium = async () =>
+  puppeteer.launch({
+    ...options,
+    executablePath: process.env.WARPJET_CHROMIUM ?? (await findBrowser()),
+    args: testFlags,
+  })
+
+/** A display that nobody sees. → { name, stop() } */
+async function startDisplay() {
+  const server = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1280x1024x24'], {
+    stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
+  })
+  const name = await new Promise((resolve, reject) => {
+    server.on('error', reject)
+    server.on('close', () => reject(new Error('Xvfb has ended: expected a display.')))
+    server.stdio[3].on('data', (number) => resolve(`:${String(number).trim()}`))
+  })
+  return { name, stop: () => server.kill() }
+}
+
+/** On Linux it has WebGL on a display alone. */
+export async function launchFirefox() {
+  const display = process.platform === 'linux' ? await startDisplay() : undefined
+  const browser = await puppeteer.launch({
+    ...options,
+    browser: 'firefox',
+    headless: !display,
+    executablePath: await findFirefox(),
+    env: { ...process.env, ...(display && { DISPLAY: display.name }) },
+    extraPrefsFirefox: { 'webgl.force-enabled': true },
+  })
+  browser.once('disconnected', () => display?.stop())
+  return browser
+}
+
+export const browsers = { Chromium: launchChromium, Firefox: launchFirefox }

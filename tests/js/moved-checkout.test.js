@@ -1,0 +1,60 @@
+// A checkout that was copied or moved with its .build: what is built there are its own sources, not those of the folder before.
+import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
+import { cpSync, mkdirSync, mkdtempSync, renameSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+
+const root = fileURLToPath(new URL('../../', import.meta.url))
+
+let folder
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), 'warpjet-moved-'))
+  const first = join(folder, 'first')
+  mkdirSync(join(first, '.scripts'), { recursive: true })
+  cpSync(join(root, '.scripts/lib'), join(first, '.scripts/lib'), { recursive: true })
+  writeFileSync(join(first, 'package.json'), '{ "type": "module" }')
+  const preset = { name: 'native', binaryDir: '${sourceDir}/.build/native' }
+  const presets = {
+    version: 3,
+    configurePresets: [preset],
+    buildPresets: [{ name: 'native', configurePreset: 'native' }],
+  }
+  writeFileSync(join(first, 'CMakePresets.json'), JSON.stringify(presets))
+  writeFileSync(
+    join(first, 'CMakeLists.txt'),
+    'cmake_minimum_required(VERSION 3.21)\nproject(moved CXX)\nadd_executable(say say.cpp)\n',
+  )
+  say('first')
+})
+after(() => rmSync(folder, { recursive: true }))
+
+/** Makes the program of that checkout say its name. */
+function say(name) {
+  const text = `#include <cstdio>\nint main() { std::puts("${name}"); }\n`
+  writeFileSync(join(folder, name, 'say.cpp'), text)
+}
+
+/** Builds the checkout as its scripts do → what its program says. */
+function built(name) {
+  const code = "import { cmakeBuild } from './.scripts/lib/cmake.mjs'; await cmakeBuild('native')"
+  const cwd = join(folder, name)
+  execFileSync(process.execPath, ['--input-type=module', '--eval', code], { cwd, stdio: 'pipe' })
+  return execFileSync(join(cwd, '.build/native/say'), { encoding: 'utf8' }).trim()
+}
+
+test('a checkout that was copied with what it has built builds its own sources', () => {
+  assert.equal(built('first'), 'first')
+  cpSync(join(folder, 'first'), join(folder, 'copied'), { recursive: true })
+  say('copied')
+  assert.equal(built('copied'), 'copied')
+  assert.equal(built('first'), 'first')
+})
+
+test('one that was moved does, too', () => {
+  renameSync(join(folder, 'first'), join(folder, 'moved'))
+  say('moved')
+  assert.equal(built('moved'), 'moved')
+})

@@ -1,0 +1,110 @@
+/**
+ * Messages of a sketch's frame, checked: whoever wrote the sketch may have sent them. Each reader gives the message in its expected
+ * shape, or undefined.
+ */
+const MAX_TEXT = 20_000
+const MAX_CODE = 5_000_000
+const MAX_ITEMS = 200
+
+const isText = (value, max = MAX_TEXT) => typeof value === 'string' && value.length <= max
+const isAmount = (value) => Number.isFinite(value) && value >= 0
+const isList = (value, isItem) =>
+  Array.isArray(value) && value.length <= MAX_ITEMS && value.every(isItem)
+const isName = (value) => isText(value, 200)
+const isPart = (value) => Number.isFinite(value)
+
+/** A place in the sketch: lines and columns begin with 1. */
+const place = (value) => (Number.isSafeInteger(value) && value > 0 ? value : undefined)
+
+/** The page shows a uniform as a number, two to four of them, or a colour such as '#ff8040'. */
+export const isValue = (value) =>
+  isPart(value) ||
+  (typeof value === 'string' && /^#[\da-f]{6}$/.test(value)) ||
+  (Array.isArray(value) && value.length > 1 && value.length < 5 && value.every(isPart))
+
+const isCode = (text) =>
+  isText(text?.code, MAX_CODE) &&
+  (text.declarations === undefined || isText(text.declarations, MAX_CODE))
+
+const isWarp = (warp) =>
+  isName(warp?.maker) &&
+  isCode(warp.own) &&
+  ['glsl300', 'glsl100', 'wgsl'].every((language) => isCode(warp.texts?.[language])) &&
+  isList(warp.reads, isName) &&
+  (warp.declared === undefined || isList(warp.declared, isName)) &&
+  (warp.radius === undefined || isAmount(warp.radius)) &&
+  (warp.stats === undefined ||
+    ['nodes', 'operations', 'temporaries'].every((name) => isAmount(warp.stats?.[name])))
+
+const levels = ['log', 'info', 'warn', 'error']
+
+/** Maps kind → reader. */
+const readers = {
+  error: ({ message, line, column }) => ({
+    message: String(message).slice(0, MAX_TEXT),
+    line: place(line),
+    column: place(column),
+  }),
+  printed: ({ level, text }) =>
+    levels.includes(level) && { level, text: String(text).slice(0, MAX_TEXT) },
+  blocked: ({ address }) => isText(address) && { address },
+  wanted: ({ id, address }) => isAmount(id) && isText(address) && { id, address },
+  state: ({ frames, millis }) => isAmount(frames) && isAmount(millis) && { frames, millis },
+  made: ({ warps, uniforms }) =>
+    isList(warps, isWarp) &&
+    isList(uniforms, (each) => isName(each?.name) && isValue(each.value)) && { warps, uniforms },
+  drawn: ({ milliseconds }) => isAmount(milliseconds) && { milliseconds },
+  answer: ({ id, value, error }) =>
+    isAmount(id) && (error === undefined ? { id, value } : { id, error: String(error) }),
+}
+
+export function readMessage(data) {
+  const { kind } = data ?? {}
+  if (!Object.hasOwn(readers, kind)) return undefined
+  const read = readers[kind](data)
+  return read ? { kind, ...read } : undefined
+}
+
+const makeError = () =>
+  new Error('The sketch has sent something else than the page asked for: run it again.')
+
+/** An answer that is to be a file of that type. */
+export function fileOf(value, type) {
+  if (value === undefined || value === null) return undefined
+  if (!(value instanceof Blob)) throw makeError()
+  return value.slice(0, value.size, type)
+}
+
+const isFloats = (value) => value instanceof Float32Array
+const isFloatsOf = (length) => (value) => isFloats(value) && value.length === length
+
+/** An answer that is to be an evaluated mesh of as many positions and normals as `mesh`. */
+export function evaluatedOf(value, mesh) {
+  const isAlike = isFloatsOf(mesh.positions.length)
+  if (!isAlike(value?.positions) || (mesh.normals && !isAlike(value.normals))) throw makeError()
+  return value
+}
+
+/** An answer that is to tell for each of `count` vertices whether it is folded. */
+export function maskOf(value, count) {
+  if (!ArrayBuffer.isView(value?.mask) || value.mask.length !== count) throw makeError()
+  return value.mask
+}
+
+/** An answer that is to be the shapes that a warp moves: [{ positions, normals, uvs, indices, matrix, isUpsideDown }]. */
+export function shapesOf(value) {
+  const isShape = ({ positions, normals, uvs, indices, matrix } = {}) => {
+    if (!isFloats(positions) || positions.length % 3) return false
+    const count = positions.length / 3
+    return (
+      (normals === undefined || isFloatsOf(3 * count)(normals)) &&
+      (uvs === undefined || isFloatsOf(2 * count)(uvs)) &&
+      ArrayBuffer.isView(indices) &&
+      indices.every((index) => index < count) &&
+      matrix?.length === 16 &&
+      matrix.every(isPart)
+    )
+  }
+  if (!isList(value, isShape)) throw makeError()
+  return value
+}

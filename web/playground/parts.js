@@ -1,0 +1,82 @@
+/** Assembles the scripts, modules and files that a sketch's frame runs, as blobs. */
+import { guarded } from './guard.js'
+import { hosts, isThree, tagsOf } from './hosts.js'
+import { moduleTexts } from './modules.js'
+import { remember } from './remember.js'
+import { folder, siteFile } from './site-files.js'
+import { namesOfFiles } from './strings.js'
+
+const frameScripts = (names) => names.map((name) => `../dist/${name}.js`)
+
+/** Maps imports of warpjet to modules of the frame, which record each warp. */
+const watchWarps = (modules) => ({
+  ...modules,
+  'warpjet/itself': modules.warpjet,
+  'warpjet/three/itself': modules['warpjet/three'],
+  warpjet: '../dist/warpjet.js',
+  'warpjet/three': '../dist/three.js',
+})
+
+const mesh = '../../dist/mesh.min.js'
+/** Functions for which the script of p5 imports the file beside it. */
+const needsMesh = /\b(?:loadWarpModel|subdivide|addSurfaceVariation)\b/
+
+export const readText = remember(async (path) => {
+  const response = await fetch(new URL(path, folder))
+  if (!response.ok) throw new Error(`${path} cannot be loaded: check the connection and reload.`)
+  return response.text()
+})
+
+/** A script whose errors name the file of the site, not the blob: warpjet distinguishes its own lines from the sketch's by that. */
+const scriptBlob = (text, href) =>
+  new Blob([text.replace(/^\/\/# sourceMappingURL=.*$/m, ''), `\n//# sourceURL=${href}\n`], {
+    type: 'text/javascript',
+  })
+
+const script = remember(async (path) => {
+  const { href } = new URL(path, folder)
+  return { href, blob: scriptBlob(await readText(path), href) }
+})
+
+/** Blobs by the names that the modules import each other by; the sketch's own imports are in `text`. */
+const moduleBlobs = remember(async (_, text, modules) => {
+  const texts = await moduleTexts(text, modules, readText)
+  return Object.fromEntries(
+    Object.entries(texts).map(([name, { path, text }]) => [
+      name,
+      scriptBlob(text, new URL(path, folder).href),
+    ]),
+  )
+})
+
+const importsIn = (text) => (text.match(/\b(?:from|import)\s*\(?\s*["'][^"'\n]+["']/g) ?? []).join()
+
+async function importsOf({ host, text }) {
+  if (isThree(host)) return moduleBlobs(importsIn(text), text, watchWarps(hosts[host].modules))
+  if (!needsMesh.test(text)) return {}
+  const { href, blob } = await script(mesh)
+  return { [href]: blob }
+}
+
+/** `dropped` are files by name. → { scripts, imports, files, sketch } as boot.js takes them */
+export async function partsOf(sketch, dropped) {
+  const { host, text } = sketch
+  const isModule = isThree(host)
+  const paths = [
+    ...frameScripts(['start', 'files']),
+    ...tagsOf(sketch),
+    ...frameScripts(isModule ? ['clock', 'kept'] : ['clock', 'kept', 'warps']),
+  ]
+  const named = namesOfFiles(text).filter((name) => !dropped.has(name))
+  const [scripts, imports, found] = await Promise.all([
+    Promise.all(paths.map((path) => script(path))),
+    importsOf(sketch),
+    Promise.all(named.map(async (name) => [name, await siteFile(name).catch(() => undefined)])),
+  ])
+  return {
+    scripts,
+    imports,
+    files: Object.fromEntries([...dropped, ...found.filter(([, blob]) => blob)]),
+    sketch: { blob: new Blob([guarded(sketch)], { type: 'text/javascript' }), isModule },
+  }
+}

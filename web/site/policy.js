@@ -1,0 +1,46 @@
+/** The Content-Security-Policy of a page, as a tag of its own: the site is static, and its host may send no headers. */
+import { createHash } from 'node:crypto'
+
+const common = {
+  'default-src': "'none'",
+  'style-src': "'self' 'unsafe-inline'",
+  'img-src': "'self' data: blob:",
+  'media-src': "'self' blob:",
+  'font-src': "'self' data:",
+  'connect-src': "'self' data: blob:",
+  'worker-src': "'self'",
+  'frame-src': "'self'",
+  'base-uri': "'none'",
+  'form-action': "'self'",
+}
+
+/**
+ * `page` is for all that the site says itself. `sketch` is for examples, whose pages are those of p5 and three.js: p5.strands and
+ * warpjet's operators evaluate text, and the gallery runs a changed sketch from a blob.
+ */
+const scripts = { page: "'self' 'wasm-unsafe-eval'", sketch: "'self' 'unsafe-eval' blob:" }
+
+const hashOf = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`
+
+/** Returns the texts of inline scripts; JSON is no script. */
+const inlineScripts = (html) =>
+  [...html.matchAll(/<script\b([^>]*)>([^]*?)<\/script>/g)]
+    .filter(([, attributes]) => !/\bsrc=|application\/json/.test(attributes))
+    .map(([, , text]) => text)
+
+/** Adds a policy to the page that allows its inline scripts and no others. */
+export function withPolicy(html, kind = 'page') {
+  const hashes = [...new Set(inlineScripts(html).map(hashOf))]
+  const policy = { ...common, 'script-src': [scripts[kind], ...hashes].join(' ') }
+  const content = Object.entries(policy)
+    .map(([name, value]) => `${name} ${value}`)
+    .join('; ')
+  const tag = `<meta http-equiv="Content-Security-Policy" content="${content}" />`
+  return html.replace(/<meta charset="utf-8"[^>]*>/i, (charset) => `${charset}\n    ${tag}`)
+}
+
+/** Vite plugin: the same for pages that are files of HTML. */
+export const policies = () => ({
+  name: 'policies',
+  transformIndexHtml: { order: 'post', handler: (html) => withPolicy(html) },
+})
