@@ -1,5 +1,6 @@
 import { WarpError, describe, describeShape } from '../checks/errors.js'
 import type { Expression } from '../expression/expression.js'
+import { readOperators } from '../checks/operators.js'
 import { isCallable, isList } from '../checks/options.js'
 import type {
   Glsl,
@@ -42,7 +43,9 @@ export function inSpace<Uniforms extends UniformValues = {}>(
     const { glsl } = inputs
     const { linear, shift } = readSpace(
       inputs,
-      isCallable(matrix) ? matrix(inputs as OptionInputs) : matrix,
+      isCallable(matrix)
+        ? readOperators(matrix as never, { method: 'inSpace' })(inputs as OptionInputs)
+        : matrix,
     )
     const determinant = linear.determinant()
     const { position, normal } = surfaceOf(inputs)

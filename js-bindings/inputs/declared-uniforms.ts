@@ -1,6 +1,7 @@
 // The option `uniforms`: values that a sketch names once, where it makes its warp. Their types come from the values.
 import type { Session } from '../expression/session.js'
 import { WarpError, describe } from '../checks/errors.js'
+import { readOperators } from '../checks/operators.js'
 import type { Expression } from '../expression/expression.js'
 import { inputSizes, markWhole } from './inputs.js'
 import { lazyObject } from '../checks/lazy-object.js'
@@ -216,13 +217,14 @@ export function settled<Values extends object>(
 /** What the sketch calls its uniforms, for a message. */
 export const listed = (declared: DeclaredUniforms) => [...declared.keys()].join(', ')
 
-/** The offset function with `uniforms` among its inputs; `labelOf` gives what the shader calls them. */
+/** The offset function, with its operators read, and with `uniforms` among its inputs; `labelOf` gives what the shader calls them. */
 export function withUniforms(
   method: string,
   offset: OffsetFunction,
   declared: DeclaredUniforms,
   labelOf: (name: string) => string = (name) => name,
 ): OffsetFunction {
+  const read = readOperators(offset, { method })
   return (inputs) => {
     const strings = Reflect.ownKeys(inputs).filter((name) => typeof name === 'string')
     const names = new Map([...strings, 'uniforms'].map((name) => [name, true]))
@@ -232,7 +234,7 @@ export function withUniforms(
       return expressions(method, session as Session, declared, labelOf)
     }
     // What is no input still says so.
-    return offset(
+    return read(
       lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs,
     )
   }

@@ -1,0 +1,25 @@
+import type { OffsetFunction } from '../types/types.js'
+
+/** The global under which 'warpjet/operators' registers itself, so that every copy of warpjet on a page finds it. */
+export const operatorsKey = Symbol.for('warpjet.operators')
+
+/** The property by which a guard of p5's adapter names the function that it stands before. */
+export const guardedKey = Symbol.for('warpjet.guarded')
+
+/** Who calls the function that is read, and what its text may see. */
+export interface ReadOptions {
+  /** The name in messages. */
+  method?: string
+  /** Variables by name. */
+  scope?: Readonly<Record<string, unknown>> | undefined
+  /** The p5 sketch that the function is for. */
+  sketch?: object | undefined
+}
+
+type Reader = (offset: OffsetFunction, scope?: object, options?: ReadOptions) => OffsetFunction
+
+/** The offset function with its operators read, if the page has 'warpjet/operators'; otherwise the function itself. */
+export function readOperators(offset: OffsetFunction, options: ReadOptions): OffsetFunction {
+  const read = Reflect.get(globalThis, operatorsKey) as Reader | undefined
+  return read ? read(offset, options.scope ?? {}, options) : offset
+}

@@ -1,0 +1,131 @@
+// Calls in translated text: of functions that are known, and of the sketch's own, which are read as the offset function is.
+import { isExpression } from '../checks/describe.js'
+import { WarpError } from '../checks/errors.js'
+import { guardedKey } from '../checks/operators.js'
+import { type Glsl, isKnown, ofExpressions, ofNumbers } from './functions.js'
+import { inHelper } from './messages.js'
+import type { Operators, ReadHelper } from './runtime.js'
+import { holdsExpression, isSketch, isWarped, p5Prototype } from './values.js'
+
+export type Translated = (...x: never[]) => unknown
+
+type Any = (...x: unknown[]) => unknown
+
+/** The page's own function below a guard of the adapter for p5. */
+const unguarded = (f: Any) => (Reflect.get(f, guardedKey) as Any | undefined) ?? f
+
+const isNative = (f: Any) =>
+  /\{\s*\[native code\]\s*\}\s*$/.test(Function.prototype.toString.call(f))
+
+/** Whether a function of that name is the sketch's own, and neither JavaScript's nor p5's; `host` is what p5's functions are of. */
+function isOwn(name: string, f: Any, host: object = p5Prototype()): boolean {
+  const own = unguarded(f)
+  return !isNative(own) && own !== Reflect.get(host, name)
+}
+
+/** p5.Vector, which may be of a module. */
+const isVectorClass = (object: unknown): boolean =>
+  typeof object === 'function' && 'random3D' in object && 'fromAngle' in object
+
+/** The static functions of p5.Vector, by what they are of expressions. */
+const vectorFunctions: Record<string, string> = {
+  ...Object.fromEntries('add sub mult div dot cross dist normalize'.split(' ').map((name) => [name, name])),
+  lerp: 'mix',
+  mag: 'length',
+}
+
+/** p5 has these, and they take anything. */
+const takesAnything = new Set(['print', 'createWarp', 'describe'])
+
+export function callsOf(
+  glsl: Glsl,
+  makeWith: (make: (operators: Operators) => Translated) => Translated,
+  read?: ReadHelper,
+) {
+  const made = new Map<Function, Function>()
+
+  /** A function or class of the sketch, translated. */
+  function translatedOf(helper: Function): Function {
+    let result = made.get(helper)
+    if (!result) {
+      const reading = read?.(helper)
+      result =
+        reading && 'make' in reading
+          ? makeWith(reading.make)
+          : inHelper(helper, reading && reading.refuse)
+      made.set(helper, result)
+      // What calls itself by its new name is read already.
+      made.set(result, result)
+    }
+    return result
+  }
+
+  const needsReading = (f: Any, self: unknown, x: unknown[]) =>
+    !isExpression(f) &&
+    !isNative(f) &&
+    self !== glsl &&
+    !isExpression(self) &&
+    (x.some((each) => holdsExpression(each)) || holdsExpression(self, 1))
+
+  /** A call of a function that the text does not know. */
+  function invoke(f: Any, self: unknown, ...x: unknown[]): unknown {
+    const callee = needsReading(f, self, x) ? translatedOf(f) : f
+    return Reflect.apply(callee, self, x)
+  }
+
+  function refuseP5(name: string, x: unknown[]) {
+    if (name in p5Prototype() && !takesAnything.has(name) && x.some(isWarped))
+      throw new WarpError(`p5's ${name} works on numbers, not on expressions of a warp.`)
+  }
+
+  /** A call by a bare name, of `Math` or of a p5 sketch. `get` reads the page's own function, which may be missing. */
+  function call(name: string, get: () => unknown, ...x: unknown[]): unknown {
+    const found = valueOf(get)
+    const page = typeof found === 'function' ? (found as Any) : undefined
+    if (page && isOwn(name, page)) return invoke(unguarded(page), undefined, ...x)
+    if (isKnown(name))
+      return x.some(isWarped) ? ofExpressions(glsl, name, x, page) : ofNumbers(glsl, name, x, page)
+    if (page) refuseP5(name, x)
+    return (get() as Any)(...x)
+  }
+
+  /** `object[key](...x)` */
+  function method(object: unknown, key: string, ...x: unknown[]): unknown {
+    if (object === Math && isKnown(key)) return call(key, () => Reflect.get(Math, key), ...x)
+    const f = (object as Record<string, unknown>)[key]
+    if (isExpression(object)) return Reflect.apply(callable(f, key), object, x)
+    if (isSketch(object) && !isOwn(key, callable(f, key), Object.getPrototypeOf(object) as object)) {
+      if (isKnown(key)) return call(key, () => (...y: unknown[]) => Reflect.apply(f as Any, object, y), ...x)
+      refuseP5(key, x)
+    }
+    if (isVectorClass(object) && x.some(isWarped)) return ofVectors(key, x)
+    return invoke(callable(f, key), object, ...x)
+  }
+
+  function ofVectors(key: string, x: unknown[]): unknown {
+    const name = Object.hasOwn(vectorFunctions, key) && vectorFunctions[key]
+    if (name) return ofExpressions(glsl, name, x)
+    throw new WarpError(`p5.Vector.${key} works on numbers, not on expressions of a warp.`)
+  }
+
+  /** `new Class(...x)` */
+  const construct = (Class: Any, ...x: unknown[]): unknown =>
+    Reflect.construct(needsReading(Class, undefined, x) ? translatedOf(Class) : Class, x)
+
+  return { call, method, invoke, construct }
+}
+
+/** Nothing if there is no such name. */
+function valueOf(get: () => unknown): unknown {
+  try {
+    return get()
+  } catch (error) {
+    if (error instanceof ReferenceError) return undefined
+    throw error
+  }
+}
+
+function callable(f: unknown, key: string): Any {
+  if (typeof f !== 'function') throw new TypeError(`${key} is not a function`)
+  return f as Any
+}

@@ -1,0 +1,34 @@
+// Which names of a function's text are globals that it may read, where its script cannot be seen.
+import { p5Prototype } from './values.js'
+
+const isUsual = new Set(
+  'undefined NaN Infinity globalThis Math Number Array Object String Boolean JSON Map Set WeakMap Date RegExp Symbol BigInt Promise Reflect Proxy Error TypeError RangeError Float32Array Float64Array Int32Array Uint32Array Uint8Array console window self document performance parseInt parseFloat isNaN isFinite'.split(
+    ' ',
+  ),
+)
+
+/** Whether a text that is made anew sees a name: `let` at the top of a script is no property of the page. */
+export const isThere = (name: string): boolean =>
+  name in globalThis || typeofGlobal(name) !== 'undefined'
+
+export const typeofGlobal = (name: string): string => new Function(`return typeof ${name}`)() as string
+
+export const valueOfGlobal = (name: string): unknown => new Function(`return ${name}`)() as unknown
+
+/** Whether a global of that name is the page's or p5's, and no variable of the sketch. */
+function isOfHost(name: string): boolean {
+  const property = Object.getOwnPropertyDescriptor(globalThis, name)
+  return name in p5Prototype() || !!property?.get || (name in globalThis && !property)
+}
+
+/**
+ * Whether a name that nothing in the function binds is surely a global. `height` and `key` may as well be a parameter of the
+ * function around it, which then would be lost; `sin`, `PI` and `mouseX` are hardly ever one.
+ */
+export function isSurelyGlobal(name: string, isCalled: boolean): boolean {
+  if (isUsual.has(name)) return true
+  if (!isThere(name)) return false
+  if (!isOfHost(name)) return true
+  if (isCalled) return typeofGlobal(name) === 'function'
+  return name in p5Prototype() && /^[A-Z][A-Z0-9_]+$|[a-z][A-Z]/.test(name)
+}

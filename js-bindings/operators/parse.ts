@@ -1,0 +1,38 @@
+// The text of one function as a tree.
+import { parse } from 'acorn'
+import type { Tree } from './tree.js'
+
+export interface Parsed {
+  /** In which the places of the tree are. */
+  source: string
+  tree: Tree
+  /** Where the function's own text is in the source, and how long it is. */
+  start: number
+  length: number
+}
+
+/** What a function's text may be: a function, a class or, in an object or a class, a method. */
+const forms: readonly (readonly [before: string, after: string, find: (tree: Tree) => Tree])[] = [
+  ['(', '\n)', (tree) => tree.body[0].expression],
+  ['({ ', '\n})', (tree) => tree.body[0].expression.properties[0]],
+  ['(class { ', '\n})', (tree) => tree.body[0].expression.body.body[0]],
+]
+
+/** The function, or nothing for native code, an `async` function, a generator or a getter. */
+export function parseFunction(f: Function): Parsed | undefined {
+  const text = Function.prototype.toString.call(f)
+  for (const [before, after, find] of forms) {
+    const source = before + text + after
+    try {
+      const program = parse(source, { ecmaVersion: 'latest', checkPrivateFields: false } as never)
+      const found = find(program as Tree)
+      if (/^(get|set)$/.test(found.kind)) return undefined
+      const tree: Tree = found.value ?? found
+      if (!/Function|Class/.test(tree.type) || tree.async || tree.generator) continue
+      return { source, tree, start: before.length, length: text.length }
+    } catch {
+      // Another form.
+    }
+  }
+  return undefined
+}
