@@ -1,11 +1,11 @@
 // Calls in translated text: of functions that are known, and of the sketch's own, which are read as the offset function is.
-import { isExpression } from '../checks/describe.js'
+import { isClass, isExpression } from '../checks/describe.js'
 import { WarpError } from '../checks/errors.js'
 import { guardedKey } from '../checks/operators.js'
 import { type Glsl, isKnown, ofExpressions, ofNumbers } from './functions.js'
 import { inHelper } from './messages.js'
 import type { Operators, ReadHelper } from './runtime.js'
-import { holdsExpression, isSketch, isWarped, p5Prototype } from './values.js'
+import { holdsExpression, isSketch, isWarped, p5Prototype, wholeOf } from './values.js'
 
 export type Translated = (...x: never[]) => unknown
 
@@ -45,14 +45,16 @@ export function callsOf(
   const made = new Map<Function, Function>()
 
   /** A function or class of the sketch, translated. */
-  function translatedOf(helper: Function): Function {
+  function translatedOf(helper: Function, name: string): Function {
     let result = made.get(helper)
     if (!result) {
-      const reading = read?.(helper)
+      const reading = read?.(helper, helper.name || name)
       result =
         reading && 'make' in reading
           ? makeWith(reading.make)
           : inHelper(helper, reading && reading.refuse)
+      if (isBaseClass(helper) && result !== helper)
+        Object.setPrototypeOf(result.prototype, helper.prototype as object)
       made.set(helper, result)
       // What calls itself by its new name is read already.
       made.set(result, result)
@@ -67,24 +69,28 @@ export function callsOf(
     !isExpression(self) &&
     (x.some((each) => holdsExpression(each)) || holdsExpression(self, 1))
 
-  /** A call of a function that the text does not know. */
-  function invoke(f: Any, self: unknown, ...x: unknown[]): unknown {
-    const callee = needsReading(f, self, x) ? translatedOf(f) : f
+  function invokeBy(name: string, f: Any, self: unknown, x: unknown[]): unknown {
+    const callee = needsReading(f, self, x) ? translatedOf(f, name) : f
     return Reflect.apply(callee, self, x)
   }
+
+  /** A call of a function that is the value of a variable. */
+  const invoke = (f: Any, self: unknown, ...x: unknown[]) => invokeBy('', f, self, x)
 
   function refuseP5(name: string, x: unknown[]) {
     if (name in p5Prototype() && !takesAnything.has(name) && x.some(isWarped))
       throw new WarpError(`p5's ${name} works on numbers, not on expressions of a warp.`)
   }
 
+  const callKnown = (name: string, page: Any | undefined, x: unknown[]) =>
+    x.some(isWarped) ? ofExpressions(glsl, name, x, page) : ofNumbers(glsl, name, x, page)
+
   /** A call by a bare name, of `Math` or of a p5 sketch. `get` reads the page's own function, which may be missing. */
   function call(name: string, get: () => unknown, ...x: unknown[]): unknown {
     const found = valueOf(get)
     const page = typeof found === 'function' ? (found as Any) : undefined
-    if (page && isOwn(name, page)) return invoke(unguarded(page), undefined, ...x)
-    if (isKnown(name))
-      return x.some(isWarped) ? ofExpressions(glsl, name, x, page) : ofNumbers(glsl, name, x, page)
+    if (page && isOwn(name, page)) return invokeBy(name, unguarded(page), undefined, x)
+    if (isKnown(name)) return callKnown(name, page, x)
     if (page) refuseP5(name, x)
     return (get() as Any)(...x)
   }
@@ -95,25 +101,29 @@ export function callsOf(
     const f = (object as Record<string, unknown>)[key]
     if (isExpression(object)) return Reflect.apply(callable(f, key), object, x)
     if (isSketch(object) && !isOwn(key, callable(f, key), Object.getPrototypeOf(object) as object)) {
-      if (isKnown(key)) return call(key, () => (...y: unknown[]) => Reflect.apply(f as Any, object, y), ...x)
+      if (isKnown(key)) return callKnown(key, (f as Any).bind(object), x)
       refuseP5(key, x)
     }
     if (isVectorClass(object) && x.some(isWarped)) return ofVectors(key, x)
-    return invoke(callable(f, key), object, ...x)
+    return invokeBy(key, callable(f, key), object, x)
   }
 
   function ofVectors(key: string, x: unknown[]): unknown {
     const name = Object.hasOwn(vectorFunctions, key) && vectorFunctions[key]
-    if (name) return ofExpressions(glsl, name, x)
+    if (name) return glsl[name]!(...x.map((each) => wholeOf(glsl, each)))
     throw new WarpError(`p5.Vector.${key} works on numbers, not on expressions of a warp.`)
   }
 
   /** `new Class(...x)` */
   const construct = (Class: Any, ...x: unknown[]): unknown =>
-    Reflect.construct(needsReading(Class, undefined, x) ? translatedOf(Class) : Class, x)
+    Reflect.construct(needsReading(Class, undefined, x) ? translatedOf(Class, Class.name) : Class, x)
 
   return { call, method, invoke, construct }
 }
+
+/** Whether instances of a class that is made anew can be instances of the one that was read, too. */
+const isBaseClass = (f: Function): boolean =>
+  isClass(f) && Object.getPrototypeOf(f) === Function.prototype
 
 /** Nothing if there is no such name. */
 function valueOf(get: () => unknown): unknown {

@@ -9,7 +9,10 @@ const isUsual = new Set(
 
 /** Whether a text that is made anew sees a name: `let` at the top of a script is no property of the page. */
 export const isThere = (name: string): boolean =>
-  name in globalThis || typeofGlobal(name) !== 'undefined'
+  name in globalThis || (isName(name) && typeofGlobal(name) !== 'undefined')
+
+/** `this` and `#private` are asked for in the same way. */
+const isName = (name: string) => !/^(this|super|arguments|new\.target|#.*)$/.test(name)
 
 export const typeofGlobal = (name: string): string => new Function(`return typeof ${name}`)() as string
 

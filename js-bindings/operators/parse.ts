@@ -16,6 +16,8 @@ const forms: readonly (readonly [before: string, after: string, find: (tree: Tre
   ['(', '\n)', (tree) => tree.body[0].expression],
   ['({ ', '\n})', (tree) => tree.body[0].expression.properties[0]],
   ['(class { ', '\n})', (tree) => tree.body[0].expression.body.body[0]],
+  // An arrow function may use new.target of what is around it.
+  ['(function () { return ', '\n})', (tree) => tree.body[0].expression.body.body[0].argument],
 ]
 
 /** The function, or nothing for native code, an `async` function, a generator or a getter. */
@@ -24,7 +26,11 @@ export function parseFunction(f: Function): Parsed | undefined {
   for (const [before, after, find] of forms) {
     const source = before + text + after
     try {
-      const program = parse(source, { ecmaVersion: 'latest', checkPrivateFields: false } as never)
+      const program = parse(source, {
+        ecmaVersion: 'latest',
+        allowSuperOutsideMethod: true,
+        checkPrivateFields: false,
+      } as never)
       const found = find(program as Tree)
       if (/^(get|set)$/.test(found.kind)) return undefined
       const tree: Tree = found.value ?? found

@@ -64,7 +64,7 @@ export function operators(
     reading && 'make' in reading
       ? withOperators(
           reading.make as (operators: Operators) => (inputs: WarpInputs) => unknown,
-          { read: (helper) => readHelper(helper, reader), isPlain: needs === 'logic' && !isVector },
+          { read: (helper, name) => readHelper(helper, name, reader), isPlain: needs === 'logic' && !isVector },
         )
       : asItIs(reading ? sayingSo(offset, reading.refuse) : offset)
   translated.add(result)
@@ -102,9 +102,9 @@ function isVariable(name: string): boolean {
 }
 
 /** A function or class that is called with expressions; nothing if it has nothing to translate, or is not the sketch's. */
-function readHelper(helper: Function, reader: Reader): Read | undefined {
+function readHelper(helper: Function, name: string, reader: Reader): Read | undefined {
   const parsed = parseFunction(helper)
-  return parsed && needsOf(parsed.tree) === 'operators' ? read(helper, reader, helper.name) : undefined
+  return parsed && needsOf(parsed.tree) === 'operators' ? read(helper, reader, name) : undefined
 }
 
 /** The names that a text takes from around it, and where they come from. */

@@ -206,7 +206,7 @@ export const translated = new WeakSet<object>()
 export type Read = { make: (operators: Operators) => Translated } | { refuse: () => string }
 
 /** Reads a helper function of the sketch, which is called with expressions. */
-export type ReadHelper = (helper: Function) => Read | undefined
+export type ReadHelper = (helper: Function, name: string) => Read | undefined
 
 interface RunOptions {
   /** Reads helper functions; at build time they are translated beside the offset function. */
