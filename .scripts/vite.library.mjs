@@ -66,7 +66,10 @@ const sharedFiles = [
   },
   { name: 'p5-addon', test: /\/js-bindings\/p5\// },
   { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu)/ },
-  { name: 'operating', test: /\/js-bindings\/operators\/(runtime|calls|functions|messages|values)\.ts$/ },
+  {
+    name: 'operating',
+    test: /\/js-bindings\/operators\/(runtime|calls|functions|messages|values)\.ts$/,
+  },
   { name: 'translating', test: /\/js-bindings\/operators\/|\/node_modules\/acorn\// },
 ]
 

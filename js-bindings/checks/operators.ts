@@ -6,6 +6,14 @@ export const operatorsKey = Symbol.for('warpjet.operators')
 /** The property by which a guard of p5's adapter names the function that it stands before. */
 export const guardedKey = Symbol.for('warpjet.guarded')
 
+const ownKey = Symbol.for('warpjet.own')
+
+/** Marks a function of the library, whose text nobody is to read. */
+export const asOwn = <F extends object>(f: F): F =>
+  Object.defineProperty(f, ownKey, { value: true })
+
+export const isOwnFunction = (f: object): boolean => ownKey in f
+
 /** Who calls the function that is read, and what its text may see. */
 export interface ReadOptions {
   /** The name in messages. */
@@ -21,5 +29,5 @@ type Reader = (offset: OffsetFunction, scope?: object, options?: ReadOptions) =>
 /** The offset function with its operators read, if the page has 'warpjet/operators'; otherwise the function itself. */
 export function readOperators(offset: OffsetFunction, options: ReadOptions): OffsetFunction {
   const read = Reflect.get(globalThis, operatorsKey) as Reader | undefined
-  return read ? read(offset, options.scope ?? {}, options) : offset
+  return read && !isOwnFunction(offset) ? read(offset, options.scope ?? {}, options) : offset
 }

@@ -1,7 +1,7 @@
 // From what a caller hands to a deformer to what its formula works with. Constants are checked at once, what is computed
 // when the warp is made.
 import { WarpError, describe, describeShape } from '../checks/errors.js'
-import { readOperators } from '../checks/operators.js'
+import { asOwn, readOperators } from '../checks/operators.js'
 import { checkOptions, isCallable } from '../checks/options.js'
 import type { Expression } from '../expression/expression.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
@@ -26,10 +26,10 @@ export function deformer<All extends Kinds>(
   const all = Object.entries(kinds).map(([option, kind]) =>
     reader(`${name}: the option "${option}"`, kind, given[option]),
   )
-  return (inputs) => {
+  return asOwn((inputs) => {
     const values = all.map((read, i) => [Object.keys(kinds)[i], read(inputs)])
     return formula(inputs, Object.fromEntries(values) as Values<All>)
-  }
+  })
 }
 
 export function checkDeformerOptions(name: string, options: object | undefined, kinds: Kinds) {

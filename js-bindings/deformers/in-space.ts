@@ -1,6 +1,6 @@
 import { WarpError, describe, describeShape } from '../checks/errors.js'
 import type { Expression } from '../expression/expression.js'
-import { readOperators } from '../checks/operators.js'
+import { asOwn, readOperators } from '../checks/operators.js'
 import { isCallable, isList } from '../checks/options.js'
 import type {
   Glsl,
@@ -39,7 +39,7 @@ export function inSpace<Uniforms extends UniformValues = {}>(
 ): OffsetFunction<Uniforms> {
   if (!isCallable(matrix) && !isExpression(matrix)) checkNumbers(matrix)
   checkWarps('inSpace', [warp], 2)
-  return (inputs) => {
+  return asOwn((inputs) => {
     const { glsl } = inputs
     const { linear, shift } = readSpace(
       inputs,
@@ -56,7 +56,7 @@ export function inSpace<Uniforms extends UniformValues = {}>(
     })
     const offset = linear.inverse().mult(offsetOf('inSpace', 2, warp, inside))
     return determinant.eq(0).ifElse(glsl.vec3(0), offset)
-  }
+  })
 }
 
 function readSpace({ glsl, position }: WarpInputs, matrix: unknown): Space {

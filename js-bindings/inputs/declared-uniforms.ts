@@ -1,7 +1,7 @@
 // The option `uniforms`: values that a sketch names once, where it makes its warp. Their types come from the values.
 import type { Session } from '../expression/session.js'
 import { WarpError, describe } from '../checks/errors.js'
-import { readOperators } from '../checks/operators.js'
+import { asOwn, readOperators } from '../checks/operators.js'
 import type { Expression } from '../expression/expression.js'
 import { inputSizes, markWhole } from './inputs.js'
 import { lazyObject } from '../checks/lazy-object.js'
@@ -225,7 +225,7 @@ export function withUniforms(
   labelOf: (name: string) => string = (name) => name,
 ): OffsetFunction {
   const read = readOperators(offset, { method })
-  return (inputs) => {
+  return asOwn((inputs: WarpInputs) => {
     const strings = Reflect.ownKeys(inputs).filter((name) => typeof name === 'string')
     const names = new Map([...strings, 'uniforms'].map((name) => [name, true]))
     const make = (name: string) => {
@@ -237,7 +237,7 @@ export function withUniforms(
     return read(
       lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs,
     )
-  }
+  })
 }
 
 /** An object of expressions, and of images' names, which says so where there is none of that name. */

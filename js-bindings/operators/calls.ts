@@ -1,7 +1,7 @@
 // Calls in translated text: of functions that are known, and of the sketch's own, which are read as the offset function is.
 import { isClass, isExpression } from '../checks/describe.js'
 import { WarpError } from '../checks/errors.js'
-import { guardedKey } from '../checks/operators.js'
+import { guardedKey, isOwnFunction } from '../checks/operators.js'
 import { type Glsl, isKnown, ofExpressions, ofNumbers } from './functions.js'
 import { inHelper } from './messages.js'
 import type { Operators, ReadHelper } from './runtime.js'
@@ -29,7 +29,9 @@ const isVectorClass = (object: unknown): boolean =>
 
 /** The static functions of p5.Vector, by what they are of expressions. */
 const vectorFunctions: Record<string, string> = {
-  ...Object.fromEntries('add sub mult div dot cross dist normalize'.split(' ').map((name) => [name, name])),
+  ...Object.fromEntries(
+    'add sub mult div dot cross dist normalize'.split(' ').map((name) => [name, name]),
+  ),
   lerp: 'mix',
   mag: 'length',
 }
@@ -64,6 +66,7 @@ export function callsOf(
 
   const needsReading = (f: Any, self: unknown, x: unknown[]) =>
     !isExpression(f) &&
+    !isOwnFunction(f) &&
     !isNative(f) &&
     self !== glsl &&
     !isExpression(self) &&
@@ -100,7 +103,10 @@ export function callsOf(
     if (object === Math && isKnown(key)) return call(key, () => Reflect.get(Math, key), ...x)
     const f = (object as Record<string, unknown>)[key]
     if (isExpression(object)) return Reflect.apply(callable(f, key), object, x)
-    if (isSketch(object) && !isOwn(key, callable(f, key), Object.getPrototypeOf(object) as object)) {
+    if (
+      isSketch(object) &&
+      !isOwn(key, callable(f, key), Object.getPrototypeOf(object) as object)
+    ) {
       if (isKnown(key)) return callKnown(key, (f as Any).bind(object), x)
       refuseP5(key, x)
     }
@@ -116,7 +122,10 @@ export function callsOf(
 
   /** `new Class(...x)` */
   const construct = (Class: Any, ...x: unknown[]): unknown =>
-    Reflect.construct(needsReading(Class, undefined, x) ? translatedOf(Class, Class.name) : Class, x)
+    Reflect.construct(
+      needsReading(Class, undefined, x) ? translatedOf(Class, Class.name) : Class,
+      x,
+    )
 
   return { call, method, invoke, construct }
 }

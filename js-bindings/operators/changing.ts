@@ -61,8 +61,9 @@ export function setsLater(program: Tree, name: string): boolean {
   let found = false
   walk(program, (node, parent) => {
     if (!/Function/.test(node.type)) return !found
-    const isFirst =
-      /^(setup|preload)$/.test(node.id?.name ?? parent?.id?.name ?? parent?.left?.property?.name ?? '')
+    const isFirst = /^(setup|preload)$/.test(
+      node.id?.name ?? parent?.id?.name ?? parent?.left?.property?.name ?? '',
+    )
     if (isFirst) return true
     found ||= assignedIn([node]).has(name)
     return false

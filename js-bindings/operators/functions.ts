@@ -14,7 +14,8 @@ const alike =
   'sinh cosh tanh asinh acosh atanh abs sign floor ceil trunc sqrt pow exp log log2 fract degrees radians'
 
 /** The vocabulary of p5.strands, which JavaScript and p5 1 lack: `numbers` computes it where no expression is among the operands. */
-const strands = 'clamp mix step smoothstep length normalize dot cross distance mod inversesqrt reflect vec2 vec3 vec4'
+const strands =
+  'clamp mix step smoothstep length normalize dot cross distance mod inversesqrt reflect vec2 vec3 vec4'
 
 /** What p5's `angleMode(DEGREES)` makes of an angle that is handed in, by a value that shows it. */
 const takesAngle: Record<string, readonly [x: number, inDegrees: number]> = {
@@ -44,14 +45,10 @@ function lengthOf(glsl: Glsl, x: unknown[]): unknown {
 
 function distance(glsl: Glsl, x: unknown[]): unknown {
   if (![2, 4, 6].includes(x.length))
-    throw new WarpError(
-      `dist: expected two vectors, or 4 or 6 numbers, got ${x.length} arguments.`,
-    )
+    throw new WarpError(`dist: expected two vectors, or 4 or 6 numbers, got ${x.length} arguments.`)
   const half = x.length / 2
   const [a, b] = [x.slice(0, half), x.slice(half)]
-  return half === 1
-    ? glsl.dist!(a[0], b[0])
-    : glsl.dist!(vector(glsl, a), vector(glsl, b))
+  return half === 1 ? glsl.dist!(a[0], b[0]) : glsl.dist!(vector(glsl, a), vector(glsl, b))
 }
 
 /** JavaScript's: halves go up. The fraction is exact, as x + 0.5 is not. */
@@ -92,7 +89,9 @@ const extreme =
 const takingAngle =
   (name: string): Formula =>
   (glsl, [x], known) =>
-    glsl[name]!(countsDegrees(known, [takesAngle[name]![0]], takesAngle[name]![1]) ? glsl.radians!(x) : x)
+    glsl[name]!(
+      countsDegrees(known, [takesAngle[name]![0]], takesAngle[name]![1]) ? glsl.radians!(x) : x,
+    )
 
 const givingAngle =
   (name: string): Formula =>

@@ -14,9 +14,16 @@ export const isThere = (name: string): boolean =>
 /** `this` and `#private` are asked for in the same way. */
 const isName = (name: string) => !/^(this|super|arguments|new\.target|#.*)$/.test(name)
 
-export const typeofGlobal = (name: string): string => new Function(`return typeof ${name}`)() as string
+export const typeofGlobal = (name: string): string => typeof valueOfGlobal(name)
 
-export const valueOfGlobal = (name: string): unknown => new Function(`return ${name}`)() as unknown
+/** Nothing if there is no such name, or if the page forbids to ask. */
+export function valueOfGlobal(name: string): unknown {
+  try {
+    return new Function(`return ${name}`)() as unknown
+  } catch {
+    return Reflect.get(globalThis, name) as unknown
+  }
+}
 
 /** Whether a global of that name is the page's or p5's, and no variable of the sketch. */
 function isOfHost(name: string): boolean {

@@ -119,7 +119,7 @@ function expressionsIn(tree: Tree): (node: Tree) => boolean {
     const all = target.type === 'MemberExpression' ? [rootOf(target).name as string] : bound(target)
     for (const name of all) names.add(name)
   }
-  for (let before = -1; before !== names.size; ) {
+  for (let before = -1; before !== names.size;) {
     before = names.size
     walk(tree, (node) => {
       if (node.type === 'VariableDeclarator' && node.init && mayBe(node.init)) set(node.id)

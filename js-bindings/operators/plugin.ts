@@ -13,7 +13,9 @@ const callees = new Set(['createWarp', 'compileWarp'])
 
 /** What else of warpjet takes functions of a vertex, as it is called where it is imported from. */
 const takers = new Set(
-  'createWarp compileWarp compile gen warp BabylonWarp Warp chain add blend mask inSpace'.split(' '),
+  'createWarp compileWarp compile gen warp BabylonWarp Warp chain add blend mask inSpace'.split(
+    ' ',
+  ),
 )
 
 /** What a build calls for each module; `code` with its lines where they were, or nothing if there is nothing to translate. */
@@ -45,9 +47,15 @@ export function translateModule(code: string): string | undefined {
   const pieces = new Map<Tree, string>()
   for (const helper of helpers) pieces.set(helper, text(helper))
   for (const { given, tree } of offsets) {
-    const make = given === tree ? `(${operatorsName}) => (${text(tree)})` : `() => ${code.slice(given.start, given.end)}`
+    const make =
+      given === tree
+        ? `(${operatorsName}) => (${text(tree)})`
+        : `() => ${code.slice(given.start, given.end)}`
     const once = changingIn(program, tree, free)
-    pieces.set(given, `${runtime}(${make}${once.length ? `, { once: ${JSON.stringify(once)} }` : ''})`)
+    pieces.set(
+      given,
+      `${runtime}(${make}${once.length ? `, { once: ${JSON.stringify(once)} }` : ''})`,
+    )
   }
   let result = ''
   let at = 0
@@ -83,7 +91,8 @@ function offsetsIn(program: Tree): Offset[] {
     const { callee } = node
     const given = node.arguments as Tree[]
     const name: string | undefined = callee.name ?? callee.property?.name
-    const isTaker = imported.has(callee.name) || (imported.has(callee.object?.name) && takers.has(name ?? ''))
+    const isTaker =
+      imported.has(callee.name) || (imported.has(callee.object?.name) && takers.has(name ?? ''))
     if (callees.has(name ?? '') || isTaker) given.forEach(add)
     // What JSX becomes: jsx(Warp, { offset: … }).
     if (imported.has(given[0]?.name ?? '') && given[1]?.type === 'ObjectExpression')
@@ -156,7 +165,9 @@ function changingIn(program: Tree, tree: Tree, free: ReadonlySet<Tree>): string[
   for (const [name, nodes] of freeReferences(tree))
     for (const node of nodes) {
       if (isChanging(node.member ?? '')) names.add(`${name}.${node.member}`)
-      if (free.has(node) ? isChanging(name) : isVariableOf(program, name) && setsLater(program, name))
+      if (
+        free.has(node) ? isChanging(name) : isVariableOf(program, name) && setsLater(program, name)
+      )
         names.add(name)
     }
   return [...names]

@@ -1,7 +1,7 @@
 // Reads a function's text and makes it anew, with operators that work on expressions.
 import { isCallable } from '../checks/options.js'
 import { WarpError, describe } from '../checks/errors.js'
-import type { ReadOptions } from '../checks/operators.js'
+import { type ReadOptions, isOwnFunction } from '../checks/operators.js'
 import type { OffsetFunction, WarpInputs } from '../types/types.js'
 import { noteChanging } from './changing.js'
 import { isSurelyGlobal, isThere } from './globals.js'
@@ -52,7 +52,7 @@ export function operators(
       'operators: a function was expected, as in operators(({ position }) => position * 2).',
     )
   checkScope(scope)
-  if (translated.has(offset)) return offset
+  if (translated.has(offset) || isOwnFunction(offset)) return offset
   const reader = { method, scope, sketch, pending: new Set<string>() }
   const parsed = parseFunction(offset)
   if (!parsed) return offset
@@ -62,10 +62,10 @@ export function operators(
   const reading = needs === 'nothing' ? undefined : read(offset, reader)
   const result =
     reading && 'make' in reading
-      ? withOperators(
-          reading.make as (operators: Operators) => (inputs: WarpInputs) => unknown,
-          { read: (helper, name) => readHelper(helper, name, reader), isPlain: needs === 'logic' && !isVector },
-        )
+      ? withOperators(reading.make as (operators: Operators) => (inputs: WarpInputs) => unknown, {
+          read: (helper, name) => readHelper(helper, name, reader),
+          isPlain: needs === 'logic' && !isVector,
+        })
       : asItIs(reading ? sayingSo(offset, reading.refuse) : offset)
   translated.add(result)
   return result
@@ -153,7 +153,11 @@ function readText(
     }
   const free = new Set([...references.values()].flat())
   const operatorsName = unusedName('warpjetOperators', source)
-  const code = translate(source, tree, { isFree: (node) => free.has(node), operatorsName, readsHelpers: true })
+  const code = translate(source, tree, {
+    isFree: (node) => free.has(node),
+    operatorsName,
+    readsHelpers: true,
+  })
   const names = [...values.keys()]
   // The text of a method begins with its parameters.
   const isMethod = tree.type === 'FunctionExpression' && source[tree.start] === '('
@@ -166,11 +170,11 @@ function readText(
       `${strict}return (${isMethod ? 'function ' : ''}${code})\n//# sourceURL=warpjet-operators-${++count}.js`,
     )
   } catch (error) {
-    if (error instanceof SyntaxError) throw error
-    return {
-      refuse: () =>
-        `${method}: operators are read from the function's text, which this page's Content-Security-Policy forbids; allow 'unsafe-eval' in it, or translate the functions when the project is built, by warpjet/operators/plugin.`,
-    }
+    const why =
+      error instanceof SyntaxError
+        ? `operators cannot be read from the function's text: ${error.message}; write x.add(1), x.mult(2), x.sin() in it`
+        : "operators are read from the function's text, which this page's Content-Security-Policy forbids; allow 'unsafe-eval' in it, or translate the functions when the project is built, by warpjet/operators/plugin"
+    return { refuse: () => `${method}: ${why}.` }
   }
   noteChanging(references, values, surroundings, method)
   return {
@@ -192,7 +196,9 @@ function readDefinition(definition: Definition, reader: Reader, name: string) {
 function isVisible(name: string, nodes: Tree[], surroundings: Surroundings, tree: Tree): boolean {
   if (/^(this|super|new\.target|arguments|#.*)$/.test(name)) return false
   if (surroundings.bound) return !surroundings.bound.has(name)
-  return isKnown(name) && !isThere(name) ? true : isSurelyGlobal(name, nodes.every(isCalledIn(tree)))
+  return isKnown(name) && !isThere(name)
+    ? true
+    : isSurelyGlobal(name, nodes.every(isCalledIn(tree)))
 }
 
 /** Whether a name is called, wherever it stands. */

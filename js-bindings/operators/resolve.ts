@@ -62,7 +62,10 @@ function enter(node: Tree, around: Around, parent?: Tree): Around {
   const here = names.length ? [...around.names, new Set(names)] : around.names
   if (/Function/.test(node.type) && node.type !== 'ArrowFunctionExpression')
     return { ...around, names: here, ownsThis: true, ownsArguments: true }
-  if (node.type === 'StaticBlock' || (parent?.type === 'PropertyDefinition' && parent.value === node))
+  if (
+    node.type === 'StaticBlock' ||
+    (parent?.type === 'PropertyDefinition' && parent.value === node)
+  )
     return { ...around, names: here, ownsThis: true }
   if (node.type !== 'ClassBody') return { ...around, names: here }
   const keys = node.body
@@ -94,7 +97,8 @@ export function namesAround({ program, isModule, start, end }: Place): Set<strin
     // The function itself binds what is within it.
     if (node.start === start && node.end === end && /Function|Class/.test(node.type)) return
     if (node.type !== 'Program' || isModule) for (const name of namesOf(node)) names.add(name)
-    if (/Function/.test(node.type) && node.type !== 'ArrowFunctionExpression') names.add('arguments')
+    if (/Function/.test(node.type) && node.type !== 'ArrowFunctionExpression')
+      names.add('arguments')
     for (const child of Object.values(node).flat())
       if (child && typeof child === 'object' && typeof child.type === 'string') visit(child as Tree)
   }

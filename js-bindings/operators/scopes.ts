@@ -140,4 +140,3 @@ export const isProperty = (node: Tree, parent?: Tree): boolean =>
     !parent!.computed &&
     !parent!.shorthand) ||
   /^(Labeled|Break|Continue)Statement$/.test(parent?.type ?? '')
-

@@ -103,7 +103,13 @@ function placesIn(script: Script, text: string): Place[] {
   const places: Place[] = []
   if (program)
     for (let at = script.text.indexOf(text); at >= 0; at = script.text.indexOf(text, at + 1))
-      places.push({ text: script.text, program, isModule: script.isModule, start: at, end: at + text.length })
+      places.push({
+        text: script.text,
+        program,
+        isModule: script.isModule,
+        start: at,
+        end: at + text.length,
+      })
   return places
 }
 
@@ -126,7 +132,12 @@ export function programsWith(name: string, place: Place | undefined): Tree[] {
   if (typeof document === 'undefined') return []
   const read = [...fetched.values()].flatMap((text) => (text ? [{ text, isModule: false }] : []))
   const around = place && { text: place.text, isModule: place.isModule }
-  const scripts = [...inlineScripts(), ...read, ...globalFunctions(name), ...(around ? [around] : [])]
+  const scripts = [
+    ...inlineScripts(),
+    ...read,
+    ...globalFunctions(name),
+    ...(around ? [around] : []),
+  ]
   const texts = new Map(scripts.map((script) => [script.text, script]))
   return [...texts.values()]
     .filter(({ text }) => text.includes(name))

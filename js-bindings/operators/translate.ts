@@ -28,7 +28,9 @@ const logical: Record<string, string> = { '&&': 'and', '||': 'or' }
 /** Whether a node means something else of expressions than JavaScript makes of it. Of calls, see `isCallToTranslate`. */
 export const isOperator = ({ type, operator, argument }: Tree): boolean =>
   (type === 'BinaryExpression' && (operator in binary || bits.has(operator))) ||
-  (type === 'UnaryExpression' && (operator in unary || operator === '~') && argument.type !== 'Literal') ||
+  (type === 'UnaryExpression' &&
+    (operator in unary || operator === '~') &&
+    argument.type !== 'Literal') ||
   (type === 'LogicalExpression' && operator in logical) ||
   (type === 'AssignmentExpression' && operator !== '=' && !/^\?\?/.test(operator)) ||
   /^(Conditional|Update)Expression$|^IfStatement$/.test(type)

@@ -6,6 +6,8 @@ import { operators } from '../../dist/operators.js'
 import { translateModule } from '../../dist/operators-plugin.js'
 import * as runtime from '../../dist/operators-runtime.js'
 import { compile, compileWarp } from '../../dist/warpjet.js'
+import { warp } from '../../dist/three.js'
+import { BoxGeometry, Mesh } from 'three'
 
 /** p5's functions as a page has them in global mode: of numbers alone. */
 const p5Functions = {
@@ -81,8 +83,7 @@ const pairs = {
   ],
   'max and min of an array, and of one that is spread': [
     '({ position: { x, y, z } }) => [max([x, y, 0.5]), Math.min(...[x, z]), min([x, y, z])]',
-    ({ glsl, position: { x, y, z } }) =>
-      glsl.vec3(x.max(y).max(0.5), x.min(z), x.min(y).min(z)),
+    ({ glsl, position: { x, y, z } }) => glsl.vec3(x.max(y).max(0.5), x.min(z), x.min(y).min(z)),
   ],
   'or, and of numbers keep numbers': [
     '({ position: { x, y } }) => [x || 0.2, x && y, (x > 0) && y] * 1',
@@ -122,7 +123,14 @@ const pairs = {
     '({ position: { x } }) => [round(x, 2), 0, 0]',
     ({ glsl, position: { x } }) => {
       const a = x.mult(100)
-      return glsl.vec3(a.floor().add(glsl.step(0.5, a.sub(a.floor()))).div(100), 0, 0)
+      return glsl.vec3(
+        a
+          .floor()
+          .add(glsl.step(0.5, a.sub(a.floor())))
+          .div(100),
+        0,
+        0,
+      )
     },
   ],
   'a vector that is taken apart': [
@@ -228,7 +236,11 @@ test('p5 counts in degrees where angleMode says so', () => {
     ...Object.fromEntries(['sin', 'cos', 'tan'].map((name) => [name, inDegrees(Math[name])])),
     ...Object.fromEntries(['asin', 'atan2'].map((name) => [name, degrees(Math[name])])),
   }
-  const written = ({ position: { x, y, z } }) => [sin(x * 90), atan2(y, x) + tan(z), Math.sin(x) + asin(y)]
+  const written = ({ position: { x, y, z } }) => [
+    sin(x * 90),
+    atan2(y, x) + tan(z),
+    Math.sin(x) + asin(y),
+  ]
   const expected = compileWarp(({ glsl, position: { x, y, z } }) =>
     glsl.vec3(
       x.mult(90).radians().sin(),
@@ -342,7 +354,10 @@ describe('functions, methods and classes:', () => {
     assert.equal(compileWarp((inputs) => read.call(object, inputs)).code, expected)
     // And a method that is called with expressions.
     const offset = ({ position }) => [waves.wave({ position: position * 1 })][0]
-    assert.equal(compileWarp(operators(offset, { waves: object })).code, compileWarp(({ position }) => position.mult(1).mult(2)).code)
+    assert.equal(
+      compileWarp(operators(offset, { waves: object })).code,
+      compileWarp(({ position }) => position.mult(1).mult(2)).code,
+    )
   })
 
   test('what a text cannot see of an object is named', () => {
@@ -380,7 +395,13 @@ describe('functions, methods and classes:', () => {
         /cannot see "new.target"/,
       ],
     ])
-      assert.throws(() => compileWarp(operators((inputs) => offset.call(wave, inputs), { offset: operators(offset), wave })), message)
+      assert.throws(
+        () =>
+          compileWarp(
+            operators((inputs) => offset.call(wave, inputs), { offset: operators(offset), wave }),
+          ),
+        message,
+      )
   })
 
   test('a function that new.target is in', () => {
@@ -407,12 +428,20 @@ describe('functions, methods and classes:', () => {
 
   test('scopes that are none, and names that are no variables', () => {
     const offset = ({ position }) => position * 2
-    assert.throws(() => operators(offset, null), /^WarpError: operators: expected an object .*, got null/)
-    assert.throws(() => operators(offset, []), /^WarpError: operators: expected an object .*, got an array/)
+    assert.throws(
+      () => operators(offset, null),
+      /^WarpError: operators: expected an object .*, got null/,
+    )
+    assert.throws(
+      () => operators(offset, []),
+      /^WarpError: operators: expected an object .*, got an array/,
+    )
     for (const name of ['my-name', '2', 'class', 'a b', ''])
       assert.throws(
         () => operators(offset, { [name]: 1 }),
-        new RegExp(`^WarpError: operators: expected names of variables in the scope, .* got "${name}"`),
+        new RegExp(
+          `^WarpError: operators: expected names of variables in the scope, .* got "${name}"`,
+        ),
       )
     assert.equal(compileWarp(operators(offset, { größe: 1, $: 2 })).code, expected)
   })
@@ -518,11 +547,29 @@ test('compileWarp, compile and what composes warps read operators by themselves'
     compile((glsl) => ({ x: glsl.param('a').mult(2), y: glsl.param('a').add(1) })).code,
   )
   assert.equal(
-    compileWarp(mask(({ position }) => position * 2, ({ position }) => (position.y > 0 ? 1 : 0))).code,
-    compileWarp(mask(({ position }) => position.mult(2), ({ position }) => position.y.gt(0).ifElse(1, 0)))
-      .code,
+    compileWarp(
+      mask(
+        ({ position }) => position * 2,
+        ({ position }) => (position.y > 0 ? 1 : 0),
+      ),
+    ).code,
+    compileWarp(
+      mask(
+        ({ position }) => position.mult(2),
+        ({ position }) => position.y.gt(0).ifElse(1, 0),
+      ),
+    ).code,
+  )
+  const boundsOf = (offset) => warp(new Mesh(new BoxGeometry()), offset).bounds()
+  assert.deepEqual(
+    boundsOf(({ position }) => [position.y * 2, 0, 0]),
+    boundsOf(({ glsl, position }) => glsl.vec3(position.y.mult(2), 0, 0)),
   )
   const hidden = 3
+  assert.throws(
+    () => warp(new Mesh(new BoxGeometry()), ({ position }) => position * hidden),
+    /^WarpError: warp: .* cannot see "hidden"/,
+  )
   assert.throws(
     () => compileWarp(({ position }) => position * hidden),
     /^WarpError: compileWarp: .* cannot see "hidden" .* write operators\(offset, \{ hidden \}\) with operators of warpjet\/operators/,
@@ -537,14 +584,23 @@ test('what is read once is noted, by its name, with the uniform to write', () =>
     globalThis.mouseX = 20
     globalThis.warpjetLevel = 0.5
     compileWarp(operators((0, eval)('({ position }) => position * (mouseX + warpjetLevel)')))
-    built(`let level = 2\nfunction draw() { level = 3 }\nout.push(createWarp(({ position }) => position * (level + p.frameCount + keyCode)))`, { p: { frameCount: 1 }, keyCode: 1 })
+    built(
+      `let level = 2\nfunction draw() { level = 3 }\nout.push(createWarp(({ position }) => position * (level + p.frameCount + keyCode)))`,
+      { p: { frameCount: 1 }, keyCode: 1 },
+    )
   } finally {
     console.warn = warn
   }
   for (const name of ['mouseX', 'warpjetLevel', 'level', 'p.frameCount', 'keyCode']) {
     const label = name.replace('p.', '')
     assert.equal(
-      notes.filter((note) => note.includes(`reads ${name} once`) && note.includes(`write uniforms.${label} in its place, with the option { uniforms: { ${label}: () => ${name} } }`)).length,
+      notes.filter(
+        (note) =>
+          note.includes(`reads ${name} once`) &&
+          note.includes(
+            `write uniforms.${label} in its place, with the option { uniforms: { ${label}: () => ${name} } }`,
+          ),
+      ).length,
       1,
       `${name} in ${notes.join('\n')}`,
     )
@@ -556,13 +612,18 @@ test('what would be silent or wrong says so', () => {
   const { warn } = console
   console.warn = (note) => notes.push(note)
   try {
-    compileWarp(operators((0, eval)('({ position }) => { let v = position * 1; v.mult(2); return v }')))
+    compileWarp(
+      operators((0, eval)('({ position }) => { let v = position * 1; v.mult(2); return v }')),
+    )
     compileWarp(operators((0, eval)('({ position: { x, y, z } }) => [noise(x * 2, y, z), 0, 0]')))
   } finally {
     console.warn = warn
   }
   assert.match(notes[0], /^v\.mult\(2\) changes nothing: .* as in v = v\.mult\(2\)/)
-  assert.match(notes[1], /^noise: p5's noise\(\) works on numbers; of expressions it is warpjet's glsl\.fbm/)
+  assert.match(
+    notes[1],
+    /^noise: p5's noise\(\) works on numbers; of expressions it is warpjet's glsl\.fbm/,
+  )
   assert.throws(
     () => compileWarp(operators((0, eval)('({ position }) => position * (position.x & 3)'))),
     /^WarpError: & works on the bits of whole numbers/,
@@ -574,7 +635,11 @@ test('noise is ours, from 0 to 1', () => {
   console.warn = () => {}
   try {
     assert.equal(
-      compileWarp(operators((0, eval)('({ position: { x, y, z } }) => [noise(x, y, z), noise(x), noise(x, y)]'))).code,
+      compileWarp(
+        operators(
+          (0, eval)('({ position: { x, y, z } }) => [noise(x, y, z), noise(x), noise(x, y)]'),
+        ),
+      ).code,
       compileWarp(({ glsl, position: { x, y, z } }) => {
         const of = (p) => glsl.fbm(p, { octaves: 4 }).mult(0.5).add(0.5)
         return glsl.vec3(of(glsl.vec3(x, y, z)), of(x), of(glsl.vec2(x, y)))
