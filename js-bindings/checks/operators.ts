@@ -14,7 +14,7 @@ export const asOwn = <F extends object>(f: F): F =>
 
 export const isOwnFunction = (f: object): boolean => ownKey in f
 
-/** Who calls the function that is read, and what its text may see. */
+/** Options of a reader of operators. */
 export interface ReadOptions {
   /** The name in messages. */
   method?: string

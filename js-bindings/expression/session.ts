@@ -133,7 +133,7 @@ export class Session {
     this.idle.delete(handle)
   }
 
-  /** Whether a value is a condition: the result of a comparison, or of logic. */
+  /** Returns whether a value is a condition: the result of a comparison, or of logic. */
   isCondition({ handle }: Expression): boolean {
     return this.conditions.has(handle)
   }

@@ -12,14 +12,14 @@ export type Translated = (...x: never[]) => unknown
 type Any = (...x: unknown[]) => unknown
 
 /** The page's own function below a guard of the adapter for p5. */
-const unguarded = (f: Any) => (Reflect.get(f, guardedKey) as Any | undefined) ?? f
+const removeGuard = (f: Any) => (Reflect.get(f, guardedKey) as Any | undefined) ?? f
 
 const isNative = (f: Any) =>
   /\{\s*\[native code\]\s*\}\s*$/.test(Function.prototype.toString.call(f))
 
-/** Whether a function of that name is the sketch's own, and neither JavaScript's nor p5's; `host` is what p5's functions are of. */
+/** Returns whether a function belongs to the sketch, and neither to JavaScript nor to p5. `host` is the object that has p5's functions. */
 function isOwn(name: string, f: Any, host: object = p5Prototype()): boolean {
-  const own = unguarded(f)
+  const own = removeGuard(f)
   return !isNative(own) && own !== Reflect.get(host, name)
 }
 
@@ -58,7 +58,7 @@ export function callsOf(
       if (isBaseClass(helper) && result !== helper)
         Object.setPrototypeOf(result.prototype, helper.prototype as object)
       made.set(helper, result)
-      // What calls itself by its new name is read already.
+      // The result may be called by its new name, and is read already.
       made.set(result, result)
     }
     return result
@@ -92,7 +92,7 @@ export function callsOf(
   function call(name: string, get: () => unknown, ...x: unknown[]): unknown {
     const found = valueOf(get)
     const page = typeof found === 'function' ? (found as Any) : undefined
-    if (page && isOwn(name, page)) return invokeBy(name, unguarded(page), undefined, x)
+    if (page && isOwn(name, page)) return invokeBy(name, removeGuard(page), undefined, x)
     if (isKnown(name)) return callKnown(name, page, x)
     if (page) refuseP5(name, x)
     return (get() as Any)(...x)
@@ -130,7 +130,7 @@ export function callsOf(
   return { call, method, invoke, construct }
 }
 
-/** Whether instances of a class that is made anew can be instances of the one that was read, too. */
+/** Returns whether a class extends no other, so that instances of its translation can be made instances of it. */
 const isBaseClass = (f: Function): boolean =>
   isClass(f) && Object.getPrototypeOf(f) === Function.prototype
 

@@ -13,7 +13,7 @@ export const isChanging = (name: string): boolean =>
     name,
   )
 
-/** What a uniform may hold. */
+/** Returns whether a uniform may hold a value. */
 const isValue = (value: unknown) =>
   typeof value === 'number' ||
   typeof value === 'boolean' ||
@@ -38,13 +38,13 @@ export function noteChanging(
   }
 }
 
-/** Whether a variable of the sketch is set after `setup`, as far as its scripts can be seen. */
+/** Returns whether the sketch sets a variable after `setup`, as far as its scripts can be seen. */
 function isSetLater(name: string, programs: readonly Tree[]): boolean {
   if (!programs.length) return isVariable(name)
   return programs.some((program) => setsLater(program, name))
 }
 
-/** Whether a global that no script shows may be set at all. */
+/** Returns whether a global can be set at all, which is all that is known of it if no script can be seen. */
 function isVariable(name: string): boolean {
   const property = Object.getOwnPropertyDescriptor(globalThis, name)
   if (property) return !!property.writable
@@ -56,7 +56,7 @@ function isVariable(name: string): boolean {
   }
 }
 
-/** Whether a function of a script sets a global, but for those that run before any warp is used. */
+/** Returns whether a function of a script sets a global. `setup` and `preload` do not count: they run before any warp is used. */
 export function setsLater(program: Tree, name: string): boolean {
   let found = false
   walk(program, (node, parent) => {

@@ -17,7 +17,7 @@ const alike =
 const strands =
   'clamp mix step smoothstep length normalize dot cross distance mod inversesqrt reflect vec2 vec3 vec4'
 
-/** What p5's `angleMode(DEGREES)` makes of an angle that is handed in, by a value that shows it. */
+/** Functions that take an angle, each with an argument and its result after p5's `angleMode(DEGREES)`. */
 const takesAngle: Record<string, readonly [x: number, inDegrees: number]> = {
   sin: [90, 1],
   cos: [180, -1],
@@ -30,7 +30,7 @@ const givesAngle: Record<string, readonly [x: number[], inDegrees: number]> = {
   atan2: [[1, 1], 45],
 }
 
-/** Whether the page's function counts in degrees. Asked of the function itself, since p5 keeps the mode per sketch. */
+/** Returns whether the page's function counts in degrees. The function itself is tried, since p5 keeps the mode per sketch. */
 const isNear = (value: unknown, expected: number) => Math.abs(Number(value) - expected) < 1e-6
 const countsDegrees = (known: Known | undefined, x: number[], inDegrees: number) =>
   !!known && isNear(known(...x), inDegrees)

@@ -1,4 +1,4 @@
-// Which names of a function's text are globals that it may read, where its script cannot be seen.
+// Judges which names in a function are globals if its script cannot be seen.
 import { p5Prototype } from './values.js'
 
 const isUsual = new Set(
@@ -7,11 +7,11 @@ const isUsual = new Set(
   ),
 )
 
-/** Whether a text that is made anew sees a name: `let` at the top of a script is no property of the page. */
+/** Returns whether a translated function can read a name. `let` at the top of a script is global, but no property of `globalThis`. */
 export const isThere = (name: string): boolean =>
   name in globalThis || (isName(name) && typeofGlobal(name) !== 'undefined')
 
-/** `this` and `#private` are asked for in the same way. */
+/** References include `this` and `#private`, which are no variables. */
 const isName = (name: string) => !/^(this|super|arguments|new\.target|#.*)$/.test(name)
 
 export const typeofGlobal = (name: string): string => typeof valueOfGlobal(name)
@@ -25,7 +25,7 @@ export function valueOfGlobal(name: string): unknown {
   }
 }
 
-/** Whether a global of that name is the page's or p5's, and no variable of the sketch. */
+/** Returns whether a global belongs to the page or to p5, and is no variable of the sketch. */
 function isOfHost(name: string): boolean {
   const property = Object.getOwnPropertyDescriptor(globalThis, name)
   return name in p5Prototype() || !!property?.get || (name in globalThis && !property)

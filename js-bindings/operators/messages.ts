@@ -1,4 +1,4 @@
-// What is said where an operator meets an expression in a function that could not be read again.
+// Messages for operators on expressions in a function that could not be translated, and notes that are printed once.
 import { WarpError } from '../checks/errors.js'
 
 /** Messages that an operator on an expression, or a function of numbers, brings about. */
@@ -23,14 +23,14 @@ export function sayingSo<F extends Function>(f: F, refuse: () => string): F {
 export const inHelper = (helper: Function, refuse: (() => string) | undefined): Function =>
   refuse ? sayingSo(helper, refuse) : helper
 
-const listed = (names: readonly string[]) =>
+const listNames = (names: readonly string[]) =>
   names.length > 1 ? `it and ${names.slice(1).join(', ')}` : 'it'
 
 export interface Missing {
   method: string
   /** Names of variables, and `this`, `super`, `#private` and their like. */
   names: readonly string[]
-  /** Those that a global has, too. */
+  /** The names among them that are also names of globals. */
   shadowed: ReadonlySet<string>
   /** The properties of `this` that are read. */
   members: readonly string[]
@@ -57,7 +57,7 @@ export function cannotSee({ method, names, shadowed, members, helper }: Missing)
   const isShadowed = names.some((each) => shadowed.has(each))
   return `${method}: ${text}, which cannot see "${name}" of the sketch around it${
     isShadowed ? ', where it is no global' : ''
-  }; ${isShadowed ? '' : `make ${listed(names)} global, or `}${remedy(method, names)}.`
+  }; ${isShadowed ? '' : `make ${listNames(names)} global, or `}${remedy(method, names)}.`
 }
 
 const remedy = (method: string, values: readonly string[]) =>

@@ -1,5 +1,5 @@
-// Whether there is anything in a function for operators to translate: otherwise it is left alone. What cannot be an expression, such
-// as the counter of a loop, is JavaScript's own business.
+// Decides whether a function has anything to translate; otherwise it is left alone. Operators on values that cannot be expressions, such
+// as the counter of a loop, stay JavaScript's.
 import { isKnown } from './functions.js'
 import { freeReferences } from './resolve.js'
 import { bound, walk } from './scopes.js'
@@ -76,7 +76,7 @@ function isCallToTranslate(
   return isHanded && (isBuiltIn(root.name) ? root.name === 'Math' && isKnown(name) : true)
 }
 
-/** Of the nodes of a function, whether an expression may be their value; flow does not count. */
+/** Returns a check whether the value of a node may be an expression. The order of statements does not count. */
 function expressionsIn(tree: Tree): (node: Tree) => boolean {
   const names = new Set<string>()
   const functions = new Set<string>()
@@ -131,7 +131,7 @@ function expressionsIn(tree: Tree): (node: Tree) => boolean {
   return mayBe
 }
 
-/** Whether an array is returned, which is meant as a vector. */
+/** Returns whether a function returns an array, which is meant as a vector. */
 export function returnsArray(tree: Tree): boolean {
   let found = tree.body?.type === 'ArrayExpression'
   walk(tree, ({ type, argument, body }) => {

@@ -3,15 +3,15 @@ import { parse } from 'acorn'
 import type { Tree } from './tree.js'
 
 export interface Parsed {
-  /** In which the places of the tree are. */
+  /** The text that positions in the tree refer to. */
   source: string
   tree: Tree
-  /** Where the function's own text is in the source, and how long it is. */
+  /** The function's own text begins there in the source, and has that length. */
   start: number
   length: number
 }
 
-/** What a function's text may be: a function, a class or, in an object or a class, a method. */
+/** The kinds of text that a function can have: a function, a class, or a method of an object or a class. */
 const forms: readonly (readonly [before: string, after: string, find: (tree: Tree) => Tree])[] = [
   ['(', '\n)', (tree) => tree.body[0].expression],
   ['({ ', '\n})', (tree) => tree.body[0].expression.properties[0]],

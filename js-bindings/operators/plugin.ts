@@ -11,7 +11,7 @@ import type { Tree } from './tree.js'
 
 const callees = new Set(['createWarp', 'compileWarp'])
 
-/** What else of warpjet takes functions of a vertex, as it is called where it is imported from. */
+/** The exports of warpjet that take functions of a vertex. */
 const takers = new Set(
   'createWarp compileWarp compile gen warp BabylonWarp Warp chain add blend mask inSpace'.split(
     ' ',
@@ -94,7 +94,7 @@ function offsetsIn(program: Tree): Offset[] {
     const isTaker =
       imported.has(callee.name) || (imported.has(callee.object?.name) && takers.has(name ?? ''))
     if (callees.has(name ?? '') || isTaker) given.forEach(add)
-    // What JSX becomes: jsx(Warp, { offset: … }).
+    // JSX is compiled to jsx(Warp, { offset: … }).
     if (imported.has(given[0]?.name ?? '') && given[1]?.type === 'ObjectExpression')
       for (const { key, value } of given[1].properties) if (key?.name === 'offset') add(value)
   })
@@ -102,7 +102,6 @@ function offsetsIn(program: Tree): Offset[] {
 }
 
 function importedFrom(program: Tree, from: RegExp): Set<string> {
-  /** A whole module that is imported is among them. */
   const names = new Set<string>()
   for (const { type, source, specifiers } of program.body as Tree[])
     if (type === 'ImportDeclaration' && from.test(source.value))
@@ -159,7 +158,7 @@ function methodsNamed(program: Tree, name: string): Tree[] {
   return found
 }
 
-/** What a function reads once, though it changes. */
+/** The names that a function reads once although they change. */
 function changingIn(program: Tree, tree: Tree, free: ReadonlySet<Tree>): string[] {
   const names = new Set<string>()
   for (const [name, nodes] of freeReferences(tree))
@@ -173,7 +172,7 @@ function changingIn(program: Tree, tree: Tree, free: ReadonlySet<Tree>): string[
   return [...names]
 }
 
-/** Whether a variable at the top of a module. */
+/** Returns whether the module declares a variable at its top. */
 const isVariableOf = (program: Tree, name: string): boolean =>
   program.body.some(
     ({ type, kind, declarations }: Tree) =>

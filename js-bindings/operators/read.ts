@@ -192,7 +192,7 @@ function readDefinition(definition: Definition, reader: Reader, name: string) {
   return reading
 }
 
-/** Whether text that is made anew reads the same under that name as the function itself. */
+/** Returns whether a translated function reads the same variable under that name as the function itself. */
 function isVisible(name: string, nodes: Tree[], surroundings: Surroundings, tree: Tree): boolean {
   if (/^(this|super|new\.target|arguments|#.*)$/.test(name)) return false
   if (surroundings.bound) return !surroundings.bound.has(name)
@@ -201,7 +201,7 @@ function isVisible(name: string, nodes: Tree[], surroundings: Surroundings, tree
     : isSurelyGlobal(name, nodes.every(isCalledIn(tree)))
 }
 
-/** Whether a name is called, wherever it stands. */
+/** Returns a check whether a node is the callee of a call in the tree. */
 const isCalledIn = (tree: Tree) => {
   const callees = new Set<Tree>()
   const visit = (node: Tree) => {

@@ -1,17 +1,17 @@
-// Which names of a function's text are bound outside of it, and by what.
+// Scope analysis: the free names of a function, and the names that are bound around it.
 import { bound, isProperty, scopeOf } from './scopes.js'
 import type { Tree } from './tree.js'
 
-/** What is in scope at a node. */
+/** The scopes around a node. */
 interface Around {
   names: readonly ReadonlySet<string>[]
-  /** Whether `this`, `arguments` and `new.target` are those of a function within the tree. */
+  /** True if `this` and `new.target` belong to a function or class within the tree. */
   ownsThis: boolean
   ownsArguments: boolean
   privates: ReadonlySet<string>
 }
 
-/** By name, the nodes that read or set it. Pseudo-names are `this`, `arguments`, `super`, `new.target` and `#private`. */
+/** Maps a name to the nodes that read or set it. Pseudo-names are `this`, `arguments`, `super`, `new.target` and `#private`. */
 export type References = Map<string, Tree[]>
 
 /** The references in `tree` to what nothing within it binds. */
@@ -74,7 +74,7 @@ function enter(node: Tree, around: Around, parent?: Tree): Around {
   return { ...around, names: here, privates: new Set([...around.privates, ...keys, 'super']) }
 }
 
-/** What a node binds for all that is in it. */
+/** The names that a node binds for everything within it. */
 function namesOf(node: Tree): string[] {
   if (/^Class(Declaration|Expression)$/.test(node.type)) return bound(node.id)
   return scopeOf(node)

@@ -1,4 +1,4 @@
-// What operators mean where an expression is among their operands; numbers among numbers stay numbers, and JavaScript's own:
+// Operators on expressions. Numbers among numbers stay numbers, and JavaScript's own:
 // `-1 % 3` is -1 there, while `x % 3` of an expression takes the sign of its divisor, as GLSL's mod.
 import { isExpression } from '../checks/describe.js'
 import { WarpError } from '../checks/errors.js'
@@ -40,7 +40,7 @@ const bits: Record<string, (a: number, b: number) => number> = {
   '>>>': (a, b) => a >>> b,
 }
 
-/** Whether a comparison asks if a value is there at all, which JavaScript decides. */
+/** Returns whether a comparison asks if a value is there at all, which JavaScript decides. */
 const isNothing = (name: string, ...operands: unknown[]) =>
   /eq$|ne$/i.test(name) && operands.some((each) => each === null || each === undefined)
 
@@ -65,25 +65,25 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
 
   const and = (a: unknown, b: unknown) => {
     if (b === true) return a
-    if (b === false) return dropped(a, false)
+    if (b === false) return dropCondition(a, false)
     return isCondition(a) && isCondition(b) ? glsl.and!(a, b) : glsl.ifElse!(a, whole(b), 0)
   }
   const or = (a: unknown, b: unknown) => {
     if (b === false) return a
-    if (b === true) return dropped(a, true)
+    if (b === true) return dropCondition(a, true)
     if (isCondition(a) && isCondition(b)) return glsl.or!(a, b)
     return glsl.ifElse!(a, isCondition(a) ? 1 : a, whole(b))
   }
   /** One of two values by a condition, which JavaScript's true and false may be, too. */
   const select = (condition: unknown, yes: unknown, no: unknown) => {
-    if (yes === no) return dropped(condition, yes)
+    if (yes === no) return dropCondition(condition, yes)
     if (yes === true) return or(condition, no)
     if (no === false) return and(condition, yes)
     if (yes === false) return and(glsl.not!(condition), no)
     if (no === true) return or(glsl.not!(condition), yes)
     return glsl.ifElse!(condition, whole(yes), whole(no))
   }
-  const dropped = (condition: unknown, value: unknown) => {
+  const dropCondition = (condition: unknown, value: unknown) => {
     useCondition(condition)
     return value
   }
@@ -202,7 +202,7 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
 /** Functions that need no translation any more. */
 export const translated = new WeakSet<object>()
 
-/** What a function that was read again becomes for given operators, or why it was not. */
+/** A translated function for given operators, or the message that says why there is none. */
 export type Read = { make: (operators: Operators) => Translated } | { refuse: () => string }
 
 /** Reads a helper function of the sketch, which is called with expressions. */
@@ -213,7 +213,7 @@ interface RunOptions {
   read?: ReadHelper
   /** Variables that change, but are read once. */
   once?: readonly string[]
-  /** Whether the function uses no operators on numbers; see `operatorsOf`. */
+  /** True if the function uses no operators on numbers; see `operatorsOf`. */
   isPlain?: boolean
 }
 
@@ -261,7 +261,7 @@ const noGlsl = new Proxy({} as Glsl, {
 /** An offset function gets the builder among its inputs, and the function of `compile` gets it alone. */
 export const glslOf = (inputs: object) => ('glsl' in inputs ? inputs.glsl : inputs) as Glsl
 
-/** What an offset function returns as `[x, y, z]`, or as a vector of p5. */
+/** Converts a result `[x, y, z]`, or a vector of p5, to a vec3. */
 export function asVector(operators: Operators, inputs: object, place: unknown): Vec3 {
   const isOfVertex = 'glsl' in inputs && (!Array.isArray(place) || place.length === 3)
   return (isOfVertex && !isExpression(place) ? operators.whole(place) : place) as Vec3

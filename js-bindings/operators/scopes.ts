@@ -94,7 +94,7 @@ function declared(statement: Tree | null): string[] {
   return /^(Function|Class)Declaration$/.test(statement?.type ?? '') ? bound(statement!.id) : []
 }
 
-/** The same at the top of a module, where declarations may be exported. */
+/** The names that a statement at the top of a module declares, exported or not. */
 const declaredInModule = (statement: Tree): string[] =>
   /^Export(Named|Default)Declaration$/.test(statement.type) && statement.declaration
     ? declared(statement.declaration)

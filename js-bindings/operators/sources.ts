@@ -58,7 +58,7 @@ const isLibrary = (url: string) =>
     url.replace(/[?#].*$/, ''),
   )
 
-/** What can be read without a request to another site. Pages that are files may read nothing. */
+/** Returns whether a script can be read without a request to another site. Pages that are files may read nothing. */
 const isReadable = (url: string) =>
   /^(blob|data):/.test(url) || (/^https?:/.test(url) && new URL(url).origin === location.origin)
 
@@ -113,7 +113,7 @@ function placesIn(script: Script, text: string): Place[] {
   return places
 }
 
-/** Where the text of a function stands in the page's scripts: several places if several functions have that text. */
+/** Finds the text of a function in the page's scripts. There are several places if several functions have that text. */
 export function placesOf(text: string): Place[] {
   if (typeof document === 'undefined') return []
   const inline = inlineScripts().flatMap((script) => placesIn(script, text))

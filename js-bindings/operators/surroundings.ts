@@ -1,4 +1,4 @@
-// What is around a function in the script that it is in.
+// Describes what surrounds a function in its script.
 import { binderOf, definitionIn, pathTo } from './definitions.js'
 import { type Place, namesAround } from './resolve.js'
 import { assignedIn, walk } from './scopes.js'
@@ -32,7 +32,7 @@ const unseen: Surroundings = {
   programs: (name) => programsWith(name, undefined),
 }
 
-/** Of a function by its text. Where several functions of the page have that text, a name counts as bound if it is for one of them. */
+/** Describes the surroundings of a function by its text. If several functions of the page have that text, a name counts as bound if it is for one of them. */
 export function surroundingsOf(text: string): Surroundings {
   const places = placesOf(text)
   if (!places.length) return unseen

@@ -1,6 +1,15 @@
 // From the text of a function, whose operators work on numbers, to one whose operators ask what they work on. Lines stay where
 // they are, so that errors name the sketch's own.
 import { shorten } from '../checks/describe.js'
+import {
+  changesVector,
+  endsFunction,
+  endsInReturn,
+  functionNamesIn,
+  isSteady,
+  isSuspended,
+  leaves,
+} from './flow.js'
 import { isKnown } from './functions.js'
 import { assignedIn, declaredIn, isProperty, propertySetIn, varsIn, walk } from './scopes.js'
 import { childrenOf, type Tree } from './tree.js'
@@ -25,7 +34,7 @@ const bits = new Set(['|', '&', '^', '<<', '>>', '>>>'])
 const unary: Record<string, string> = { '-': 'neg', '+': 'plus', '!': 'not' }
 const logical: Record<string, string> = { '&&': 'and', '||': 'or' }
 
-/** Whether a node means something else of expressions than JavaScript makes of it. Of calls, see `isCallToTranslate`. */
+/** Returns whether a node is an operator that expressions define anew. Calls are judged by `isCallToTranslate`. */
 export const isOperator = ({ type, operator, argument }: Tree): boolean =>
   (type === 'BinaryExpression' && (operator in binary || bits.has(operator))) ||
   (type === 'UnaryExpression' &&
@@ -42,11 +51,11 @@ export function unusedName(name: string, source: string): string {
 }
 
 export interface Translation {
-  /** Whether an identifier is a name from around the function. */
+  /** Returns whether an identifier is bound outside of the function. */
   isFree: (node: Tree) => boolean
-  /** What the operators are called in the text. */
+  /** The name of the operators in the translated text. */
   operatorsName: string
-  /** Whether functions that the text does not know are to be read when they are called. */
+  /** True if other functions are translated when they are called. */
   readsHelpers: boolean
 }
 
@@ -129,11 +138,11 @@ export function translate(
           optional.add(each)
         return undefined
       case 'CallExpression':
-        return optional.has(node) ? undefined : called(node)
+        return optional.has(node) ? undefined : translateCall(node)
       case 'NewExpression':
-        return constructed(node)
+        return translateNew(node)
       case 'UpdateExpression':
-        return updated(node, false)
+        return translateUpdate(node, false)
       case 'BlockStatement':
         return `{${statements(node.body, node.start + 1, node.end - 1, endsFunction(node) ? { then: '', following: [] } : undefined)}}`
       case 'IfStatement':
@@ -204,7 +213,10 @@ export function translate(
   }
 
   /** `x++` and its like. */
-  function updated({ argument, operator, prefix }: Tree, isUnused: boolean): string | undefined {
+  function translateUpdate(
+    { argument, operator, prefix }: Tree,
+    isUnused: boolean,
+  ): string | undefined {
     const by = operator === '++' ? '1' : '-1'
     if (argument.type === 'Identifier') {
       const set = `${argument.name} = ${op('move', argument.name, by)}`
@@ -225,7 +237,7 @@ export function translate(
   function statement({ expression }: Tree): string | undefined {
     const { type } = expression
     if (type === 'UpdateExpression') {
-      const set = updated(expression, true)
+      const set = translateUpdate(expression, true)
       return set && `${set};`
     }
     if (type === 'CallExpression' && changesVector(expression))
@@ -255,7 +267,7 @@ export function translate(
   const argumentsOf = (callee: Tree, given: Tree[]) =>
     given.map((each, i) => between(given[i - 1] ?? callee, each) + operand(each))
 
-  function called(node: Tree): string | undefined {
+  function translateCall(node: Tree): string | undefined {
     const { callee, arguments: given } = node
     const all = argumentsOf(callee, given)
     const onLines = (translated: string) => onItsLines(node, translated)
@@ -278,7 +290,7 @@ export function translate(
     return onLines(op('method', operand(object), between(object, property) + key, ...all))
   }
 
-  function constructed(node: Tree): string | undefined {
+  function translateNew(node: Tree): string | undefined {
     const { callee, arguments: given } = node
     return readsHelpers && callee.type === 'Identifier'
       ? onItsLines(node, op('construct', callee.name, ...argumentsOf(callee, given)))
@@ -423,80 +435,8 @@ export function translate(
   return text(tree)
 }
 
-/** The names of functions that are declared in it for good, and so are translated with it. */
-function functionNamesIn(tree: Tree): Set<string> {
-  const names = new Set<string>()
-  walk(tree, (node, parent) => {
-    if (node.type === 'FunctionDeclaration') names.add(node.id.name)
-    if (
-      node.type === 'VariableDeclarator' &&
-      parent!.kind === 'const' &&
-      /Function/.test(node.init?.type ?? '')
-    )
-      names.add(node.id.name)
-  })
-  return names
-}
-
-/** Methods of p5.Vector that change it. */
-const changing = /^(add|sub|mult|div|rem|normalize|setMag|limit|rotate|lerp|reflect)$/
-
-const changesVector = ({ callee }: Tree): boolean =>
-  callee.type === 'MemberExpression' &&
-  callee.object.type === 'Identifier' &&
-  changing.test(callee.property.name)
-
-/** Whether a generator or an async function waits in it: that cannot be put into a function of its own. */
-function isSuspended(nodes: Tree[]): boolean {
-  let found = false
-  for (const each of nodes)
-    walk(each, (node) => {
-      if (/^(Yield|Await)Expression$/.test(node.type)) found = true
-      return !/Function/.test(node.type)
-    })
-  return found
-}
-
 /** What comes after statements: text, and the statements that it stands for, by the block that they are in. */
 interface Tail {
   then: string
   following: Tree[][]
-}
-
-/** Whether reading it twice is reading it once. */
-const isSteady = (node: Tree): boolean =>
-  node.type === 'MemberExpression'
-    ? isSteady(node.object) && (!node.computed || isSteady(node.property))
-    : /^(Identifier|Literal|ThisExpression|Super)$/.test(node.type)
-
-/** Whether a statement such as `return` is in it, but not in a function of its own. */
-function leaves(node: Tree, type: string): boolean {
-  let found = false
-  const inLoops = new Set<Tree>()
-  const isInLoop = (each: Tree) => inLoops.has(each)
-  walk(node, (each) => {
-    // A jump of a loop that is itself in the statement stays within it.
-    if (/^(For|While|DoWhile)/.test(each.type) && type !== 'ReturnStatement' && each !== node)
-      walk(each, (inner) => {
-        inLoops.add(inner)
-      })
-    if (each.type === type && (!isInLoop(each) || each.label)) found = true
-    return !/Function/.test(each.type)
-  })
-  return found
-}
-
-/** Whether nothing comes after a block, within a loop neither. */
-const endsFunction = (block: Tree): boolean =>
-  endsInReturn(block) && !leaves(block, 'BreakStatement') && !leaves(block, 'ContinueStatement')
-
-function endsInReturn(node: Tree): boolean {
-  if (node.type === 'ReturnStatement' || node.type === 'ThrowStatement') return true
-  if (node.type === 'BlockStatement') return node.body.length > 0 && endsInReturn(node.body.at(-1))
-  return (
-    node.type === 'IfStatement' &&
-    !!node.alternate &&
-    endsInReturn(node.consequent) &&
-    endsInReturn(node.alternate)
-  )
 }

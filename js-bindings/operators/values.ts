@@ -1,8 +1,8 @@
-// What kinds of values operators and functions tell apart.
+// The kinds of values that operators and functions distinguish.
 import { isExpression } from '../checks/describe.js'
 import type { Glsl } from './functions.js'
 
-/** What an expression's session answers, of whichever copy of warpjet it is. */
+/** The part of an expression's session that is used here. */
 interface Session {
   isCondition(value: unknown): boolean
   shapeOf(value: unknown): readonly [columns: number, rows: number]
@@ -11,7 +11,7 @@ interface Session {
 
 const sessionOf = (value: unknown) => (value as { session: Session }).session
 
-/** What p5 gives its sketches, where p5 is a global of the page. */
+/** The prototype of p5's sketches, if p5 is a global of the page. */
 export const p5Prototype = (): object =>
   (Reflect.get(globalThis, 'p5') as { prototype?: object } | undefined)?.prototype ?? {}
 
@@ -23,7 +23,7 @@ export const isSketch = (object: unknown): object is Record<string, unknown> =>
     (name) => name in object && typeof Reflect.get(object, name) === 'function',
   )
 
-/** Such as p5's createVector and three's Vector3 make. */
+/** Returns whether a value is a vector, as p5's createVector and three's Vector3 make it. */
 export const isVectorLike = (value: unknown): value is { x: unknown; y: unknown; z?: unknown } =>
   typeof value === 'object' &&
   value !== null &&
@@ -39,11 +39,11 @@ const partsOf = (value: unknown): unknown[] =>
       ? [value.x, value.y, ...(value.z === undefined ? [] : [value.z])]
       : []
 
-/** Whether a value is an expression, or an array or vector that holds one. */
+/** Returns whether a value is an expression, or an array or vector that holds one. */
 export const isWarped = (value: unknown): boolean =>
   isExpression(value) || partsOf(value).some(isWarped)
 
-/** Whether an object of the sketch holds an expression, as far as its own values show. Getters are not called. */
+/** Returns whether an object of the sketch holds an expression among its own values. Getters are not called. */
 export function holdsExpression(value: unknown, depth = 2): boolean {
   if (typeof value === 'function' && !isExpression(value)) return depth > 1
   if (isWarped(value)) return true
@@ -59,11 +59,11 @@ export function wholeOf(glsl: Glsl, value: unknown): unknown {
   return parts.length >= 2 && parts.length <= 4 ? glsl[`vec${parts.length}`]!(...parts) : value
 }
 
-/** Whether a value is a condition that differs by vertex. */
+/** Returns whether a value is a condition that differs by vertex. */
 export const isCondition = (value: unknown): boolean =>
   isExpression(value) && sessionOf(value).isCondition(value)
 
-/** Whether the truth of a value differs by vertex: of a condition or a number, but not of a vector, which JavaScript takes as true. */
+/** Returns whether the truth of a value differs by vertex: of a condition or a number, but not of a vector, which JavaScript takes as true. */
 export function decidesByVertex(value: unknown): boolean {
   if (!isExpression(value)) return false
   if (isCondition(value)) return true

@@ -45,7 +45,7 @@ function draw() {
 }`
 }`
 
-/** What a page shows and prints. */
+/** Opens a page with a sketch → its picture, and all that it printed. */
 async function run(scripts, sketch) {
   const { page, messages } = await runSketch(browser, server, scripts, written(sketch))
   const image = (await page.$('canvas')) && (await readPixels(page))

@@ -99,7 +99,7 @@ for (const [version, p5] of p5InThisRun) {
       server,
       [p5, ...scripts],
       `const amount = 0.3
-      const height = 0.2
+      const makeWave = (height) => createWarp(({ position }) => position * height)
       const double = (x) => x * 2
       const attempt = (work) => {
         try { work(); return 'done' } catch ({ message }) { return message }
@@ -109,7 +109,7 @@ for (const [version, p5] of p5InThisRun) {
         noLoop()
         window.outcomes = [
           attempt(() => createWarp(({ position }) => position * amount)),
-          attempt(() => createWarp(({ position }) => position * height)),
+          attempt(() => makeWave(0.2)),
           attempt(() => createWarp(({ position }) => [double(position.x), 0, 0])),
           attempt(() => createWarp(({ position }) => position * amount, { scope: { amount } })),
         ]

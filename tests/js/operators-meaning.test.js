@@ -1,4 +1,4 @@
-// What operators read means what JavaScript means: each function beside its twin by methods, read in a page and by the plugin.
+// Operators have JavaScript's meaning: each function beside its twin by methods, read in a page and by the plugin.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
 import { mask } from '../../dist/deformers.js'
@@ -26,7 +26,7 @@ const p5Functions = {
 // They have no text, as p5's have none.
 for (const [name, known] of Object.entries(p5Functions)) globalThis[name] = known.bind(null)
 
-/** What a build makes of a module, run. */
+/** Runs a module as the plugin translates it. */
 function built(code, names = {}) {
   const translated = translateModule(code) ?? code
   const [last, all, one] =
@@ -46,7 +46,7 @@ function built(code, names = {}) {
 
 const uniforms = { amount: 0.5 }
 
-/** As a page reads it, and as a build does. */
+/** Compiles a function as a page reads it, and as the plugin translates it. */
 function bothOf(written) {
   const offset = (0, eval)(`(${written})`)
   const options = written.includes('uniforms') ? { uniforms } : {}
