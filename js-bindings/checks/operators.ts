@@ -1,5 +1,3 @@
-import type { OffsetFunction } from '../types/types.js'
-
 /** The global under which 'warpjet/operators' registers itself, so that every copy of warpjet on a page finds it. */
 export const operatorsKey = Symbol.for('warpjet.operators')
 
@@ -24,10 +22,10 @@ export interface ReadOptions {
   sketch?: object | undefined
 }
 
-type Reader = (offset: OffsetFunction, scope?: object, options?: ReadOptions) => OffsetFunction
+type Reader = <F extends Function>(offset: F, scope?: object, options?: ReadOptions) => F
 
 /** The offset function with its operators read, if the page has 'warpjet/operators'; otherwise the function itself. */
-export function readOperators(offset: OffsetFunction, options: ReadOptions): OffsetFunction {
+export function readOperators<F extends Function>(offset: F, options: ReadOptions): F {
   const read = Reflect.get(globalThis, operatorsKey) as Reader | undefined
   return read && !isOwnFunction(offset) ? read(offset, options.scope ?? {}, options) : offset
 }

@@ -37,7 +37,7 @@ export function compile(
   checkCallback('compile', callback)
   checkOptions('compile', options, ['target'])
   const target = checkTarget(options.target)
-  const read = readOperators(callback as never, { method: 'compile' }) as unknown as typeof callback
+  const read = readOperators(callback, { method: 'compile' })
   const module = withSession(target, (session) => {
     const results: unknown = read(createBuilder(session) as unknown as Glsl)
     if (typeof results !== 'object' || results === null || isNoRecord(results))
@@ -89,7 +89,7 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
       `gen: maxDepthPerVariable must be a number of at least 1, but is ${describe(maxDepthPerVariable)}.`,
     )
   const target = checkTarget(settings.target)
-  const read = readOperators(callback as never, { method: 'gen' }) as unknown as typeof callback
+  const read = readOperators(callback, { method: 'gen' })
   const run = (session: Session): [KeptModule, unknown] => {
     const returned: unknown = read(createBuilder(session) as unknown as Glsl)
     if (isUnfinished(returned))

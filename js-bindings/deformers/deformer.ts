@@ -44,7 +44,7 @@ export function checkDeformerOptions(name: string, options: object | undefined, 
 export function reader<Value>(place: string, kind: Kind<Value>, given: unknown) {
   const value = given === undefined ? kind.standard : given
   const isComputed = kind.rows !== 0 && isCallable(value)
-  const compute = isComputed ? readOperators(value as never, { method: place }) : undefined
+  const compute = isComputed ? readOperators(value, { method: place }) : undefined
   const mustBe = isComputed ? returning(place, kind) : being(place, kind)
   const isKnown = kind.rows === 0 || !(isComputed || isExpression(value))
   if (isKnown && !kind.allows(value)) throw new WarpError(mustBe(describe(value)))

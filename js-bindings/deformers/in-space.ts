@@ -44,7 +44,7 @@ export function inSpace<Uniforms extends UniformValues = {}>(
     const { linear, shift } = readSpace(
       inputs,
       isCallable(matrix)
-        ? readOperators(matrix as never, { method: 'inSpace' })(inputs as OptionInputs)
+        ? readOperators(matrix, { method: 'inSpace' })(inputs as OptionInputs)
         : matrix,
     )
     const determinant = linear.determinant()

@@ -3,7 +3,7 @@ import { isClass, isExpression } from '../checks/describe.js'
 import { WarpError } from '../checks/errors.js'
 import { guardedKey, isOwnFunction } from '../checks/operators.js'
 import { type Glsl, isKnown, ofExpressions, ofNumbers } from './functions.js'
-import { inHelper } from './messages.js'
+import { inHelper, isOfOperator } from './messages.js'
 import type { Operators, ReadHelper } from './runtime.js'
 import { holdsExpression, isSketch, isWarped, p5Prototype, wholeOf } from './values.js'
 
@@ -16,6 +16,13 @@ const removeGuard = (f: Any) => (Reflect.get(f, guardedKey) as Any | undefined) 
 
 const isNative = (f: Any) =>
   /\{\s*\[native code\]\s*\}\s*$/.test(Function.prototype.toString.call(f))
+
+/** The name of a function of Math or p5 that a variable holds, as after `const { sin } = Math`. */
+function knownName(f: Any): string | undefined {
+  const own = removeGuard(f)
+  const name = own.name.replace(/^bound /, '')
+  return isNative(own) && isKnown(name) ? name : undefined
+}
 
 /** Returns whether a function belongs to the sketch, and neither to JavaScript nor to p5. `host` is the object that has p5's functions. */
 function isOwn(name: string, f: Any, host: object = p5Prototype()): boolean {
@@ -73,8 +80,17 @@ export function callsOf(
     (x.some((each) => holdsExpression(each)) || holdsExpression(self, 1))
 
   function invokeBy(name: string, f: Any, self: unknown, x: unknown[]): unknown {
-    const callee = needsReading(f, self, x) ? translatedOf(f, name) : f
-    return Reflect.apply(callee, self, x)
+    if (needsReading(f, self, x)) return Reflect.apply(translatedOf(f, name), self, x)
+    const alias = knownName(f)
+    if (alias && x.some(isWarped)) return callKnown(alias, f, x)
+    try {
+      return Reflect.apply(f, self, x)
+    } catch (error) {
+      // It makes use of an expression that it was not handed, as of a variable of the sketch.
+      const translated = isOfOperator(error) && !isNative(f) ? translatedOf(f, name) : f
+      if (translated === f) throw error
+      return Reflect.apply(translated, self, x)
+    }
   }
 
   /** A call of a function that is the value of a variable. */

@@ -8,13 +8,16 @@ import { childrenOf, type Tree } from './tree.js'
 
 /**
  * What a function uses: `operators` on what may be an expression, which throws or means something else without translation; or
- * only `logic`, such as `sum ? sum.add(x) : x`, which JavaScript decides by whether there is a value.
+ * only `logic`, such as `sum ? sum.add(x) : x`, which JavaScript decides by whether there is a value. A helper may read expressions that
+ * it is not handed.
  */
 export type Needs = 'operators' | 'logic' | 'nothing'
 
-export function needsOf(tree: Tree): Needs {
-  const mayBeExpression = expressionsIn(tree)
-  const free = new Set([...freeReferences(tree).values()].flat())
+export function needsOf(tree: Tree, { isHelper = false } = {}): Needs {
+  const references = freeReferences(tree)
+  const free = new Set([...references.values()].flat())
+  // An offset function may have set a variable of the sketch that a helper reads.
+  const mayBeExpression = expressionsIn(tree, isHelper ? [...references.keys()] : [])
   let needs: Needs = 'nothing'
   walk(tree, (node) => {
     if (needs === 'operators') return false
@@ -77,8 +80,8 @@ function isCallToTranslate(
 }
 
 /** Returns a check whether the value of a node may be an expression. The order of statements does not count. */
-function expressionsIn(tree: Tree): (node: Tree) => boolean {
-  const names = new Set<string>()
+function expressionsIn(tree: Tree, others: readonly string[]): (node: Tree) => boolean {
+  const names = new Set(['arguments', ...others.filter((name) => !isBuiltIn(name))])
   const functions = new Set<string>()
   walk(tree, (node) => {
     if (/Function/.test(node.type)) {

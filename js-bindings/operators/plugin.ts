@@ -35,8 +35,9 @@ export function translateModule(code: string): string | undefined {
   const offsets = offsetsIn(program)
   if (offsets.length === 0) return undefined
   const free = new Set([...freeReferences(program).values()].flat())
+  const ofMath = takenFromMath(program)
   const translation: Translation = {
-    isFree: (node) => free.has(node),
+    isFree: (node) => free.has(node) || ofMath.has(node.name as string),
     operatorsName: unusedName('warpjetOperators', code),
     readsHelpers: false,
   }
@@ -110,6 +111,18 @@ function importedFrom(program: Tree, from: RegExp): Set<string> {
   return names
 }
 
+/** The names of `const { sin, cos } = Math`. */
+function takenFromMath(program: Tree): Set<string> {
+  const names = new Set<string>()
+  walk(program, ({ type, id, init }) => {
+    if (type !== 'VariableDeclarator' || init?.name !== 'Math' || id.type !== 'ObjectPattern')
+      return
+    for (const { shorthand, value } of id.properties)
+      if (shorthand && value.name) names.add(value.name)
+  })
+  return names
+}
+
 /** The function of this module that an expression names. */
 function functionBy(program: Tree, { type, name, start, end }: Tree): Tree | undefined {
   if (type !== 'Identifier') return undefined
@@ -124,7 +137,7 @@ function helpersOf(program: Tree, offsets: Offset[]): Set<Tree> {
     offsets.some(({ given, tree }) => given === tree && start >= tree.start && end <= tree.end)
   const add = (tree: Tree | undefined) => {
     if (!tree || !isPlainFunction(tree) || helpers.has(tree) || isInside(tree)) return
-    if (needsOf(tree) === 'operators') helpers.add(tree)
+    if (needsOf(tree, { isHelper: true }) !== 'nothing') helpers.add(tree)
     visit(tree)
   }
   const seen = new Set<Tree>()

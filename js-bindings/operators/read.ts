@@ -104,7 +104,9 @@ function isVariable(name: string): boolean {
 /** A function or class that is called with expressions; nothing if it has nothing to translate, or is not the sketch's. */
 function readHelper(helper: Function, name: string, reader: Reader): Read | undefined {
   const parsed = parseFunction(helper)
-  return parsed && needsOf(parsed.tree) === 'operators' ? read(helper, reader, name) : undefined
+  return parsed && needsOf(parsed.tree, { isHelper: true }) !== 'nothing'
+    ? read(helper, reader, name)
+    : undefined
 }
 
 /** The names that a text takes from around it, and where they come from. */

@@ -7,7 +7,7 @@ import { translateModule } from '../../dist/operators-plugin.js'
 import * as runtime from '../../dist/operators-runtime.js'
 import { compile, compileWarp } from '../../dist/warpjet.js'
 import { warp } from '../../dist/three.js'
-import { BoxGeometry, Mesh } from 'three'
+import { BoxGeometry, MathUtils, Mesh } from 'three'
 
 /** p5's functions as a page has them in global mode: of numbers alone. */
 const p5Functions = {
@@ -196,6 +196,14 @@ const pairs = {
   'a parameter of a function within has the name of a function': [
     '({ position }) => { const f = (sin) => sin(position.y * 1); return [f((a) => a + 1), 0, 0] }',
     ({ glsl, position }) => glsl.vec3(position.y.mult(1).add(1), 0, 0),
+  ],
+  'functions that are taken from Math': [
+    '({ position: { x } }) => { const { sin, floor: down } = Math; const s = Math.cos; return [sin(x), s(x * 2), sin(0)] }',
+    ({ glsl, position: { x } }) => glsl.vec3(x.sin(), x.mult(2).cos(), 0),
+  ],
+  'the arguments of a function': [
+    '(function () { const { position } = arguments[0]; return position * 2 })',
+    ({ position }) => position.mult(2),
   ],
   'a name that only one block has': [
     '({ position }) => { { const sin = 2; position.x.mult(sin) } return [sin(position.y * 1), 0, 0] }',
@@ -491,6 +499,32 @@ describe('helper functions:', () => {
       const module = `${script.replaceAll(/globalThis\.(\w+) = function/g, 'const $1 = function').replaceAll('globalThis.', 'const ')}\nout.push(createWarp(${written}))`
       assert.equal(built(module), expected)
     })
+
+  test('one that reads a variable which the offset function has set', () => {
+    ;(0, eval)(`globalThis.warpjetPoint = undefined
+    globalThis.lift = function () { return warpjetPoint.x * 2 }`)
+    assert.equal(
+      compileWarp(
+        operators(
+          (0, eval)('({ position }) => { warpjetPoint = position; return [lift(), 0, 0] }'),
+        ),
+      ).code,
+      compileWarp(({ glsl, position }) => glsl.vec3(position.x.mult(2), 0, 0)).code,
+    )
+  })
+
+  test('one of another library', () => {
+    assert.equal(
+      compileWarp(operators(({ position }) => MathUtils.lerp(position, 2, 0.25) * 1, { MathUtils }))
+        .code,
+      compileWarp(({ glsl, position }) =>
+        glsl
+          .mult(1 - 0.25, position)
+          .add(0.25 * 2)
+          .mult(1),
+      ).code,
+    )
+  })
 
   test('one whose text sees too little says so, once, and names what', () => {
     const hidden = 3
