@@ -55,7 +55,7 @@ const withoutWasmInMaps = {
 const sharedFiles = [
   {
     name: 'basics',
-    test: /\/js-bindings\/(checks\/.*|inputs\/.*|cpu\/warp-program|expression\/shapes|wasm\/start|wasm\/tables|generated\/version)\.ts$/,
+    test: /\/js-bindings\/(checks\/.*|inputs\/.*|cpu\/warp-program|expression\/(?:shapes|source-lines)|wasm\/start|wasm\/tables|generated\/version)\.ts$/,
   },
   { name: 'compiler', test: /\/js-bindings\/compile\/(compile|compile-warp-text)\.ts$/ },
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
@@ -66,7 +66,10 @@ const sharedFiles = [
   },
   { name: 'p5-addon', test: /\/js-bindings\/p5\// },
   { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu)/ },
-  { name: 'operating', test: /\/js-bindings\/operators\/runtime\.ts$/ },
+  {
+    name: 'operating',
+    test: /\/js-bindings\/operators\/(runtime|calls|functions|messages|values)\.ts$/,
+  },
   { name: 'translating', test: /\/js-bindings\/operators\/|\/node_modules\/acorn\// },
 ]
 

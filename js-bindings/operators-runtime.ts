@@ -1,2 +1,2 @@
 // 'warpjet/operators/runtime': what translated modules import.
-export { withOperators } from './operators/runtime.js'
+export { operators, withOperators } from './operators/runtime.js'

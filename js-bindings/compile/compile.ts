@@ -2,6 +2,7 @@
 import { createBuilder } from '../expression/builder.js'
 import type { Session } from '../expression/session.js'
 import { WarpError, describe } from '../checks/errors.js'
+import { readOperators } from '../checks/operators.js'
 import { type Compiled, type CompileOptions, declaredOf, withSession } from '../module/result.js'
 import { type Numbers, evaluate } from '../cpu/double.js'
 import { Expression, toExpression } from '../expression/expression.js'
@@ -36,8 +37,9 @@ export function compile(
   checkCallback('compile', callback)
   checkOptions('compile', options, ['target'])
   const target = checkTarget(options.target)
+  const read = readOperators(callback, { method: 'compile' })
   const module = withSession(target, (session) => {
-    const results: unknown = callback(createBuilder(session) as unknown as Glsl)
+    const results: unknown = read(createBuilder(session) as unknown as Glsl)
     if (typeof results !== 'object' || results === null || isNoRecord(results))
       throw new WarpError(
         `compile: the function must return an object of named expressions, such as { height: x.sin() }, but returned ${describeResult(results)}.`,
@@ -87,8 +89,9 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
       `gen: maxDepthPerVariable must be a number of at least 1, but is ${describe(maxDepthPerVariable)}.`,
     )
   const target = checkTarget(settings.target)
+  const read = readOperators(callback, { method: 'gen' })
   const run = (session: Session): [KeptModule, unknown] => {
-    const returned: unknown = callback(createBuilder(session) as unknown as Glsl)
+    const returned: unknown = read(createBuilder(session) as unknown as Glsl)
     if (isUnfinished(returned))
       throw new WarpError('gen: the function must be a plain one, not async and no generator.')
     return [session.finish(), returned]

@@ -1,3 +1,4 @@
+import { asOwn } from '../checks/operators.js'
 import type { OffsetFunction, UniformValues } from '../types/types.js'
 import { checkWarps, offsetOf } from './warps.js'
 
@@ -9,8 +10,9 @@ export function add<Uniforms extends UniformValues = {}>(
   ...warps: OffsetFunction<Uniforms>[]
 ): OffsetFunction<Uniforms> {
   checkWarps('add', warps)
-  return (inputs) =>
+  return asOwn((inputs) =>
     warps
       .map((warp, i) => offsetOf('add', i + 1, warp, inputs))
-      .reduce((sum, offset) => sum.add(offset))
+      .reduce((sum, offset) => sum.add(offset)),
+  )
 }

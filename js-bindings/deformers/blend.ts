@@ -1,3 +1,4 @@
+import { asOwn } from '../checks/operators.js'
 import type { OffsetFunction, UniformValues } from '../types/types.js'
 import { type NumberOption, number } from './kinds.js'
 import { reader } from './deformer.js'
@@ -16,6 +17,7 @@ export function blend<Uniforms extends UniformValues = {}>(
 ): OffsetFunction<Uniforms> {
   checkWarps('blend', [from, to])
   const readAmount = reader('blend: the amount', number(0.5), amount)
-  return (inputs) =>
-    offsetOf('blend', 1, from, inputs).mix(offsetOf('blend', 2, to, inputs), readAmount(inputs))
+  return asOwn((inputs) =>
+    offsetOf('blend', 1, from, inputs).mix(offsetOf('blend', 2, to, inputs), readAmount(inputs)),
+  )
 }

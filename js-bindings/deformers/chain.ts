@@ -1,3 +1,4 @@
+import { asOwn } from '../checks/operators.js'
 import type { OffsetFunction, UniformValues } from '../types/types.js'
 import { inputsAt } from './places.js'
 import { checkWarps, offsetOf } from './warps.js'
@@ -18,7 +19,7 @@ export function chain<Uniforms extends UniformValues = {}>(
   ...warps: OffsetFunction<Uniforms>[]
 ): OffsetFunction<Uniforms> {
   checkWarps('chain', warps)
-  return (inputs) => {
+  return asOwn((inputs) => {
     let offset = offsetOf('chain', 1, warps[0]!, inputs)
     for (const [i, warp] of warps.entries())
       if (i > 0) {
@@ -26,5 +27,5 @@ export function chain<Uniforms extends UniformValues = {}>(
         offset = offset.add(offsetOf('chain', i + 1, warp, moved))
       }
     return offset
-  }
+  })
 }

@@ -1,6 +1,7 @@
 // From what a caller hands to a deformer to what its formula works with. Constants are checked at once, what is computed
 // when the warp is made.
 import { WarpError, describe, describeShape } from '../checks/errors.js'
+import { asOwn, readOperators } from '../checks/operators.js'
 import { checkOptions, isCallable } from '../checks/options.js'
 import type { Expression } from '../expression/expression.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
@@ -25,10 +26,10 @@ export function deformer<All extends Kinds>(
   const all = Object.entries(kinds).map(([option, kind]) =>
     reader(`${name}: the option "${option}"`, kind, given[option]),
   )
-  return (inputs) => {
+  return asOwn((inputs) => {
     const values = all.map((read, i) => [Object.keys(kinds)[i], read(inputs)])
     return formula(inputs, Object.fromEntries(values) as Values<All>)
-  }
+  })
 }
 
 export function checkDeformerOptions(name: string, options: object | undefined, kinds: Kinds) {
@@ -43,12 +44,13 @@ export function checkDeformerOptions(name: string, options: object | undefined, 
 export function reader<Value>(place: string, kind: Kind<Value>, given: unknown) {
   const value = given === undefined ? kind.standard : given
   const isComputed = kind.rows !== 0 && isCallable(value)
+  const compute = isComputed ? readOperators(value, { method: place }) : undefined
   const mustBe = isComputed ? returning(place, kind) : being(place, kind)
   const isKnown = kind.rows === 0 || !(isComputed || isExpression(value))
   if (isKnown && !kind.allows(value)) throw new WarpError(mustBe(describe(value)))
 
   return (inputs: WarpInputs): Value => {
-    const result: unknown = isComputed ? value(inputs as never) : value
+    const result: unknown = compute ? compute(inputs as never) : value
     const wrong =
       kind.rows !== 0 && isExpression(result)
         ? wrongShape(place, kind.rows, result, inputs)

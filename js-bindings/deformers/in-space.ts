@@ -1,5 +1,6 @@
 import { WarpError, describe, describeShape } from '../checks/errors.js'
 import type { Expression } from '../expression/expression.js'
+import { asOwn, readOperators } from '../checks/operators.js'
 import { isCallable, isList } from '../checks/options.js'
 import type {
   Glsl,
@@ -38,9 +39,11 @@ export function inSpace<Uniforms extends UniformValues = {}>(
 ): OffsetFunction<Uniforms> {
   if (!isCallable(matrix) && !isExpression(matrix)) checkNumbers(matrix)
   checkWarps('inSpace', [warp], 2)
-  return (inputs) => {
+  return asOwn((inputs) => {
     const { glsl } = inputs
-    const given: unknown = isCallable(matrix) ? matrix(inputs as OptionInputs) : matrix
+    const given: unknown = isCallable(matrix)
+      ? readOperators(matrix, { method: 'inSpace' })(inputs as OptionInputs)
+      : matrix
     const { linear, shift } = readSpace(inputs, given)
     const determinant = linear.determinant()
     const surface = surfaceOf(inputs)
@@ -52,7 +55,7 @@ export function inSpace<Uniforms extends UniformValues = {}>(
     })
     const offset = linear.inverse().mult(offsetOf('inSpace', 2, warp, inside))
     return determinant.eq(0).ifElse(glsl.vec3(0), offset)
-  }
+  })
 }
 
 function readSpace({ glsl, position }: WarpInputs, matrix: unknown): Space {

@@ -1,3 +1,4 @@
+import { asOwn } from '../checks/operators.js'
 import type { OffsetFunction, UniformValues } from '../types/types.js'
 import { type NumberOption, number } from './kinds.js'
 import { reader } from './deformer.js'
@@ -15,5 +16,5 @@ export function mask<Uniforms extends UniformValues = {}>(
 ): OffsetFunction<Uniforms> {
   checkWarps('mask', [warp])
   const readWeight = reader('mask: the weight', { ...number(1), standard: undefined }, weight)
-  return (inputs) => offsetOf('mask', 1, warp, inputs).mult(readWeight(inputs))
+  return asOwn((inputs) => offsetOf('mask', 1, warp, inputs).mult(readWeight(inputs)))
 }

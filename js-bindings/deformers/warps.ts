@@ -1,6 +1,7 @@
 // What all compositions check.
 import { WarpError, describe, describeShape } from '../checks/errors.js'
 import type { Expression } from '../expression/expression.js'
+import { readOperators } from '../checks/operators.js'
 import { isCallable } from '../checks/options.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
 import { isExpression } from './kinds.js'
@@ -23,7 +24,7 @@ export function offsetOf(
   warp: OffsetFunction<never>,
   inputs: WarpInputs,
 ): Vec3 {
-  const offset: unknown = warp(inputs as WarpInputs<never>)
+  const offset: unknown = readOperators(warp as OffsetFunction, { method })(inputs)
   const expected = `${method}: the offset function that is argument ${number} must return a vec3`
   if (!isExpression(offset))
     throw new WarpError(

@@ -1,7 +1,8 @@
 // What a sketch holds while it writes an offset: the handle of a number, vector or matrix in the wasm. Its methods come
 // from `builder.ts`; `types.ts` names them.
-import { isExpression, vectorOfNumbers } from '../checks/describe.js'
+import { describeShape, isExpression, vectorOfNumbers } from '../checks/describe.js'
 import { WarpError, describe } from '../checks/errors.js'
+import { operatorsKey } from '../checks/operators.js'
 import type { Shape } from './shapes.js'
 
 const largestFloat32 = 3.4028234663852886e38
@@ -27,9 +28,23 @@ export class Expression {
    */
   [Symbol.toPrimitive](hint: string): string {
     if (hint === 'string') return expressionAsText
+    if (operatorsKey in globalThis)
+      throw new WarpError(
+        "JavaScript's own + - * / < > and Math functions do not work on expressions here, in a function that warpjet/operators has not read; hand that function to createWarp or operators() itself, or write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin() in it.",
+      )
     throw new WarpError(
       "JavaScript's own + - * / < > and Math functions do not work on expressions; write x.add(1), x.mult(2), x.gt(0).ifElse(a, b), x.sin(), or add the script warpjet.operators.min.js or import 'warpjet/operators', with which they do.",
     )
+  }
+
+  /** The components of a vector, as in `const [x, y, z] = position`. */
+  *[Symbol.iterator](): Generator<Expression> {
+    const [columns, rows] = this.session.shapeOf(this)
+    if (columns !== 1 || rows < 2)
+      throw new WarpError(
+        `An expression is taken apart as in const [x, y, z] = position: expected a vector, got ${describeShape([columns, rows])}.`,
+      )
+    for (const name of [...'xyzw'].slice(0, rows)) yield Reflect.get(this, name) as Expression
   }
 
   /** What Node's console prints. */

@@ -49,6 +49,8 @@ export class Session {
   private id: SessionHandle | 0
   /** By handle, the conditions that nothing was made of yet, and the places where they came up. */
   private readonly idle = new Map<number, Error>()
+  /** The handles of conditions. */
+  private readonly conditions = new Set<number>()
   /** How many functions' derivatives are being asked for at this moment. */
   private nesting = 0
 
@@ -131,6 +133,11 @@ export class Session {
     this.idle.delete(handle)
   }
 
+  /** Returns whether a value is a condition: the result of a comparison, or of logic. */
+  isCondition({ handle }: Expression): boolean {
+    return this.conditions.has(handle)
+  }
+
   /** An operation by its number; a method's first operand is what it is called on. */
   call(operation: number, method: string, operands: readonly Expression[], isMethod = false) {
     const id = this.open(method)
@@ -141,8 +148,12 @@ export class Session {
       else if (this.idle.size) operands.forEach((operand) => this.use(operand))
       const result = this.core._call(id, operation, isMethod, few, handle(0), handle(1), handle(2))
       if (result !== needsPartials) {
-        if (conditions.has(method)) this.idle.set(result, new Error())
-        return this.expression(result)
+        const expression = this.expression(result)
+        if (conditions.has(method)) {
+          this.idle.set(result, new Error())
+          this.conditions.add(result)
+        }
+        return expression
       }
       this.givePartials(id)
     }

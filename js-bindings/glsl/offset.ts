@@ -1,4 +1,5 @@
 // `glslOffset`: a function of shader text as an offset function.
+import { asOwn } from '../checks/operators.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { nearest } from '../checks/nearest.js'
 import { checkOptions } from '../checks/options.js'
@@ -44,7 +45,7 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
     return text.list(head, readIterations('glslOffset', options.maxIterations))
   })
   const { head } = listing
-  return (inputs) => {
+  return asOwn((inputs) => {
     const given = inputs as unknown as WarpInputs
     const glsl = inputs.glsl as unknown as Builder
     const operands = head.parameters.map(({ name }) =>
@@ -54,7 +55,7 @@ export function glslOffset<Uniforms extends UniformValues = {}>(
     const numbers = replay(glsl, listing, { arguments: operands, ...externals })
     const result = pack(glsl, head.type, numbers) as unknown as WarpInputs['position']
     return returns === 'position' ? result.sub(inputs.position) : result
-  }
+  })
 }
 
 const isInput = (name: string) => name in inputTypes

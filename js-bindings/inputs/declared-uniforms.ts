@@ -1,6 +1,7 @@
 // The option `uniforms`: values that a sketch names once, where it makes its warp. Their types come from the values.
 import type { Session } from '../expression/session.js'
 import { WarpError, describe } from '../checks/errors.js'
+import { asOwn, readOperators } from '../checks/operators.js'
 import type { Expression } from '../expression/expression.js'
 import { inputSizes, markWhole } from './inputs.js'
 import { lazyObject } from '../checks/lazy-object.js'
@@ -216,14 +217,15 @@ export function settled<Values extends object>(
 /** What the sketch calls its uniforms, for a message. */
 export const listed = (declared: DeclaredUniforms) => [...declared.keys()].join(', ')
 
-/** The offset function with `uniforms` among its inputs; `labelOf` gives what the shader calls them. */
+/** The offset function, with its operators read, and with `uniforms` among its inputs; `labelOf` gives what the shader calls them. */
 export function withUniforms(
   method: string,
   offset: OffsetFunction,
   declared: DeclaredUniforms,
   labelOf: (name: string) => string = (name) => name,
 ): OffsetFunction {
-  return (inputs) => {
+  const read = readOperators(offset, { method })
+  return asOwn((inputs: WarpInputs) => {
     const strings = Reflect.ownKeys(inputs).filter((name) => typeof name === 'string')
     const names = new Map([...strings, 'uniforms'].map((name) => [name, true]))
     const make = (name: string) => {
@@ -232,10 +234,10 @@ export function withUniforms(
       return expressions(method, session as Session, declared, labelOf)
     }
     // What is no input still says so.
-    return offset(
+    return read(
       lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs,
     )
-  }
+  })
 }
 
 /** An object of expressions, and of images' names, which says so where there is none of that name. */

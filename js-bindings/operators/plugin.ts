@@ -1,38 +1,198 @@
 // For Vite, Rollup and webpack (by unplugin's shape of a Rollup plugin): offset functions are translated when a project is built,
-// where they stand, so that they see the variables around them.
+// where they stand, so that they see the variables around them; and so are the functions of the same module that they call.
 import { parse } from 'acorn'
-import { declaredIn, walk } from './scopes.js'
-import { operatorsName, translate } from './translate.js'
+import { isChanging, setsLater } from './changing.js'
+import { binderOf, definitionIn, pathTo } from './definitions.js'
+import { needsOf, returnsArray } from './needs.js'
+import { freeReferences } from './resolve.js'
+import { walk } from './scopes.js'
+import { type Translation, translate, unusedName } from './translate.js'
 import type { Tree } from './tree.js'
 
 const callees = new Set(['createWarp', 'compileWarp'])
-const runtime = 'warpjetWithOperators'
+
+/** The exports of warpjet that take functions of a vertex. */
+const takers = new Set(
+  'createWarp compileWarp compile gen warp BabylonWarp Warp chain add blend mask inSpace'.split(
+    ' ',
+  ),
+)
 
 /** What a build calls for each module; `code` with its lines where they were, or nothing if there is nothing to translate. */
 export function translateModule(code: string): string | undefined {
-  if (!/\b(?:createWarp|compileWarp)\s*\(/.test(code)) return undefined
-  const tree = parse(code, { ecmaVersion: 'latest', sourceType: 'module' }) as Tree
-  const own = declaredIn(tree)
-  const found: Tree[] = []
-  walk(tree, (node) => {
-    if (node.type !== 'CallExpression') return
-    const { callee } = node
-    if (!callees.has(callee.name ?? callee.property?.name)) return
-    const offset = node.arguments.find(({ type }: Tree) => /Function/.test(type))
-    if (offset && !offset.async) found.push(offset)
-  })
-  if (found.length === 0) return undefined
+  if (!/\b(?:createWarp|compileWarp)\s*\(|['"]warpjet\b/.test(code)) return undefined
+  let program: Tree
+  try {
+    program = parse(code, {
+      ecmaVersion: 'latest',
+      sourceType: 'module',
+      allowHashBang: true,
+    }) as Tree
+  } catch {
+    // JSX, or another language: a later step of the build knows it.
+    return undefined
+  }
+  const offsets = offsetsIn(program)
+  if (offsets.length === 0) return undefined
+  const free = new Set([...freeReferences(program).values()].flat())
+  const ofMath = takenFromMath(program)
+  const translation: Translation = {
+    isFree: (node) => free.has(node) || ofMath.has(node.name as string),
+    operatorsName: unusedName('warpjetOperators', code),
+    readsHelpers: false,
+  }
+  const { operatorsName } = translation
+  const runtime = unusedName('warpjetWithOperators', code)
+  const helpers = helpersOf(program, offsets)
+  const text = (tree: Tree) => translate(code, tree, translation)
+  const pieces = new Map<Tree, string>()
+  for (const helper of helpers) pieces.set(helper, text(helper))
+  for (const { given, tree } of offsets) {
+    const make =
+      given === tree
+        ? `(${operatorsName}) => (${text(tree)})`
+        : `() => ${code.slice(given.start, given.end)}`
+    const once = changingIn(program, tree, free)
+    pieces.set(
+      given,
+      `${runtime}(${make}${once.length ? `, { once: ${JSON.stringify(once)} }` : ''})`,
+    )
+  }
   let result = ''
   let at = 0
-  for (const offset of found.sort((a, b) => a.start - b.start)) {
-    if (offset.start < at) continue
-    const text = translate(code, offset, (name) => own.has(name))
-    result += `${code.slice(at, offset.start)}${runtime}((${operatorsName}) => (${text}))`
-    at = offset.end
+  for (const [tree, piece] of [...pieces].sort(([a], [b]) => a.start - b.start)) {
+    if (tree.start < at) continue
+    result += code.slice(at, tree.start) + piece
+    at = tree.end
   }
   // At the end, since imports count from anywhere, and what is first may be "use client".
-  return `${result}${code.slice(at)}\nimport { withOperators as ${runtime} } from 'warpjet/operators/runtime'\n`
+  const all = helpers.size ? `operators as ${operatorsName}, ` : ''
+  return `${result}${code.slice(at)}\nimport { ${all}withOperators as ${runtime} } from 'warpjet/operators/runtime'\n`
 }
+
+/** A function that is handed to warpjet, as it is `given` there: itself, or by a name. */
+interface Offset {
+  given: Tree
+  tree: Tree
+}
+
+const isPlainFunction = ({ type, async, generator }: Tree) =>
+  /Function/.test(type) && !async && !generator
+
+function offsetsIn(program: Tree): Offset[] {
+  const imported = importedFrom(program, /^warpjet(\/|$)/)
+  const found: Offset[] = []
+  const add = (given: Tree) => {
+    const tree = isPlainFunction(given) ? given : functionBy(program, given)
+    if (!tree || !isPlainFunction(tree) || found.some((each) => each.given === given)) return
+    if (needsOf(tree) !== 'nothing' || returnsArray(tree)) found.push({ given, tree })
+  }
+  walk(program, (node) => {
+    if (!/^(Call|New)Expression$/.test(node.type)) return
+    const { callee } = node
+    const given = node.arguments as Tree[]
+    const name: string | undefined = callee.name ?? callee.property?.name
+    const isTaker =
+      imported.has(callee.name) || (imported.has(callee.object?.name) && takers.has(name ?? ''))
+    if (callees.has(name ?? '') || isTaker) given.forEach(add)
+    // JSX is compiled to jsx(Warp, { offset: … }).
+    if (imported.has(given[0]?.name ?? '') && given[1]?.type === 'ObjectExpression')
+      for (const { key, value } of given[1].properties) if (key?.name === 'offset') add(value)
+  })
+  return found
+}
+
+function importedFrom(program: Tree, from: RegExp): Set<string> {
+  const names = new Set<string>()
+  for (const { type, source, specifiers } of program.body as Tree[])
+    if (type === 'ImportDeclaration' && from.test(source.value))
+      for (const { local, imported } of specifiers)
+        if (!imported || takers.has(imported.name)) names.add(local.name)
+  return names
+}
+
+/** The names of `const { sin, cos } = Math`. */
+function takenFromMath(program: Tree): Set<string> {
+  const names = new Set<string>()
+  walk(program, ({ type, id, init }) => {
+    if (type !== 'VariableDeclarator' || init?.name !== 'Math' || id.type !== 'ObjectPattern')
+      return
+    for (const { shorthand, value } of id.properties)
+      if (shorthand && value.name) names.add(value.name)
+  })
+  return names
+}
+
+/** The function of this module that an expression names. */
+function functionBy(program: Tree, { type, name, start, end }: Tree): Tree | undefined {
+  if (type !== 'Identifier') return undefined
+  const binder = binderOf(pathTo({ program, start, end }), name)
+  return binder && definitionIn(binder, name)
+}
+
+/** The functions and methods of this module that offset functions call, and those that these call. */
+function helpersOf(program: Tree, offsets: Offset[]): Set<Tree> {
+  const helpers = new Set<Tree>()
+  const isInside = ({ start, end }: Tree) =>
+    offsets.some(({ given, tree }) => given === tree && start >= tree.start && end <= tree.end)
+  const add = (tree: Tree | undefined) => {
+    if (!tree || !isPlainFunction(tree) || helpers.has(tree) || isInside(tree)) return
+    if (needsOf(tree, { isHelper: true }) !== 'nothing') helpers.add(tree)
+    visit(tree)
+  }
+  const seen = new Set<Tree>()
+  const visit = (tree: Tree) => {
+    if (seen.has(tree)) return
+    seen.add(tree)
+    for (const nodes of freeReferences(tree).values())
+      for (const node of nodes) add(functionBy(program, node))
+    walk(tree, (node) => {
+      if (!/^(Call|New)Expression$/.test(node.type)) return
+      const { property, computed } = node.callee
+      if (property?.name && !computed) methodsNamed(program, property.name).forEach(add)
+      if (node.type === 'NewExpression') methodsNamed(program, 'constructor').forEach(add)
+    })
+  }
+  for (const { given, tree } of offsets) {
+    if (given === tree) visit(tree)
+    else add(tree)
+  }
+  return helpers
+}
+
+/** The methods of that name in the classes and objects of a module. */
+function methodsNamed(program: Tree, name: string): Tree[] {
+  const found: Tree[] = []
+  walk(program, ({ type, key, value, computed, kind }) => {
+    if (!/^(MethodDefinition|Property|PropertyDefinition)$/.test(type) || computed) return
+    if (key.name === name && /Function/.test(value?.type ?? '') && !/^(get|set)$/.test(kind))
+      found.push(value)
+  })
+  return found
+}
+
+/** The names that a function reads once although they change. */
+function changingIn(program: Tree, tree: Tree, free: ReadonlySet<Tree>): string[] {
+  const names = new Set<string>()
+  for (const [name, nodes] of freeReferences(tree))
+    for (const node of nodes) {
+      if (isChanging(node.member ?? '')) names.add(`${name}.${node.member}`)
+      if (
+        free.has(node) ? isChanging(name) : isVariableOf(program, name) && setsLater(program, name)
+      )
+        names.add(name)
+    }
+  return [...names]
+}
+
+/** Returns whether the module declares a variable at its top. */
+const isVariableOf = (program: Tree, name: string): boolean =>
+  program.body.some(
+    ({ type, kind, declarations }: Tree) =>
+      type === 'VariableDeclaration' &&
+      kind !== 'const' &&
+      declarations.some(({ id }: Tree) => id.name === name),
+  )
 
 /** `plugins: [operators()]` in a configuration of Vite or Rollup. */
 export const operators = () => ({

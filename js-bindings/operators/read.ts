@@ -1,87 +1,221 @@
 // Reads a function's text and makes it anew, with operators that work on expressions.
-import { parse } from 'acorn'
 import { isCallable } from '../checks/options.js'
-import { WarpError } from '../checks/errors.js'
+import { WarpError, describe } from '../checks/errors.js'
+import { type ReadOptions, isOwnFunction } from '../checks/operators.js'
 import type { OffsetFunction, WarpInputs } from '../types/types.js'
-import { type Operators, translated, withOperators } from './runtime.js'
-import { declaredIn, freeIn } from './scopes.js'
-import { operatorsName, translate } from './translate.js'
+import { noteChanging } from './changing.js'
+import { isSurelyGlobal, isThere } from './globals.js'
+import { cannotSee, sayingSo } from './messages.js'
+import { isKnown } from './functions.js'
+import { parseFunction } from './parse.js'
+import { type References, freeReferences } from './resolve.js'
+import {
+  type Operators,
+  type Read,
+  asVector,
+  glslOf,
+  operatorsOf,
+  translated,
+  withOperators,
+} from './runtime.js'
+import { type Definition, type Surroundings, surroundingsOf } from './surroundings.js'
+import { needsOf, returnsArray } from './needs.js'
+import { translate, unusedName } from './translate.js'
 import type { Tree } from './tree.js'
 
 /** Values that a text may read by name, since it cannot see the variables around it. */
 export type Scope = Readonly<Record<string, unknown>>
 
-let count = 0
-
-/** Whether a text can read a variable of that name: `let` at the top of a script is no property of the page. */
-const isSeen = (name: string) =>
-  name in globalThis || new Function(`return typeof ${name}`)() !== 'undefined'
-
-/** The function, or what an object has as a method, of which JavaScript gives the text. */
-function parsed(text: string): { source: string; tree: Tree } | undefined {
-  for (const [before, after] of [
-    ['(', ')'],
-    ['({ ', ' }).offset'],
-  ]) {
-    const source = before + text + after
-    try {
-      const [statement] = parse(source, { ecmaVersion: 'latest' }).body
-      const { expression } = statement as unknown as Tree
-      const tree: Tree = before === '(' ? expression : expression.object.properties[0].value
-      if (/Function/.test(tree.type) && !tree.async && !tree.generator) return { source, tree }
-    } catch {
-      // Native code, or a method.
-    }
-  }
-  return undefined
+interface Reader {
+  method: string
+  scope: Scope
+  sketch: object | undefined
+  /** Functions that are being read, since two may call each other. */
+  pending: Set<string>
 }
+
+let count = 0
 
 /**
  * An offset function whose text may use `+ - * / % **`, comparisons, `&& || !`, `?:`, `if`, `+=`, `Math.sin(x)` and `[x, y, z]` on
- * expressions. Its text is read and made anew, so that it sees global variables and `scope`, but no others around it: a function
- * that needs others stays as it is, and says so where it uses an operator. Throws a `WarpError` if no function comes.
+ * expressions, and call other functions of the sketch that do. Its text is read and made anew, so that it sees global variables and
+ * `scope`, but no others around it: a function that needs others stays as it is, and says so where it uses an operator. One that
+ * has nothing to translate stays as it is, too. Throws a `WarpError` if no function comes, or no scope.
  */
-export function operators(offset: OffsetFunction, scope: Scope = {}): OffsetFunction {
+export function operators(
+  offset: OffsetFunction,
+  scope: Scope = {},
+  { method = 'createWarp', sketch }: ReadOptions = {},
+): OffsetFunction {
   if (!isCallable(offset))
     throw new WarpError(
       'operators: a function was expected, as in operators(({ position }) => position * 2).',
     )
-  if (translated.has(offset)) return offset
-  const read = parsed(Function.prototype.toString.call(offset))
-  if (!read) return offset
-  const { source, tree } = read
-  const missing = [...freeIn(tree)].filter((name) => !Object.hasOwn(scope, name) && !isSeen(name))
-  const result = missing.length ? sayingSo(offset, missing) : remade(source, tree, scope)
+  checkScope(scope)
+  if (translated.has(offset) || isOwnFunction(offset)) return offset
+  const reader = { method, scope, sketch, pending: new Set<string>() }
+  const parsed = parseFunction(offset)
+  if (!parsed) return offset
+  const needs = needsOf(parsed.tree)
+  const isVector = returnsArray(parsed.tree)
+  if (needs === 'nothing' && !isVector) return offset
+  const reading = needs === 'nothing' ? undefined : read(offset, reader)
+  const result =
+    reading && 'make' in reading
+      ? withOperators(reading.make as (operators: Operators) => (inputs: WarpInputs) => unknown, {
+          read: (helper, name) => readHelper(helper, name, reader),
+          isPlain: needs === 'logic' && !isVector,
+        })
+      : asItIs(reading ? sayingSo(offset, reading.refuse) : offset)
   translated.add(result)
   return result
 }
 
-function remade(source: string, tree: Tree, scope: Scope): OffsetFunction {
-  const own = declaredIn(tree)
-  const text = translate(source, tree, (name) => own.has(name) || Object.hasOwn(scope, name))
-  const names = Object.keys(scope)
-  const code = `return (${operatorsName}) => (${text})\n//# sourceURL=warpjet-operators-${++count}.js`
-  const make = new Function(...names, code)(...Object.values(scope)) as (
-    operators: Operators,
-  ) => (inputs: WarpInputs) => unknown
-  return withOperators(make)
+/** The function itself, but that it may return `[x, y, z]`. */
+const asItIs = (offset: OffsetFunction): OffsetFunction =>
+  function (this: unknown, inputs: WarpInputs) {
+    const place: unknown = Reflect.apply(offset, this, [inputs])
+    return asVector(operatorsOf(glslOf(inputs)), inputs, place)
+  }
+
+function checkScope(scope: unknown) {
+  if (typeof scope !== 'object' || scope === null || Array.isArray(scope))
+    throw new WarpError(
+      `operators: expected an object of variables by name as the scope, as in { amount }, got ${describe(scope)}.`,
+    )
+  for (const name of Object.keys(scope))
+    if (!isVariable(name))
+      throw new WarpError(
+        `operators: expected names of variables in the scope, as in { amount }, got "${name}", which no function can read.`,
+      )
 }
 
-/** Sentences that an operator on an expression brings about. */
-const isOfOperator = (error: unknown): error is Error =>
-  error instanceof Error &&
-  error.name === 'WarpError' &&
-  /^JavaScript's own|works on numbers, not on expressions/.test(error.message)
+function isVariable(name: string): boolean {
+  if (!/^[\p{ID_Start}$_][\p{ID_Continue}$\u200c\u200d]*$/u.test(name)) return false
+  try {
+    new Function(name, `'use strict'`)
+    return true
+  } catch (error) {
+    // A page that forbids it decides nothing about names.
+    return !(error instanceof SyntaxError)
+  }
+}
 
-const sayingSo =
-  (offset: OffsetFunction, [name, ...others]: string[]): OffsetFunction =>
-  (inputs) => {
-    try {
-      return offset(inputs)
-    } catch (error) {
-      if (!isOfOperator(error)) throw error
-      throw new WarpError(
-        `createWarp: operators are read from the function's text, which cannot see "${name}" of the sketch around it; make ${others.length ? `it and ${others.join(', ')}` : 'it'} global, or add the option { scope: { ${[name, ...others].join(', ')} } }.`,
-      )
+/** A function or class that is called with expressions; nothing if it has nothing to translate, or is not the sketch's. */
+function readHelper(helper: Function, name: string, reader: Reader): Read | undefined {
+  const parsed = parseFunction(helper)
+  return parsed && needsOf(parsed.tree, { isHelper: true }) !== 'nothing'
+    ? read(helper, reader, name)
+    : undefined
+}
+
+/** The names that a text takes from around it, and where they come from. */
+function read(f: Function, reader: Reader, helper?: string): Read {
+  const parsed = parseFunction(f)!
+  const text = parsed.source.slice(parsed.start, parsed.start + parsed.length)
+  return readText({ ...parsed, text }, surroundingsOf(text), reader, helper)
+}
+
+interface Text {
+  text: string
+  source: string
+  tree: Tree
+}
+
+function readText(
+  { source, tree }: Text,
+  surroundings: Surroundings,
+  reader: Reader,
+  helper: string | undefined,
+): Read {
+  const { method, scope, sketch } = reader
+  const references = freeReferences(tree)
+  const values = new Map<string, (operators: Operators) => unknown>()
+  const missing: string[] = []
+  for (const [name, nodes] of references) {
+    if (Object.hasOwn(scope, name)) values.set(name, () => scope[name])
+    else if (name === surroundings.sketchName && sketch) values.set(name, () => sketch)
+    else if (!isVisible(name, nodes, surroundings, tree)) {
+      const definition = surroundings.functionOf(name)
+      const reading = definition && readDefinition(definition, reader, name)
+      if (reading && 'make' in reading) values.set(name, reading.make)
+      else missing.push(name)
     }
   }
+  if (missing.length)
+    return {
+      refuse: () =>
+        cannotSee({
+          method,
+          names: missing,
+          shadowed: new Set(missing.filter((name) => isThere(name))),
+          members: membersOfThis(references),
+          ...(helper && { helper }),
+        }),
+    }
+  const free = new Set([...references.values()].flat())
+  const operatorsName = unusedName('warpjetOperators', source)
+  const code = translate(source, tree, {
+    isFree: (node) => free.has(node),
+    operatorsName,
+    readsHelpers: true,
+  })
+  const names = [...values.keys()]
+  // The text of a method begins with its parameters.
+  const isMethod = tree.type === 'FunctionExpression' && source[tree.start] === '('
+  const strict = surroundings.isStrict ? "'use strict'; " : ''
+  let factory: Function
+  try {
+    factory = new Function(
+      operatorsName,
+      ...names,
+      `${strict}return (${isMethod ? 'function ' : ''}${code})\n//# sourceURL=warpjet-operators-${++count}.js`,
+    )
+  } catch (error) {
+    const why =
+      error instanceof SyntaxError
+        ? `operators cannot be read from the function's text: ${error.message}; write x.add(1), x.mult(2), x.sin() in it`
+        : "operators are read from the function's text, which this page's Content-Security-Policy forbids; allow 'unsafe-eval' in it, or translate the functions when the project is built, by warpjet/operators/plugin"
+    return { refuse: () => `${method}: ${why}.` }
+  }
+  noteChanging(references, values, surroundings, method)
+  return {
+    make: (operators) => factory(operators, ...names.map((name) => values.get(name)!(operators))),
+  }
+}
+
+/** A function that the script shows, but that nobody has handed over. */
+function readDefinition(definition: Definition, reader: Reader, name: string) {
+  const { pending } = reader
+  if (pending.has(definition.text)) return undefined
+  pending.add(definition.text)
+  const reading = readText(definition, definition.surroundings, reader, name)
+  pending.delete(definition.text)
+  return reading
+}
+
+/** Returns whether a translated function reads the same variable under that name as the function itself. */
+function isVisible(name: string, nodes: Tree[], surroundings: Surroundings, tree: Tree): boolean {
+  if (/^(this|super|new\.target|arguments|#.*)$/.test(name)) return false
+  if (surroundings.bound) return !surroundings.bound.has(name)
+  return isKnown(name) && !isThere(name)
+    ? true
+    : isSurelyGlobal(name, nodes.every(isCalledIn(tree)))
+}
+
+/** Returns a check whether a node is the callee of a call in the tree. */
+const isCalledIn = (tree: Tree) => {
+  const callees = new Set<Tree>()
+  const visit = (node: Tree) => {
+    if (node.type === 'CallExpression') callees.add(node.callee)
+    for (const child of Object.values(node).flat())
+      if (child && typeof child === 'object' && typeof child.type === 'string') visit(child as Tree)
+  }
+  visit(tree)
+  return (node: Tree) => callees.has(node)
+}
+
+/** The properties of `this` that are read, for a message. */
+const membersOfThis = (references: References): string[] => [
+  ...new Set((references.get('this') ?? []).flatMap(({ member }) => member ?? [])),
+]

@@ -1,10 +1,13 @@
-// What operators mean where an expression is among their operands; numbers among numbers stay numbers,
-// and JavaScript's own: `-1 % 3` is -1 there, while `x % 3` of an expression takes the sign of its divisor, as GLSL's mod.
+// Operators on expressions. Numbers among numbers stay numbers, and JavaScript's own:
+// `-1 % 3` is -1 there, while `x % 3` of an expression takes the sign of its divisor, as GLSL's mod.
 import { isExpression } from '../checks/describe.js'
 import { WarpError } from '../checks/errors.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
+import { type Translated, callsOf } from './calls.js'
+import { type Glsl } from './functions.js'
+import { noteOnce, noteReadOnce, sayingSo } from './messages.js'
+import { decidesByVertex, isCondition, isWarped, useCondition, wholeOf } from './values.js'
 
-type Glsl = Record<string, (...operands: unknown[]) => unknown>
 type Thunk = () => unknown
 
 const symbols: Record<string, (a: never, b: never) => unknown> = {
@@ -24,63 +27,66 @@ const symbols: Record<string, (a: never, b: never) => unknown> = {
   looseNe: (a: unknown, b: unknown) => a != b,
 }
 
-/** Of p5 and Math, by what they are of expressions; others have one name. */
-const functions: Record<string, (glsl: Glsl, ...x: unknown[]) => unknown> = {
-  atan2: (glsl, y, x) => glsl.atan!(y, x),
-  hypot: (glsl, ...x) => glsl.length!(glsl[`vec${x.length}`]!(...x)),
-  lerp: (glsl, a, b, t) => glsl.mix!(a, b, t),
-  constrain: (glsl, x, low, high) => glsl.clamp!(x, low, high),
-  sq: (glsl, x) => glsl.mult!(x, x),
-  mag: (glsl, ...x) => glsl.length!(glsl[`vec${x.length}`]!(...x)),
-  cbrt: (glsl, x) => glsl.mult!(glsl.sign!(x), glsl.pow!(glsl.abs!(x), 1 / 3)),
-  map: (glsl, x, a, b, c, d) =>
-    glsl.add!(glsl.mult!(glsl.div!(glsl.sub!(x, a), glsl.sub!(b, a)), glsl.sub!(d, c)), c),
-}
-
-/** The names that `call` knows. */
-export const functionNames = new Set([
-  ...Object.keys(functions),
-  ...'sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh abs sign floor ceil round trunc sqrt pow exp log log2 min max fract degrees radians'.split(
-    ' ',
-  ),
-])
-
 /** What expressions know by another name. */
 const named: Record<string, string> = { looseEq: 'eq', looseNe: 'ne' }
 
-/** Whether a value is there at all, JavaScript says. */
+/** Operators on whole numbers of 32 bits, of which people know `x | 0` and `x >> 0`, which cut off the fraction. */
+const bits: Record<string, (a: number, b: number) => number> = {
+  '|': (a, b) => a | b,
+  '&': (a, b) => a & b,
+  '^': (a, b) => a ^ b,
+  '<<': (a, b) => a << b,
+  '>>': (a, b) => a >> b,
+  '>>>': (a, b) => a >>> b,
+}
+
+/** Returns whether a comparison asks if a value is there at all, which JavaScript decides. */
 const isNothing = (name: string, ...operands: unknown[]) =>
   /eq$|ne$/i.test(name) && operands.some((each) => each === null || each === undefined)
 
-/** So that no note comes of it: what is to be said is said here. */
-const decidesNothing = (condition: unknown) =>
-  (condition as { session: { use(condition: unknown): void } }).session.use(condition)
-
-const noted = new Set<string>()
-
-/** Once for each text. */
-function noteEffect(effect: string) {
-  if (noted.has(effect)) return
-  noted.add(effect)
-  console.warn(
+const noteEffect = (effect: string) =>
+  noteOnce(
     `${effect} stands in an if that is decided for each vertex, on the GPU, so it is called once, in any case, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.`,
   )
-}
 
 export type Operators = ReturnType<typeof operatorsOf>
 
-export function operatorsOf(glsl: Glsl) {
-  const isWarped = (value: unknown): boolean =>
-    isExpression(value) || (Array.isArray(value) && value.some(isWarped))
-  /** An array of expressions is a vector. */
-  const whole = (value: unknown): unknown =>
-    Array.isArray(value) && value.length >= 2 && value.length <= 4
-      ? glsl[`vec${value.length}`]!(...value)
-      : value
+/**
+ * The operators for one run of an offset function. With `isPlain` a number has no truth of its own: `sum ? sum.add(x) : x` asks
+ * whether there is one, as it does without operators.
+ */
+export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
+  const differs = isPlain ? isCondition : decidesByVertex
+  const whole = (value: unknown) => wholeOf(glsl, value)
   const binary = (name: string) => (a: unknown, b: unknown) =>
     (isWarped(a) || isWarped(b)) && !isNothing(name, a, b)
       ? glsl[named[name] ?? name]!(whole(a), whole(b))
       : symbols[name]!(a as never, b as never)
+
+  const and = (a: unknown, b: unknown) => {
+    if (b === true) return a
+    if (b === false) return dropCondition(a, false)
+    return isCondition(a) && isCondition(b) ? glsl.and!(a, b) : glsl.ifElse!(a, whole(b), 0)
+  }
+  const or = (a: unknown, b: unknown) => {
+    if (b === false) return a
+    if (b === true) return dropCondition(a, true)
+    if (isCondition(a) && isCondition(b)) return glsl.or!(a, b)
+    return glsl.ifElse!(a, isCondition(a) ? 1 : a, whole(b))
+  }
+  /** One of two values by a condition, which JavaScript's true and false may be, too. */
+  const select = (condition: unknown, yes: unknown, no: unknown) => {
+    if (yes === no) return dropCondition(condition, yes)
+    if (yes === true) return or(condition, no)
+    if (no === false) return and(condition, yes)
+    if (yes === false) return and(glsl.not!(condition), no)
+    if (no === true) return or(glsl.not!(condition), yes)
+    return glsl.ifElse!(condition, whole(yes), whole(no))
+  }
+  const dropCondition = (condition: unknown, value: unknown) => {
+    useCondition(condition)
+    return value
+  }
   /** One of two values; the second is computed with variables as they were before the first. */
   const choose = (
     condition: unknown,
@@ -89,45 +95,69 @@ export function operatorsOf(glsl: Glsl) {
     get?: () => unknown[],
     set?: (all: unknown[]) => void,
   ) => {
-    if (!isExpression(condition)) return condition ? yes() : no()
+    if (!differs(condition)) return condition ? yes() : no()
     const before = get?.()
-    const first = whole(yes())
+    const first = yes()
     if (before) set!(before)
-    const second = whole(no())
+    const second = no()
     if ((first === undefined) !== (second === undefined))
       throw new WarpError(
         'An if that is decided for each vertex returns something in one of its ways only; let the other return something too, such as return [0, 0, 0] at the end.',
       )
-    if (first === undefined) {
-      decidesNothing(condition)
-      return undefined
-    }
-    return glsl.ifElse!(condition, first, second)
+    return select(condition, first, second)
   }
+  const move = (x: unknown, by: number) =>
+    isWarped(x) ? glsl.add!(whole(x), by) : typeof x === 'bigint' ? x + BigInt(by) : Number(x) + by
 
-  return {
+  const { call, method, invoke, construct } = callsOf(glsl, (make) => make(all), read)
+
+  const all = {
     ...(Object.fromEntries(Object.keys(symbols).map((name) => [name, binary(name)])) as Record<
       string,
       (a: unknown, b: unknown) => unknown
     >),
     whole,
     choose,
+    call,
+    method,
+    invoke,
+    construct,
     neg: (x: unknown) => (isWarped(x) ? glsl.neg!(whole(x)) : -(x as number)),
-    plus: (x: unknown) => (isWarped(x) ? x : +(x as number)),
-    not: (x: unknown) => (isExpression(x) ? glsl.not!(x) : !x),
-    and: (a: unknown, b: Thunk) => (isExpression(a) ? glsl.and!(a, b()) : a && b()),
-    or: (a: unknown, b: Thunk) => (isExpression(a) ? glsl.or!(a, b()) : a || b()),
+    plus: (x: unknown) => (isWarped(x) ? whole(x) : +(x as number)),
+    not: (x: unknown) => (differs(x) ? glsl.not!(x) : !x),
+    /** `~x`: of an expression only `~~x` is known, which the translation writes as `x | 0`. */
+    bits(name: string, a: unknown, b: unknown) {
+      if (!isWarped(a) && !isWarped(b)) return bits[name]!(a as number, b as number)
+      if (b === 0 && /^(\||>>|\^)$/.test(name)) return glsl.trunc!(whole(a))
+      throw new WarpError(
+        `${name} works on the bits of whole numbers, not on expressions of a warp; write glsl.floor(x), x * 2 or x % 2.`,
+      )
+    },
+    and: (a: unknown, b: Thunk) => (differs(a) ? and(a, b()) : a && b()),
+    or: (a: unknown, b: Thunk) => (differs(a) ? or(a, b()) : a || b()),
+    /** `++` and `--`. */
+    move,
+    /** The first of two, as what `x++` gives. */
+    first: (x: unknown, _then: unknown) => (isWarped(x) || typeof x === 'bigint' ? x : Number(x)),
     /** `object[key] += 1`, where what stands for object and key must not be computed twice. */
     change: (object: Record<PropertyKey, unknown>, key: string, to: (value: unknown) => unknown) =>
       (object[key] = to(object[key])),
-    call(name: string, known: (...x: unknown[]) => unknown, ...x: unknown[]) {
-      if (!x.some(isWarped)) return known(...x)
-      const own = functions[name]
-      const operands = x.map(whole)
-      if (own) return own(glsl, ...operands)
-      return /^m(in|ax)$/.test(name)
-        ? operands.reduce((a, b) => glsl[name]!(a, b))
-        : glsl[name]!(...operands)
+    /** `object[key]++`, which gives the value before. */
+    changeAfter(
+      object: Record<PropertyKey, unknown>,
+      key: string,
+      to: (value: unknown) => unknown,
+    ) {
+      const before = object[key]
+      object[key] = to(before)
+      return all.first(before, undefined)
+    },
+    /** The value of a call that nobody takes: of a p5.Vector it would change that vector. */
+    unused(value: unknown, text: string) {
+      if (isExpression(value))
+        noteOnce(
+          `${text} changes nothing: an expression always stays what it is, unlike a p5.Vector; set the variable, as in v = v.mult(2).`,
+        )
     },
     /** Both branches of an `if`, and what each leaves in the variables that either sets. */
     branch(
@@ -138,7 +168,7 @@ export function operatorsOf(glsl: Glsl) {
       set: (all: unknown[]) => void,
       effect?: string,
     ) {
-      if (!isExpression(condition)) {
+      if (!differs(condition)) {
         if (condition) yes()
         else no()
         return
@@ -150,39 +180,89 @@ export function operatorsOf(glsl: Glsl) {
       set(before)
       no()
       const otherwise = get()
-      if (after.every((value, i) => value === otherwise[i])) decidesNothing(condition)
+      if (after.every((value, i) => value === otherwise[i])) useCondition(condition)
       set(
         after.map((value, i) =>
-          value === otherwise[i]
-            ? value
-            : glsl.ifElse!(condition, whole(value), whole(otherwise[i])),
+          value === otherwise[i] ? value : select(condition, value, otherwise[i]),
         ),
       )
     },
     /** A condition that JavaScript itself must decide. */
     decided(condition: unknown, what: string) {
-      if (isExpression(condition))
+      if (differs(condition))
         throw new WarpError(
           `${what} cannot wait for a condition that differs by vertex; let a loop have a known count, and choose by ?: or by if and else that set variables.`,
         )
       return condition
     },
   }
+  return all
 }
 
 /** Functions that need no translation any more. */
 export const translated = new WeakSet<object>()
 
+/** A translated function for given operators, or the message that says why there is none. */
+export type Read = { make: (operators: Operators) => Translated } | { refuse: () => string }
+
+/** Reads a helper function of the sketch, which is called with expressions. */
+export type ReadHelper = (helper: Function, name: string) => Read | undefined
+
+interface RunOptions {
+  /** Reads helper functions; at build time they are translated beside the offset function. */
+  read?: ReadHelper
+  /** Variables that change, but are read once. */
+  once?: readonly string[]
+  /** True if the function uses no operators on numbers; see `operatorsOf`. */
+  isPlain?: boolean
+}
+
+let current: Operators | undefined
+
 /** The offset function that a translated text makes. */
 export function withOperators(
   make: (operators: Operators) => (inputs: WarpInputs) => unknown,
+  { read, once = [], isPlain = false }: RunOptions = {},
 ): OffsetFunction {
-  const result: OffsetFunction = (inputs) => {
-    const operators = operatorsOf(inputs.glsl as unknown as Glsl)
-    const place = make(operators)(inputs)
-    const isOfVertex = Array.isArray(place) && place.length === 3
-    return (isOfVertex ? operators.whole(place) : place) as Vec3
-  }
+  const run = function (this: unknown, inputs: WarpInputs) {
+    for (const name of once) noteReadOnce('createWarp', name)
+    const outer = current
+    current = operatorsOf(glslOf(inputs), { ...(read && { read }), isPlain })
+    try {
+      return asVector(current, inputs, Reflect.apply(make(current), this, [inputs]))
+    } finally {
+      current = outer
+    }
+  } as OffsetFunction
+  const result = read ? run : sayingSo(run, () => notTranslated)
   translated.add(result)
   return result
+}
+
+const notTranslated =
+  'createWarp: an operator or a function of numbers meets an expression in a function that warpjet/operators/plugin has not translated. It translates functions that are handed to createWarp or compileWarp, and the functions of the same module that these call: move the function into that module, or write x.add(1), x.mult(2), x.sin() in it.'
+
+let plain: Operators | undefined
+
+/** The operators of the offset function that is running, for helper functions that a build has translated. */
+export const operators: Operators = new Proxy({} as Operators, {
+  get: (_, name) => Reflect.get(current ?? (plain ??= operatorsOf(noGlsl)), name) as unknown,
+})
+
+/** While no offset function is running. */
+const noGlsl = new Proxy({} as Glsl, {
+  get() {
+    throw new WarpError(
+      'An expression is used after the function that made it was over; use expressions only inside of it.',
+    )
+  },
+})
+
+/** An offset function gets the builder among its inputs, and the function of `compile` gets it alone. */
+export const glslOf = (inputs: object) => ('glsl' in inputs ? inputs.glsl : inputs) as Glsl
+
+/** Converts a result `[x, y, z]`, or a vector of p5, to a vec3. */
+export function asVector(operators: Operators, inputs: object, place: unknown): Vec3 {
+  const isOfVertex = 'glsl' in inputs && (!Array.isArray(place) || place.length === 3)
+  return (isOfVertex && !isExpression(place) ? operators.whole(place) : place) as Vec3
 }

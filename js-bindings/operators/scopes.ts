@@ -14,7 +14,7 @@ export function walk(
 }
 
 /** The names that a pattern binds, such as `{ position: p, ...rest }`. */
-function bound(pattern: Tree | null): string[] {
+export function bound(pattern: Tree | null): string[] {
   switch (pattern?.type) {
     case 'Identifier':
       return [pattern.name as string]
@@ -56,7 +56,7 @@ export function assignedIn(trees: Tree[]): Set<string> {
     for (const child of Object.values(node).flat())
       if (child && typeof child === 'object' && typeof child.type === 'string') visit(child, own)
   }
-  const around = new Set([...trees.flatMap(declared), ...trees.flatMap(varsIn)])
+  const around = new Set([...trees.flatMap(declared), ...trees.flatMap((tree) => varsIn(tree))])
   for (const tree of trees) visit(tree, around)
   return names
 }
@@ -94,6 +94,17 @@ function declared(statement: Tree | null): string[] {
   return /^(Function|Class)Declaration$/.test(statement?.type ?? '') ? bound(statement!.id) : []
 }
 
+/** The names that a statement at the top of a module declares, exported or not. */
+const declaredInModule = (statement: Tree): string[] =>
+  /^Export(Named|Default)Declaration$/.test(statement.type) && statement.declaration
+    ? declared(statement.declaration)
+    : declared(statement)
+
+const importedIn = (program: Tree): string[] =>
+  program.body
+    .filter(({ type }: Tree) => type === 'ImportDeclaration')
+    .flatMap(({ specifiers }: Tree) => specifiers.map(({ local }: Tree) => local.name))
+
 /** The names of `var` in it, which its blocks do not hold; without a loop's own, which are read in the loop. */
 export function varsIn(tree: Tree, withLoops: unknown = true): string[] {
   const names: string[] = []
@@ -108,7 +119,10 @@ export function varsIn(tree: Tree, withLoops: unknown = true): string[] {
 }
 
 /** The names that hold within a node alone. */
-function scopeOf(node: Tree): string[] {
+export function scopeOf(node: Tree): string[] {
+  if (node.type === 'Program')
+    return [...node.body.flatMap(declaredInModule), ...varsIn(node), ...importedIn(node)]
+  if (node.type === 'StaticBlock') return [...node.body.flatMap(declared), ...varsIn(node)]
   if (/Function/.test(node.type))
     return [...node.params.flatMap(bound), ...bound(node.id), ...varsIn(node.body)]
   if (/^For/.test(node.type)) return declared(node.init ?? node.left ?? null)
@@ -126,16 +140,3 @@ export const isProperty = (node: Tree, parent?: Tree): boolean =>
     !parent!.computed &&
     !parent!.shorthand) ||
   /^(Labeled|Break|Continue)Statement$/.test(parent?.type ?? '')
-
-/** The names that it takes from around it. */
-export function freeIn(tree: Tree): Set<string> {
-  const own = declaredIn(tree)
-  const names = new Set<string>()
-  walk(tree, (node, parent) => {
-    if (node.type !== 'Identifier' || own.has(node.name as string)) return
-    if (!isProperty(node, parent)) names.add(node.name as string)
-  })
-  names.delete('undefined')
-  names.delete('arguments')
-  return names
-}

@@ -1,9 +1,18 @@
 // From the text of a function, whose operators work on numbers, to one whose operators ask what they work on. Lines stay where
 // they are, so that errors name the sketch's own.
 import { shorten } from '../checks/describe.js'
-import { functionNames } from './runtime.js'
+import {
+  changesVector,
+  endsFunction,
+  endsInReturn,
+  functionNamesIn,
+  isSteady,
+  isSuspended,
+  leaves,
+} from './flow.js'
+import { isKnown } from './functions.js'
 import { assignedIn, declaredIn, isProperty, propertySetIn, varsIn, walk } from './scopes.js'
-import type { Tree } from './tree.js'
+import { childrenOf, type Tree } from './tree.js'
 
 const binary: Record<string, string> = {
   '+': 'add',
@@ -21,19 +30,51 @@ const binary: Record<string, string> = {
   '!=': 'looseNe',
   '!==': 'ne',
 }
+const bits = new Set(['|', '&', '^', '<<', '>>', '>>>'])
 const unary: Record<string, string> = { '-': 'neg', '+': 'plus', '!': 'not' }
 const logical: Record<string, string> = { '&&': 'and', '||': 'or' }
 
-/** What the operators are called in translated text. */
-export const operatorsName = 'warpjetOperators'
+/** Returns whether a node is an operator that expressions define anew. Calls are judged by `isCallToTranslate`. */
+export const isOperator = ({ type, operator, argument }: Tree): boolean =>
+  (type === 'BinaryExpression' && (operator in binary || bits.has(operator))) ||
+  (type === 'UnaryExpression' &&
+    (operator in unary || operator === '~') &&
+    argument.type !== 'Literal') ||
+  (type === 'LogicalExpression' && operator in logical) ||
+  (type === 'AssignmentExpression' && operator !== '=' && !/^\?\?/.test(operator)) ||
+  /^(Conditional|Update)Expression$|^IfStatement$/.test(type)
 
-/** The text of `tree`, part of `source`, translated. `isOwn` says whether a name is declared in the function. */
-export function translate(source: string, tree: Tree, isOwn: (name: string) => boolean): string {
+/** A name for translated text that its source does not have. */
+export function unusedName(name: string, source: string): string {
+  while (source.includes(name)) name += '_'
+  return name
+}
+
+export interface Translation {
+  /** Returns whether an identifier is bound outside of the function. */
+  isFree: (node: Tree) => boolean
+  /** The name of the operators in the translated text. */
+  operatorsName: string
+  /** True if other functions are translated when they are called. */
+  readsHelpers: boolean
+}
+
+/** The text of `tree`, part of `source`, translated. */
+export function translate(
+  source: string,
+  tree: Tree,
+  { isFree, operatorsName, readsHelpers }: Translation,
+): string {
   const op = (name: string, ...operands: string[]) =>
     `${operatorsName}.${name}(${operands.join(', ')})`
+  const valueName = unusedName('warpjetValue', source)
+  const restName = unusedName('warpjetRest', source)
   /** What the function that is being translated declares. */
   let declaredHere = new Set<string>()
   let rests = 0
+  const functionsHere = functionNamesIn(tree)
+  /** Calls in a chain such as `a?.b.c()`, which may be left out. */
+  const optional = new Set<Tree>()
 
   function text(node: Tree): string {
     const rewritten = rewrite(node)
@@ -61,26 +102,25 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
   function rewrite(node: Tree): string | undefined {
     switch (node.type) {
       case 'BinaryExpression':
-        return binary[node.operator]
-          ? op(
-              binary[node.operator]!,
-              operand(node.left),
-              between(node.left, node.right) + operand(node.right),
-            )
-          : undefined
+        return binaryOf(
+          node.operator,
+          operand(node.left),
+          between(node.left, node.right) + operand(node.right),
+        )
       case 'UnaryExpression':
-        return unary[node.operator] && node.argument.type !== 'Literal'
-          ? op(unary[node.operator]!, operand(node.argument))
-          : undefined
+        return unaryOf(node)
       case 'LogicalExpression':
-        return logical[node.operator]
-          ? op(
-              logical[node.operator]!,
-              unlessSetting(node.left, [node.right]),
-              `${between(node.left, node.right)}() => ${operand(node.right)}`,
-            )
-          : undefined
+        if (!logical[node.operator]) return undefined
+        if (isSuspended([node.right]))
+          return `(${op('decided', operand(node.left), "'yield or await here'")} ${node.operator}${between(node.left, node.right)} ${text(node.right)})`
+        return op(
+          logical[node.operator]!,
+          unlessSetting(node.left, [node.right]),
+          `${between(node.left, node.right)}() => ${operand(node.right)}`,
+        )
       case 'ConditionalExpression':
+        if (isSuspended([node.consequent, node.alternate]))
+          return `(${op('decided', operand(node.test), "'yield or await here'")} ? ${between(node.test, node.consequent)}${operand(node.consequent)} : ${between(node.consequent, node.alternate)}${operand(node.alternate)})`
         return op(
           'choose',
           unlessSetting(node.test, [node.consequent, node.alternate]),
@@ -93,8 +133,16 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
       }
       case 'ExpressionStatement':
         return statement(node)
+      case 'ChainExpression':
+        for (let each: Tree = node.expression; each; each = each.callee ?? each.object)
+          optional.add(each)
+        return undefined
       case 'CallExpression':
-        return called(node)
+        return optional.has(node) ? undefined : translateCall(node)
+      case 'NewExpression':
+        return translateNew(node)
+      case 'UpdateExpression':
+        return translateUpdate(node, false)
       case 'BlockStatement':
         return `{${statements(node.body, node.start + 1, node.end - 1, endsFunction(node) ? { then: '', following: [] } : undefined)}}`
       case 'IfStatement':
@@ -114,6 +162,22 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
     }
   }
 
+  const binaryOf = (operator: string, left: string, right: string) =>
+    binary[operator]
+      ? op(binary[operator]!, left, right)
+      : bits.has(operator)
+        ? op('bits', `'${operator}'`, left, right)
+        : undefined
+
+  function unaryOf({ operator, argument }: Tree): string | undefined {
+    if (argument.type === 'Literal') return undefined
+    if (operator !== '~') return unary[operator] && op(unary[operator]!, operand(argument))
+    // ~~x, which cuts off the fraction.
+    return argument.type === 'UnaryExpression' && argument.operator === '~'
+      ? op('bits', "'|'", operand(argument.argument), '0')
+      : op('bits', "'^'", operand(argument), '-1')
+  }
+
   /** What a function's body returns early is chosen by vertex. */
   function ofFunction(node: Tree): string | undefined {
     if (node.body.type !== 'BlockStatement') return undefined
@@ -127,28 +191,57 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
 
   function assignment({ operator, left, right }: Tree): string | undefined {
     const symbol = operator.slice(0, -1)
-    const name = binary[symbol] ?? logical[symbol]
-    if (operator === '=' || !name) return undefined
+    if (operator === '=' || isSuspended([right])) return undefined
+    if (!binary[symbol] && !logical[symbol] && !bits.has(symbol)) return undefined
     const changed = (target: string) =>
       logical[symbol]
-        ? op(name, unlessSetting(target, [right]), `${between(left, right)}() => ${operand(right)}`)
-        : op(name, target, between(left, right) + operand(right))
+        ? op(
+            logical[symbol]!,
+            unlessSetting(target, [right]),
+            `${between(left, right)}() => ${operand(right)}`,
+          )
+        : binaryOf(symbol, target, between(left, right) + operand(right))!
     if (isSteady(left)) return `${text(left)} = ${changed(text(left))}`
     const { object, property, computed } = left
-    if (property.type === 'PrivateIdentifier') return undefined
+    if (property.type === 'PrivateIdentifier' || object.type === 'Super') return undefined
     return op(
       'change',
       operand(object),
       computed ? operand(property) : `'${property.name}'`,
-      `(warpjetValue) => ${changed('warpjetValue')}`,
+      `(${valueName}) => ${changed(valueName)}`,
+    )
+  }
+
+  /** `x++` and its like. */
+  function translateUpdate(
+    { argument, operator, prefix }: Tree,
+    isUnused: boolean,
+  ): string | undefined {
+    const by = operator === '++' ? '1' : '-1'
+    if (argument.type === 'Identifier') {
+      const set = `${argument.name} = ${op('move', argument.name, by)}`
+      if (isUnused) return set
+      return prefix ? `(${set})` : op('first', argument.name, set)
+    }
+    const { object, property, computed } = argument
+    if (property.type === 'PrivateIdentifier' || object.type === 'Super') return undefined
+    return op(
+      prefix || isUnused ? 'change' : 'changeAfter',
+      operand(object),
+      computed ? operand(property) : `'${property.name}'`,
+      `(${valueName}) => ${op('move', valueName, by)}`,
     )
   }
 
   /** Its value is not read. Without parentheses, which would call what stands on the line before. */
   function statement({ expression }: Tree): string | undefined {
-    const { type, argument, operator } = expression
-    if (type === 'UpdateExpression' && argument.type === 'Identifier')
-      return `${argument.name} = ${op(operator === '++' ? 'add' : 'sub', argument.name, '1')};`
+    const { type } = expression
+    if (type === 'UpdateExpression') {
+      const set = translateUpdate(expression, true)
+      return set && `${set};`
+    }
+    if (type === 'CallExpression' && changesVector(expression))
+      return `${op('unused', text(expression), JSON.stringify(nameOf(expression)))};`
     const assigned = type === 'AssignmentExpression' && assignment(expression)
     if (type === 'SequenceExpression') return `0, ${text(expression)};`
     return assigned ? `${assigned};` : undefined
@@ -171,24 +264,37 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
   const nameOf = (node: Tree) => shorten(source.slice(node.start, node.end))
   const setting = (name: string) => JSON.stringify(`Setting ${name} here`)
 
-  function called({ callee, arguments: given }: Tree): string | undefined {
-    const isMath =
-      callee.type === 'MemberExpression' && !callee.computed && callee.object.name === 'Math'
-    const name: unknown = isMath ? callee.property.name : callee.name
-    const isKnown =
-      typeof name === 'string' &&
-      functionNames.has(name) &&
-      (isMath ? !isOwn('Math') : callee.type === 'Identifier' && !isOwn(name))
-    if (!isKnown || given.some(({ type }: Tree) => type === 'SpreadElement')) return undefined
-    const plain = isMath ? `Math.${name}` : `(...x) => ${name}(...x)`
-    return op(
-      'call',
-      `'${name}'`,
-      plain,
-      ...given.map(
-        (each: Tree, i: number) => (i ? between(given[i - 1], each) : '') + operand(each),
-      ),
-    )
+  const argumentsOf = (callee: Tree, given: Tree[]) =>
+    given.map((each, i) => between(given[i - 1] ?? callee, each) + operand(each))
+
+  function translateCall(node: Tree): string | undefined {
+    const { callee, arguments: given } = node
+    const all = argumentsOf(callee, given)
+    const onLines = (translated: string) => onItsLines(node, translated)
+    if (callee.type === 'Identifier') {
+      const { name } = callee
+      if (name === 'eval') return undefined
+      if (isFree(callee) && (readsHelpers || isKnown(name)))
+        return onLines(op('call', `'${name}'`, `() => ${name}`, ...all))
+      return readsHelpers && !isFree(callee) && !functionsHere.has(name)
+        ? onLines(op('invoke', name, 'undefined', ...all))
+        : undefined
+    }
+    if (callee.type !== 'MemberExpression') return undefined
+    const { object, property, computed } = callee
+    if (object.type === 'Super' || property.type === 'PrivateIdentifier') return undefined
+    if (!readsHelpers && (computed || !isKnown(property.name))) return undefined
+    if (object.name === 'Math' && !computed && isKnown(property.name) && isFree(object))
+      return onLines(op('call', `'${property.name}'`, `() => Math.${property.name}`, ...all))
+    const key = computed ? operand(property) : `'${property.name}'`
+    return onLines(op('method', operand(object), between(object, property) + key, ...all))
+  }
+
+  function translateNew(node: Tree): string | undefined {
+    const { callee, arguments: given } = node
+    return readsHelpers && callee.type === 'Identifier'
+      ? onItsLines(node, op('construct', callee.name, ...argumentsOf(callee, given)))
+      : undefined
   }
 
   function loop(node: Tree): string | undefined {
@@ -241,6 +347,7 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
     const first = endsInReturn(consequent) ? [] : following.flat()
     const all = [[consequent], alternate ? [alternate] : [], ...following]
     return (
+      isSuspended(all.flat()) ||
       !!propertySetIn([consequent, ...first]) ||
       namesSetIn(all).some((name) => !declaredHere.has(name)) ||
       !!escaping(node)
@@ -268,7 +375,7 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
     rest: string,
     following: Tree[][],
   ): string {
-    const name = `warpjetRest${++rests}`
+    const name = `${restName}${++rests}`
     const block = (node: Tree | null) => {
       const then = node && endsInReturn(node) ? '' : `; return ${name}();`
       if (!node) return then
@@ -300,7 +407,7 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
 
   const variables = (names: string[]) => [
     `() => [${names.join(', ')}]`,
-    `(warpjetValues) => { [${names.join(', ')}] = warpjetValues }`,
+    `(${valueName}) => { [${names.join(', ')}] = ${valueName} }`,
   ]
 
   function branch(node: Tree): string {
@@ -317,7 +424,7 @@ export function translate(source: string, tree: Tree, isOwn: (name: string) => b
     const isLeft = ['BreakStatement', 'ContinueStatement', 'ReturnStatement'].some((type) =>
       leaves(node, type),
     )
-    if (isLeft || name) {
+    if (isLeft || name || isSuspended(ways)) {
       const what = name ? setting(name) : "'Leaving a loop or a function here'"
       return `if (${op('decided', operand(test), what)}) ${block(consequent)}${alternate ? ` else ${block(alternate)}` : ''}`
     }
@@ -333,50 +440,3 @@ interface Tail {
   then: string
   following: Tree[][]
 }
-
-/** Whether reading it twice is reading it once. */
-const isSteady = (node: Tree): boolean =>
-  node.type === 'MemberExpression'
-    ? isSteady(node.object) && (!node.computed || isSteady(node.property))
-    : /^(Identifier|Literal|ThisExpression|Super)$/.test(node.type)
-
-/** Whether a statement such as `return` is in it, but not in a function of its own. */
-function leaves(node: Tree, type: string): boolean {
-  let found = false
-  walk(node, (each) => {
-    if (each.type === type) found = true
-    const isLoop =
-      /^(For|While|DoWhile)/.test(each.type) && type !== 'ReturnStatement' && each !== node
-    return !/Function/.test(each.type) && !isLoop
-  })
-  return found
-}
-
-/** Whether nothing comes after a block, within a loop neither. */
-const endsFunction = (block: Tree): boolean =>
-  endsInReturn(block) && !leaves(block, 'BreakStatement') && !leaves(block, 'ContinueStatement')
-
-function endsInReturn(node: Tree): boolean {
-  if (node.type === 'ReturnStatement' || node.type === 'ThrowStatement') return true
-  if (node.type === 'BlockStatement') return node.body.length > 0 && endsInReturn(node.body.at(-1))
-  return (
-    node.type === 'IfStatement' &&
-    !!node.alternate &&
-    endsInReturn(node.consequent) &&
-    endsInReturn(node.alternate)
-  )
-}
-
-/** In the order of the text. */
-export const childrenOf = (node: Tree): Tree[] =>
-  Object.values(node)
-    .flat()
-    .filter(
-      (value): value is Tree =>
-        !!value && typeof value === 'object' && typeof value.type === 'string',
-    )
-    .filter(
-      (value, i, all) =>
-        all.findIndex((other) => other.start === value.start && other.end === value.end) === i,
-    )
-    .sort((a, b) => a.start - b.start)

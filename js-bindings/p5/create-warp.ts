@@ -2,6 +2,7 @@
 import { type KeptWarp, keepWarp, readOptions as readWarpOptions } from '../compile/warp-text.js'
 import { isExpression } from '../checks/describe.js'
 import { WarpError, describe } from '../checks/errors.js'
+import { operatorsKey, readOperators } from '../checks/operators.js'
 import { guarded } from './guards.js'
 import { namesFor } from './hooks.js'
 import { located } from './places.js'
@@ -62,7 +63,7 @@ function noteInDraw(sketch: Canvas) {
 
 function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptions): Distort {
   const settings = readOptions(options)
-  const offset = guarded(canvas, offsetFor(given, settings))
+  const offset = guarded(canvas, offsetFor(canvas, given, settings))
   if (!rendererOf(canvas))
     throw new WarpError(
       canvas._renderer?.isP3D
@@ -110,24 +111,18 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
   return remember(distort, { canvas, warp, settings })
 }
 
-/** Under which 'warpjet/operators' stands, where a page has it. */
-const operators = Symbol.for('warpjet.operators')
-
-function withoutOperators(offset: OffsetFunction, scope?: object): OffsetFunction {
-  if (!scope) return offset
-  throw new WarpError(
-    'createWarp: the option "scope" is for functions with operators; add the script warpjet.operators.min.js, or import \'warpjet/operators\'.',
-  )
-}
-
 /** It reads its uniforms by the names that they have in the shader. */
 function offsetFor(
+  canvas: Canvas,
   given: OffsetFunction,
   { uniforms, labels, returns, scope }: WarpSettings,
 ): OffsetFunction {
   checkCallback('createWarp', given)
-  const read = (globalThis as { [operators]?: typeof withoutOperators })[operators]
-  const readable = (read ?? withoutOperators)(given, scope)
+  if (scope && !(operatorsKey in globalThis))
+    throw new WarpError(
+      'createWarp: the option "scope" is for functions with operators; add the script warpjet.operators.min.js, or import \'warpjet/operators\'.',
+    )
+  const readable = readOperators(given, { method: 'createWarp', scope, sketch: sketchOf(canvas) })
   const offset = withUniforms('createWarp', readable, uniforms, (name) => labels.get(name)!)
   if (returns === 'offset') return offset
   return (inputs) => {

@@ -4,6 +4,7 @@
  */
 import { isExpression } from '../checks/describe.js'
 import { WarpError } from '../checks/errors.js'
+import { guardedKey } from '../checks/operators.js'
 import type { OffsetFunction } from '../types/types.js'
 import { type Canvas, sketchOf } from './host.js'
 
@@ -77,6 +78,7 @@ function guard(object: object, owner: string): (() => void)[] {
       if (name === 'millis') noteClock()
       return Reflect.apply(original, this, given)
     }
+    Object.defineProperty(value, guardedKey, { value: original })
     Object.defineProperty(object, name, { value, configurable: true, writable: true })
     return () => {
       if (own) Object.defineProperty(object, name, own)

@@ -1,4 +1,5 @@
 /** In the place of a sketch's hook that moves positions: one that calls it, and turns the normal by its exact derivative. */
+import { asOwn } from '../checks/operators.js'
 import { compileWarp } from '../compile/compile-warp-text.js'
 import { glslOffset } from '../glsl/offset.js'
 import { drawInputs } from '../inputs/inputs.js'
@@ -85,8 +86,9 @@ vec3 warpjetPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     maxIterations: 256,
   })
   // Without those either: what is called millis, size or instance is the sketch's.
-  const offset: OffsetFunction = ({ glsl, position, normal, uv, color, uniforms }) =>
-    read({ glsl, position, normal, uv, color, uniforms } as never)
+  const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, color, uniforms }) =>
+    read({ glsl, position, normal, uv, color, uniforms } as never),
+  )
   if (compileWarp(offset, { ...options, normals: false }).stats.operations === 0) return undefined
   const { code, declarations } = compileWarp(offset, options)
   return { declarations, text, hook: weaving.hook({ code, own, text, turned: outputs.normal }) }

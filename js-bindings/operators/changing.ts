@@ -1,0 +1,72 @@
+// Notes about variables that change while a sketch runs, and that an offset function reads only once.
+import { noteReadOnce } from './messages.js'
+import { isThere, valueOfGlobal } from './globals.js'
+import type { References } from './resolve.js'
+import { assignedIn, walk } from './scopes.js'
+import type { Surroundings } from './surroundings.js'
+import type { Tree } from './tree.js'
+import { isVectorLike, p5Prototype } from './values.js'
+
+/** The variables of p5 that are another number in another frame. */
+export const isChanging = (name: string): boolean =>
+  /^(p?(win)?mouse[XY]|moved[XY]|frameCount|deltaTime|(mouse|key)IsPressed|keyCode|p?(rotation|acceleration)[XYZ])$/.test(
+    name,
+  )
+
+/** Returns whether a uniform may hold a value. */
+const isValue = (value: unknown) =>
+  typeof value === 'number' ||
+  typeof value === 'boolean' ||
+  isVectorLike(value) ||
+  (Array.isArray(value) && value.length > 1 && value.every((each) => typeof each === 'number'))
+
+/** Notes those among the names of a function. `given` are those that the text is handed. */
+export function noteChanging(
+  references: References,
+  given: ReadonlyMap<string, unknown>,
+  surroundings: Surroundings,
+  method: string,
+) {
+  for (const [name, nodes] of references) {
+    for (const { member } of nodes)
+      if (isChanging(member ?? '') && member in p5Prototype())
+        noteReadOnce(method, `${name}.${member}`)
+    if (given.has(name) || !isThere(name)) continue
+    const isRead = isChanging(name) || isValue(valueOfGlobal(name))
+    if (isRead && (isChanging(name) || isSetLater(name, surroundings.programs(name))))
+      noteReadOnce(method, name)
+  }
+}
+
+/** Returns whether the sketch sets a variable after `setup`, as far as its scripts can be seen. */
+function isSetLater(name: string, programs: readonly Tree[]): boolean {
+  if (!programs.length) return isVariable(name)
+  return programs.some((program) => setsLater(program, name))
+}
+
+/** Returns whether a global can be set at all, which is all that is known of it if no script can be seen. */
+function isVariable(name: string): boolean {
+  const property = Object.getOwnPropertyDescriptor(globalThis, name)
+  if (property) return !!property.writable
+  try {
+    new Function(`${name} = ${name}`)()
+    return true
+  } catch {
+    return false
+  }
+}
+
+/** Returns whether a function of a script sets a global. `setup` and `preload` do not count: they run before any warp is used. */
+export function setsLater(program: Tree, name: string): boolean {
+  let found = false
+  walk(program, (node, parent) => {
+    if (!/Function/.test(node.type)) return !found
+    const isFirst = /^(setup|preload)$/.test(
+      node.id?.name ?? parent?.id?.name ?? parent?.left?.property?.name ?? '',
+    )
+    if (isFirst) return true
+    found ||= assignedIn([node]).has(name)
+    return false
+  })
+  return found
+}

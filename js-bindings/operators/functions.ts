@@ -1,0 +1,171 @@
+// The functions of Math, p5 and p5.strands that translated text may call with expressions.
+import { WarpError } from '../checks/errors.js'
+import { noteOnce } from './messages.js'
+import { isVectorLike, wholeOf } from './values.js'
+
+export type Glsl = Record<string, (...operands: unknown[]) => unknown>
+
+/** A function of expressions; `known` is the page's own function of that name, if it has one. */
+type Formula = (glsl: Glsl, x: unknown[], known?: Known) => unknown
+type Known = (...x: unknown[]) => unknown
+
+/** Names that are the same in `glsl`. */
+const alike =
+  'sinh cosh tanh asinh acosh atanh abs sign floor ceil trunc sqrt pow exp log log2 fract degrees radians'
+
+/** The vocabulary of p5.strands, which JavaScript and p5 1 lack: `numbers` computes it where no expression is among the operands. */
+const strands =
+  'clamp mix step smoothstep length normalize dot cross distance mod inversesqrt reflect vec2 vec3 vec4'
+
+/** Functions that take an angle, each with an argument and its result after p5's `angleMode(DEGREES)`. */
+const takesAngle: Record<string, readonly [x: number, inDegrees: number]> = {
+  sin: [90, 1],
+  cos: [180, -1],
+  tan: [45, 1],
+}
+const givesAngle: Record<string, readonly [x: number[], inDegrees: number]> = {
+  asin: [[1], 90],
+  acos: [[-1], 180],
+  atan: [[1], 45],
+  atan2: [[1, 1], 45],
+}
+
+/** Returns whether the page's function counts in degrees. The function itself is tried, since p5 keeps the mode per sketch. */
+const isNear = (value: unknown, expected: number) => Math.abs(Number(value) - expected) < 1e-6
+const countsDegrees = (known: Known | undefined, x: number[], inDegrees: number) =>
+  !!known && isNear(known(...x), inDegrees)
+
+const vector = (glsl: Glsl, x: unknown[]) => glsl[`vec${x.length}`]!(...x)
+
+function lengthOf(glsl: Glsl, x: unknown[]): unknown {
+  if (x.length === 1) return glsl.length!(x[0])
+  if (x.length <= 4) return glsl.length!(vector(glsl, x))
+  return glsl.sqrt!(x.map((each) => glsl.mult!(each, each)).reduce((a, b) => glsl.add!(a, b)))
+}
+
+function distance(glsl: Glsl, x: unknown[]): unknown {
+  if (![2, 4, 6].includes(x.length))
+    throw new WarpError(`dist: expected two vectors, or 4 or 6 numbers, got ${x.length} arguments.`)
+  const half = x.length / 2
+  const [a, b] = [x.slice(0, half), x.slice(half)]
+  return half === 1 ? glsl.dist!(a[0], b[0]) : glsl.dist!(vector(glsl, a), vector(glsl, b))
+}
+
+/** JavaScript's: halves go up. The fraction is exact, as x + 0.5 is not. */
+function round(glsl: Glsl, [x, digits = 0]: unknown[]): unknown {
+  if (digits !== 0) {
+    if (typeof digits !== 'number')
+      throw new WarpError('round: expected a number of decimals, got an expression.')
+    const power = 10 ** digits
+    return glsl.div!(round(glsl, [glsl.mult!(x, power)]), power)
+  }
+  const low = glsl.floor!(x)
+  return glsl.add!(low, glsl.step!(0.5, glsl.sub!(x, low)))
+}
+
+function map(glsl: Glsl, [x, a, b, c, d, isClamped]: unknown[]): unknown {
+  const part = glsl.div!(glsl.sub!(x, a), glsl.sub!(b, a))
+  const mapped = glsl.add!(glsl.mult!(part, glsl.sub!(d, c)), c)
+  return isClamped ? glsl.clamp!(mapped, glsl.min!(c, d), glsl.max!(c, d)) : mapped
+}
+
+/** p5's noise is a table of random numbers that no shader has: ours, with its range and its four octaves. */
+function noise(glsl: Glsl, x: unknown[]): unknown {
+  noteOnce(
+    "noise: p5's noise() works on numbers; of expressions it is warpjet's glsl.fbm(p, { octaves: 4 }) * 0.5 + 0.5, which has the same range and another pattern. Write that to choose another noise, such as glsl.simplex(p).",
+  )
+  const point = x.length === 1 ? x[0] : vector(glsl, x)
+  return glsl.add!(glsl.mult!(glsl.fbm!(point, { octaves: 4 }), 0.5), 0.5)
+}
+
+/** `min` and `max` of any number of operands, or of p5's single array. */
+const extreme =
+  (name: 'min' | 'max'): Formula =>
+  (glsl, x) =>
+    (x.length === 1 && Array.isArray(x[0]) ? (x[0] as unknown[]) : x)
+      .map((each) => wholeOf(glsl, each))
+      .reduce((a, b) => glsl[name]!(a, b))
+
+const takingAngle =
+  (name: string): Formula =>
+  (glsl, [x], known) =>
+    glsl[name]!(
+      countsDegrees(known, [takesAngle[name]![0]], takesAngle[name]![1]) ? glsl.radians!(x) : x,
+    )
+
+const givingAngle =
+  (name: string): Formula =>
+  (glsl, x, known) => {
+    const angle = glsl[name === 'atan2' ? 'atan' : name]!(...x)
+    return countsDegrees(known, ...givesAngle[name]!) ? glsl.degrees!(angle) : angle
+  }
+
+const same = (names: string, of = (name: string) => name) =>
+  Object.fromEntries(
+    names.split(' ').map((name): [string, Formula] => [name, (glsl, x) => glsl[of(name)]!(...x)]),
+  )
+
+export const formulas: Readonly<Record<string, Formula>> = {
+  ...same(alike),
+  ...same(strands),
+  ...Object.fromEntries(Object.keys(takesAngle).map((name) => [name, takingAngle(name)])),
+  ...Object.fromEntries(Object.keys(givesAngle).map((name) => [name, givingAngle(name)])),
+  min: extreme('min'),
+  max: extreme('max'),
+  hypot: lengthOf,
+  mag: lengthOf,
+  length: lengthOf,
+  distance,
+  dist: distance,
+  round,
+  map,
+  noise,
+  lerp: (glsl, [a, b, t]) => glsl.mix!(a, b, t),
+  constrain: (glsl, [x, low, high]) => glsl.clamp!(x, low, high),
+  norm: (glsl, [x, a, b]) => glsl.div!(glsl.sub!(x, a), glsl.sub!(b, a)),
+  sq: (glsl, [x]) => glsl.mult!(x, x),
+  cbrt: (glsl, [x]) => glsl.mult!(glsl.sign!(x), glsl.pow!(glsl.abs!(x), 1 / 3)),
+  log10: (glsl, [x]) => glsl.div!(glsl.log!(x), Math.LN10),
+  log1p: (glsl, [x]) => glsl.log!(glsl.add!(x, 1)),
+  expm1: (glsl, [x]) => glsl.sub!(glsl.exp!(x), 1),
+  fround: (_, [x]) => x,
+  createVector: (glsl, [x = 0, y = 0, z = 0]) => glsl.vec3!(x, y, z),
+}
+
+/** Functions whose arrays are lists of operands, and no vectors. */
+const takesList = new Set(['min', 'max'])
+
+export const isKnown = (name: string) => Object.hasOwn(formulas, name)
+
+/** A known function of operands of which one at least is an expression. */
+export const ofExpressions = (glsl: Glsl, name: string, x: unknown[], known?: Known) =>
+  formulas[name]!(glsl, takesList.has(name) ? x : x.map((each) => wholeOf(glsl, each)), known)
+
+const isStrands = new Set(strands.split(' '))
+
+/**
+ * The same where no expression is among the operands: numbers give numbers by the page's own function, or by ours where there is
+ * none. p5 2 has some names of strands as functions that refuse to work outside of a shader.
+ */
+export function ofNumbers(glsl: Glsl | undefined, name: string, x: unknown[], known?: Known) {
+  const own = numbers[name]
+  if (own && x.every((each) => typeof each === 'number')) return own(...(x as number[]))
+  if (known && !isStrands.has(name)) return known(...x)
+  if (glsl && (isStrands.has(name) || x.some(isVectorLike))) return ofExpressions(glsl, name, x)
+  throw new ReferenceError(`${name} is not defined`)
+}
+
+const clamp = (x: number, low: number, high: number) => Math.min(Math.max(x, low), high)
+
+const numbers: Record<string, (...x: number[]) => number> = {
+  clamp: (x, low, high) => clamp(x!, low!, high!),
+  mix: (a, b, t) => a! * (1 - t!) + b! * t!,
+  step: (edge, x) => (x! < edge! ? 0 : 1),
+  smoothstep(low, high, x) {
+    const t = clamp((x! - low!) / (high! - low!), 0, 1)
+    return t * t * (3 - 2 * t)
+  },
+  length: (x) => Math.abs(x!),
+  mod: (x, y) => x! - y! * Math.floor(x! / y!),
+  inversesqrt: (x) => 1 / Math.sqrt(x!),
+}

@@ -1,0 +1,146 @@
+// Decides whether a function has anything to translate; otherwise it is left alone. Operators on values that cannot be expressions, such
+// as the counter of a loop, stay JavaScript's.
+import { isKnown } from './functions.js'
+import { freeReferences } from './resolve.js'
+import { bound, walk } from './scopes.js'
+import { isOperator } from './translate.js'
+import { childrenOf, type Tree } from './tree.js'
+
+/**
+ * What a function uses: `operators` on what may be an expression, which throws or means something else without translation; or
+ * only `logic`, such as `sum ? sum.add(x) : x`, which JavaScript decides by whether there is a value. A helper may read expressions that
+ * it is not handed.
+ */
+export type Needs = 'operators' | 'logic' | 'nothing'
+
+export function needsOf(tree: Tree, { isHelper = false } = {}): Needs {
+  const references = freeReferences(tree)
+  const free = new Set([...references.values()].flat())
+  // An offset function may have set a variable of the sketch that a helper reads.
+  const mayBeExpression = expressionsIn(tree, isHelper ? [...references.keys()] : [])
+  let needs: Needs = 'nothing'
+  walk(tree, (node) => {
+    if (needs === 'operators') return false
+    if (isQuestionOfBeing(node)) return true
+    if (isLogic(node)) {
+      if (conditionsOf(node).some(mayBeExpression)) needs = 'logic'
+    } else if (
+      (isOperator(node) && childrenOf(node).some(mayBeExpression)) ||
+      isCallToTranslate(node, free, mayBeExpression)
+    )
+      needs = 'operators'
+    return true
+  })
+  return needs
+}
+
+const isLogic = ({ type, operator }: Tree): boolean =>
+  /^(LogicalExpression|ConditionalExpression|(If|While|DoWhile|For|Switch)Statement)$/.test(type) ||
+  (type === 'UnaryExpression' && operator === '!') ||
+  (type === 'AssignmentExpression' && /^(&&|\|\|)=$/.test(operator))
+
+/** `x == null` and its like, which ask whether there is a value. */
+const isQuestionOfBeing = ({ type, operator, left, right }: Tree): boolean =>
+  type === 'BinaryExpression' &&
+  /^[!=]==?$/.test(operator) &&
+  [left, right].some(
+    (each: Tree) =>
+      each.name === 'undefined' ||
+      (each.type === 'Literal' && (each.value === null || typeof each.value === 'string')),
+  )
+
+const conditionsOf = ({ test, discriminant, argument, left }: Tree): Tree[] =>
+  [test, discriminant, argument, left].filter((each) => !!each)
+
+/** JavaScript's own names, whose functions no sketch writes. */
+const isBuiltIn = (name: string) =>
+  /^(console|Math|JSON|Object|Array|Number|String|Boolean|Symbol|BigInt|Map|Set|WeakMap|Date|RegExp|Promise|Reflect|Proxy|Intl|Error|\w+Error|\w+Array|performance|document|window|globalThis|parseInt|parseFloat|isNaN|isFinite)$/.test(
+    name,
+  )
+
+const rootOf = (node: Tree): Tree =>
+  node.type === 'MemberExpression' || node.type === 'CallExpression'
+    ? rootOf(node.object ?? node.callee)
+    : node
+
+/** A function of numbers by name, or one of the sketch's own, in which operators may be. */
+function isCallToTranslate(
+  { type, callee, arguments: given }: Tree,
+  free: ReadonlySet<Tree>,
+  mayBeExpression: (node: Tree) => boolean,
+): boolean {
+  if (type !== 'CallExpression' && type !== 'NewExpression') return false
+  const root = rootOf(callee)
+  const name: string = callee.name ?? callee.property?.name ?? ''
+  if (root.type === 'ThisExpression') return true
+  if (root.type !== 'Identifier' || !free.has(root)) return false
+  // A function may make use of an expression that it is not handed.
+  const isHanded = given.some((each: Tree) => mayBeExpression(each) || /Function/.test(each.type))
+  return isHanded && (isBuiltIn(root.name) ? root.name === 'Math' && isKnown(name) : true)
+}
+
+/** Returns a check whether the value of a node may be an expression. The order of statements does not count. */
+function expressionsIn(tree: Tree, others: readonly string[]): (node: Tree) => boolean {
+  const names = new Set(['arguments', ...others.filter((name) => !isBuiltIn(name))])
+  const functions = new Set<string>()
+  walk(tree, (node) => {
+    if (/Function/.test(node.type)) {
+      for (const parameter of node.params) for (const name of bound(parameter)) names.add(name)
+      if (node.id) functions.add(node.id.name)
+    }
+    if (node.type === 'VariableDeclarator' && /Function/.test(node.init?.type ?? ''))
+      functions.add(node.id.name)
+  })
+
+  function mayBe(node: Tree): boolean {
+    switch (node.type) {
+      case 'Literal':
+      case 'TemplateLiteral':
+      case 'ClassExpression':
+      case 'FunctionExpression':
+      case 'ArrowFunctionExpression':
+        return false
+      case 'Identifier':
+        return names.has(node.name)
+      case 'ThisExpression':
+      case 'Super':
+        return true
+      case 'MemberExpression':
+        return mayBe(node.object)
+      case 'UnaryExpression':
+        return node.operator !== 'typeof' && mayBe(node.argument)
+      case 'CallExpression':
+        return functions.has(node.callee.name) || [node.callee, ...node.arguments].some(mayBe)
+      case 'Property':
+        return mayBe(node.value)
+      default:
+        return childrenOf(node).some(mayBe)
+    }
+  }
+
+  const set = (target: Tree) => {
+    const all = target.type === 'MemberExpression' ? [rootOf(target).name as string] : bound(target)
+    for (const name of all) names.add(name)
+  }
+  for (let before = -1; before !== names.size;) {
+    before = names.size
+    walk(tree, (node) => {
+      if (node.type === 'VariableDeclarator' && node.init && mayBe(node.init)) set(node.id)
+      if (node.type === 'AssignmentExpression' && mayBe(node.right)) set(node.left)
+      if (/^For(In|Of)/.test(node.type) && mayBe(node.right))
+        set(node.left.type === 'VariableDeclaration' ? node.left.declarations[0].id : node.left)
+    })
+  }
+  return mayBe
+}
+
+/** Returns whether a function returns an array, which is meant as a vector. */
+export function returnsArray(tree: Tree): boolean {
+  let found = tree.body?.type === 'ArrayExpression'
+  walk(tree, ({ type, argument, body }) => {
+    found ||= type === 'ReturnStatement' && argument?.type === 'ArrayExpression'
+    found ||= type === 'ArrowFunctionExpression' && body.type === 'ArrayExpression'
+    return !found
+  })
+  return found
+}

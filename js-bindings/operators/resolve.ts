@@ -1,0 +1,107 @@
+// Scope analysis: the free names of a function, and the names that are bound around it.
+import { bound, isProperty, scopeOf } from './scopes.js'
+import type { Tree } from './tree.js'
+
+/** The scopes around a node. */
+interface Around {
+  names: readonly ReadonlySet<string>[]
+  /** True if `this` and `new.target` belong to a function or class within the tree. */
+  ownsThis: boolean
+  ownsArguments: boolean
+  privates: ReadonlySet<string>
+}
+
+/** Maps a name to the nodes that read or set it. Pseudo-names are `this`, `arguments`, `super`, `new.target` and `#private`. */
+export type References = Map<string, Tree[]>
+
+/** The references in `tree` to what nothing within it binds. */
+export function freeReferences(tree: Tree): References {
+  const found: References = new Map()
+  const add = (name: string, node: Tree) => {
+    const nodes = found.get(name)
+    if (nodes) nodes.push(node)
+    else found.set(name, [node])
+  }
+
+  function visit(node: Tree, around: Around, parent?: Tree) {
+    switch (node.type) {
+      case 'Identifier':
+        if (isProperty(node, parent) || around.names.some((names) => names.has(node.name))) return
+        if (node.name === 'arguments' && around.ownsArguments) return
+        noteMember(node, parent)
+        return add(node.name, node)
+      case 'ThisExpression':
+        if (around.ownsThis) return
+        noteMember(node, parent)
+        return add('this', node)
+      case 'MetaProperty':
+        return node.meta.name === 'new' && !around.ownsThis ? add('new.target', node) : undefined
+      case 'Super':
+        return around.privates.has('super') ? undefined : add('super', node)
+      case 'PrivateIdentifier':
+        return around.privates.has(`#${node.name}`) ? undefined : add(`#${node.name}`, node)
+    }
+    const within = enter(node, around, parent)
+    for (const child of Object.values(node).flat())
+      if (child && typeof child === 'object' && typeof child.type === 'string')
+        visit(child as Tree, within, node)
+  }
+
+  visit(tree, { names: [], ownsThis: false, ownsArguments: false, privates: new Set() })
+  return found
+}
+
+/** Keeps the property that is read of a node, for messages. */
+function noteMember(node: Tree, parent?: Tree) {
+  if (parent?.type === 'MemberExpression' && !parent.computed && parent.object === node)
+    node.member = parent.property.name
+}
+
+function enter(node: Tree, around: Around, parent?: Tree): Around {
+  const names = namesOf(node)
+  const here = names.length ? [...around.names, new Set(names)] : around.names
+  if (/Function/.test(node.type) && node.type !== 'ArrowFunctionExpression')
+    return { ...around, names: here, ownsThis: true, ownsArguments: true }
+  if (
+    node.type === 'StaticBlock' ||
+    (parent?.type === 'PropertyDefinition' && parent.value === node)
+  )
+    return { ...around, names: here, ownsThis: true }
+  if (node.type !== 'ClassBody') return { ...around, names: here }
+  const keys = node.body
+    .filter(({ key }: Tree) => key?.type === 'PrivateIdentifier')
+    .map(({ key }: Tree) => `#${key.name}`)
+  return { ...around, names: here, privates: new Set([...around.privates, ...keys, 'super']) }
+}
+
+/** The names that a node binds for everything within it. */
+function namesOf(node: Tree): string[] {
+  if (/^Class(Declaration|Expression)$/.test(node.type)) return bound(node.id)
+  return scopeOf(node)
+}
+
+/** A place in a script. */
+export interface Place {
+  text: string
+  program: Tree
+  isModule: boolean
+  start: number
+  end: number
+}
+
+/** The names that are bound around a place, but for those of a classic script's top, which are global. */
+export function namesAround({ program, isModule, start, end }: Place): Set<string> {
+  const names = new Set<string>()
+  const visit = (node: Tree) => {
+    if (node.start > start || node.end < end) return
+    // The function itself binds what is within it.
+    if (node.start === start && node.end === end && /Function|Class/.test(node.type)) return
+    if (node.type !== 'Program' || isModule) for (const name of namesOf(node)) names.add(name)
+    if (/Function/.test(node.type) && node.type !== 'ArrowFunctionExpression')
+      names.add('arguments')
+    for (const child of Object.values(node).flat())
+      if (child && typeof child === 'object' && typeof child.type === 'string') visit(child as Tree)
+  }
+  visit(program)
+  return names
+}

@@ -1,0 +1,145 @@
+// Finds the text of a function in the scripts of its page, since only these tell what is bound around it.
+import { parse } from 'acorn'
+import { fileOf, stackLines } from '../expression/source-lines.js'
+import { type Place } from './resolve.js'
+import type { Tree } from './tree.js'
+
+interface Script {
+  text: string
+  isModule: boolean
+}
+
+const programs = new Map<string, Tree | undefined>()
+
+/** The tree of a script; `undefined` if it is none that acorn reads. */
+function programOf({ text, isModule }: Script): Tree | undefined {
+  const key = `${isModule}${text}`
+  if (!programs.has(key)) {
+    let program: Tree | undefined
+    try {
+      program = parse(text, {
+        ecmaVersion: 'latest',
+        sourceType: isModule ? 'module' : 'script',
+        allowHashBang: true,
+      }) as Tree
+    } catch {
+      // Another language, or a syntax that is not read yet.
+    }
+    programs.set(key, program)
+  }
+  return programs.get(key)
+}
+
+const isModuleTag = (script: HTMLScriptElement) => script.type === 'module'
+const isJavaScript = ({ type }: HTMLScriptElement) =>
+  /^(module|(text|application)\/(x-)?javascript|)$/i.test(type)
+
+const tags = () => [...document.scripts].filter(isJavaScript)
+
+const inlineScripts = (): Script[] =>
+  tags()
+    .filter((script) => !script.src)
+    .map((script) => ({ text: script.textContent ?? '', isModule: isModuleTag(script) }))
+
+/** Global functions, whose text is known without the script that they are in. */
+function globalFunctions(text: string): Script[] {
+  const found: Script[] = []
+  for (const name of Object.getOwnPropertyNames(globalThis)) {
+    const value: unknown = Object.getOwnPropertyDescriptor(globalThis, name)?.value
+    if (typeof value !== 'function') continue
+    const script = Function.prototype.toString.call(value)
+    if (script.includes(text)) found.push({ text: script, isModule: false })
+  }
+  return found
+}
+
+const isLibrary = (url: string) =>
+  /(^|\/)p5(@[^/]*)?(\.[\w-]+)*\.js\b|\/p5@?[^/]*\/lib\/|(^|\/)warpjet(\.[\w-]+)*\.js\b/.test(
+    url.replace(/[?#].*$/, ''),
+  )
+
+/** Returns whether a script can be read without a request to another site. Pages that are files may read nothing. */
+const isReadable = (url: string) =>
+  /^(blob|data):/.test(url) || (/^https?:/.test(url) && new URL(url).origin === location.origin)
+
+const fetched = new Map<string, string | undefined>()
+
+/** The text of a script. The page has loaded it already, so that the browser's cache answers. */
+function textAt(url: string): string | undefined {
+  if (!fetched.has(url)) {
+    let text: string | undefined
+    try {
+      const request = new XMLHttpRequest()
+      request.open('GET', url, false)
+      request.send()
+      if (request.status >= 200 && request.status < 300) text = request.responseText
+    } catch {
+      // Not there any more, or forbidden by the page.
+    }
+    fetched.set(url, text)
+  }
+  return fetched.get(url)
+}
+
+/** Scripts in files, those first that are running. */
+function* files(): Generator<Script> {
+  const running = stackLines().map(fileOf)
+  const all = tags().filter((script) => script.src)
+  const classic = new Set(all.filter((script) => !isModuleTag(script)).map(({ src }) => src))
+  const loaded = performance
+    .getEntriesByType('resource')
+    .filter((entry) => /\.m?jsx?([?#]|$)/.test(entry.name))
+    .map(({ name }) => name)
+  for (const url of new Set([...running, ...all.map(({ src }) => src), ...loaded])) {
+    if (url === location.href || isLibrary(url) || !isReadable(url)) continue
+    const text = textAt(url)
+    if (text !== undefined) yield { text, isModule: !classic.has(url) }
+  }
+}
+
+function placesIn(script: Script, text: string): Place[] {
+  if (!script.text.includes(text)) return []
+  const program = programOf(script)
+  const places: Place[] = []
+  if (program)
+    for (let at = script.text.indexOf(text); at >= 0; at = script.text.indexOf(text, at + 1))
+      places.push({
+        text: script.text,
+        program,
+        isModule: script.isModule,
+        start: at,
+        end: at + text.length,
+      })
+  return places
+}
+
+/** Finds the text of a function in the page's scripts. There are several places if several functions have that text. */
+export function placesOf(text: string): Place[] {
+  if (typeof document === 'undefined') return []
+  const inline = inlineScripts().flatMap((script) => placesIn(script, text))
+  if (inline.length) return inline
+  const inFunctions = globalFunctions(text).flatMap((script) => placesIn(script, text))
+  if (inFunctions.length) return inFunctions
+  for (const script of files()) {
+    const places = placesIn(script, text)
+    if (places.length) return places
+  }
+  return []
+}
+
+/** The trees of the scripts in which a name stands, as far as they can be seen without another request. */
+export function programsWith(name: string, place: Place | undefined): Tree[] {
+  if (typeof document === 'undefined') return []
+  const read = [...fetched.values()].flatMap((text) => (text ? [{ text, isModule: false }] : []))
+  const around = place && { text: place.text, isModule: place.isModule }
+  const scripts = [
+    ...inlineScripts(),
+    ...read,
+    ...globalFunctions(name),
+    ...(around ? [around] : []),
+  ]
+  const texts = new Map(scripts.map((script) => [script.text, script]))
+  return [...texts.values()]
+    .filter(({ text }) => text.includes(name))
+    .flatMap((script) => programOf(script) ?? [])
+}

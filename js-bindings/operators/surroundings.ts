@@ -1,0 +1,98 @@
+// Describes what surrounds a function in its script.
+import { binderOf, definitionIn, pathTo } from './definitions.js'
+import { type Place, namesAround } from './resolve.js'
+import { assignedIn, walk } from './scopes.js'
+import { placesOf, programsWith } from './sources.js'
+import type { Tree } from './tree.js'
+
+export interface Surroundings {
+  /** The names that are bound around it and so are no globals; nothing if no script shows the function. */
+  bound: ReadonlySet<string> | undefined
+  isStrict: boolean
+  /** The parameter of the function around it that p5 calls with the sketch. */
+  sketchName: string | undefined
+  /** A function that is bound around it under that name for good. */
+  functionOf(name: string): Definition | undefined
+  /** Scripts in which a variable of the page may be set. */
+  programs(name: string): Tree[]
+}
+
+export interface Definition {
+  text: string
+  source: string
+  tree: Tree
+  surroundings: Surroundings
+}
+
+const unseen: Surroundings = {
+  bound: undefined,
+  isStrict: false,
+  sketchName: undefined,
+  functionOf: () => undefined,
+  programs: (name) => programsWith(name, undefined),
+}
+
+/** Describes the surroundings of a function by its text. If several functions of the page have that text, a name counts as bound if it is for one of them. */
+export function surroundingsOf(text: string): Surroundings {
+  const places = placesOf(text)
+  if (!places.length) return unseen
+  const all = places.map(surroundingsAt)
+  return all.length === 1
+    ? all[0]!
+    : {
+        bound: new Set(all.flatMap(({ bound }) => [...bound!])),
+        isStrict: all.every(({ isStrict }) => isStrict),
+        sketchName: all.every(({ sketchName }) => sketchName === all[0]!.sketchName)
+          ? all[0]!.sketchName
+          : undefined,
+        functionOf: () => undefined,
+        programs: (name) => all.flatMap((each) => each.programs(name)),
+      }
+}
+
+function surroundingsAt(place: Place): Surroundings {
+  const path = pathTo(place)
+  return {
+    bound: namesAround(place),
+    isStrict: place.isModule || path.some(isStrictIn),
+    sketchName: sketchNameIn(place, path),
+    functionOf: (name) => functionBound(place, path, name),
+    programs: (name) => programsWith(name, place),
+  }
+}
+
+const isStrictIn = (node: Tree): boolean =>
+  /^Class/.test(node.type) ||
+  [node.body?.body ?? node.body].flat().some((each?: Tree) => each?.directive === 'use strict')
+
+/** p5 calls the function of `new p5((p) => …)` with the sketch. */
+function sketchNameIn({ program }: Place, path: Tree[]): string | undefined {
+  let found: string | undefined
+  walk(program, (node) => {
+    if (node.type !== 'NewExpression') return
+    if ((node.callee.name ?? node.callee.property?.name) !== 'p5') return
+    const [given] = node.arguments as Tree[]
+    const sketch = given?.type === 'Identifier' ? definitionIn(program, given.name) : given
+    const [first] = sketch?.params ?? []
+    if (first?.type !== 'Identifier' || !path.includes(sketch!)) return
+    if (binderOf(path, first.name) === sketch && !assignedIn([sketch!.body]).has(first.name))
+      found = first.name
+  })
+  return found
+}
+
+function functionBound(place: Place, path: Tree[], name: string): Definition | undefined {
+  const binder = binderOf(path, name)
+  const tree = binder && definitionIn(binder, name)
+  if (!tree || tree.async || tree.generator) return undefined
+  const { start, end } = tree
+  const { text } = place
+  // A function that calls itself would be read for ever.
+  if (start <= place.start && end >= place.end) return undefined
+  return {
+    text: text.slice(start, end),
+    source: text,
+    tree,
+    surroundings: surroundingsAt({ ...place, start, end }),
+  }
+}

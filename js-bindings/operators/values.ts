@@ -1,0 +1,75 @@
+// The kinds of values that operators and functions distinguish.
+import { isExpression } from '../checks/describe.js'
+import type { Glsl } from './functions.js'
+
+/** The part of an expression's session that is used here. */
+interface Session {
+  isCondition(value: unknown): boolean
+  shapeOf(value: unknown): readonly [columns: number, rows: number]
+  use(value: unknown): void
+}
+
+const sessionOf = (value: unknown) => (value as { session: Session }).session
+
+/** The prototype of p5's sketches, if p5 is a global of the page. */
+export const p5Prototype = (): object =>
+  (Reflect.get(globalThis, 'p5') as { prototype?: object } | undefined)?.prototype ?? {}
+
+/** A p5 sketch, whose functions are called as `p.sin(x)`: known by its shape, since p5 may be a module. */
+export const isSketch = (object: unknown): object is Record<string, unknown> =>
+  typeof object === 'object' &&
+  object !== null &&
+  ['createCanvas', 'angleMode', 'noise'].every(
+    (name) => name in object && typeof Reflect.get(object, name) === 'function',
+  )
+
+/** Returns whether a value is a vector, as p5's createVector and three's Vector3 make it. */
+export const isVectorLike = (value: unknown): value is { x: unknown; y: unknown; z?: unknown } =>
+  typeof value === 'object' &&
+  value !== null &&
+  !isExpression(value) &&
+  'x' in value &&
+  'y' in value &&
+  [value.x, value.y].every((part) => typeof part === 'number' || isExpression(part))
+
+const partsOf = (value: unknown): unknown[] =>
+  Array.isArray(value)
+    ? value
+    : isVectorLike(value)
+      ? [value.x, value.y, ...(value.z === undefined ? [] : [value.z])]
+      : []
+
+/** Returns whether a value is an expression, or an array or vector that holds one. */
+export const isWarped = (value: unknown): boolean =>
+  isExpression(value) || partsOf(value).some(isWarped)
+
+/** Returns whether an object of the sketch holds an expression among its own values. Getters are not called. */
+export function holdsExpression(value: unknown, depth = 2): boolean {
+  if (typeof value === 'function' && !isExpression(value)) return depth > 1
+  if (isWarped(value)) return true
+  if (typeof value !== 'object' || value === null || depth === 0) return false
+  return Object.values(Object.getOwnPropertyDescriptors(value)).some(
+    (each) => 'value' in each && holdsExpression(each.value, depth - 1),
+  )
+}
+
+/** An array of 2 to 4 numbers or expressions, or an object with x and y, as a vector; anything else as it is. */
+export function wholeOf(glsl: Glsl, value: unknown): unknown {
+  const parts = partsOf(value)
+  return parts.length >= 2 && parts.length <= 4 ? glsl[`vec${parts.length}`]!(...parts) : value
+}
+
+/** Returns whether a value is a condition that differs by vertex. */
+export const isCondition = (value: unknown): boolean =>
+  isExpression(value) && sessionOf(value).isCondition(value)
+
+/** Returns whether the truth of a value differs by vertex: of a condition or a number, but not of a vector, which JavaScript takes as true. */
+export function decidesByVertex(value: unknown): boolean {
+  if (!isExpression(value)) return false
+  if (isCondition(value)) return true
+  const [columns, rows] = sessionOf(value).shapeOf(value)
+  return columns === 1 && rows === 1
+}
+
+/** Keeps the note about conditions that decide nothing from being printed. */
+export const useCondition = (condition: unknown) => sessionOf(condition).use(condition)

@@ -1,0 +1,98 @@
+// Sketches as p5 people write them, with the script of operators: the picture of a twin by methods, on a page without that script,
+// or a message that says what to write. Each is a page of its own, since what is around a function is what is tested.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { sketches as conditions } from './operators/conditions.js'
+import { sketches as functions } from './operators/functions.js'
+import { sketches as helpers } from './operators/helpers.js'
+import { sketches as names } from './operators/names.js'
+import { sketches as others } from './operators/others.js'
+import { launchBrowser, leavePage } from './support/browser.js'
+import { differingPixels, litPixels, readPixels } from './support/pixels.js'
+import { servePages } from './support/server.js'
+import { drawScenes, p5InThisRun, runSketch } from './support/sketch.js'
+
+const warpjet = '/dist/p5.warpjet.min.js'
+const operators = '/dist/warpjet.operators.min.js'
+const sketches = { ...helpers, ...names, ...functions, ...conditions, ...others }
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+const clock = 'p5.prototype.millis = () => 1700'
+
+const written = ({ whole, top = '', setup }) =>
+  `${clock}
+${
+  whole ??
+  `let wave
+${top}
+function setup() {
+  createCanvas(100, 100, WEBGL)
+  noLoop()
+  ${setup}
+}
+function draw() {
+  background(0); lights(); noStroke(); fill('coral'); wave(); sphere(40)
+  window.done = true
+}`
+}`
+
+/** Opens a page with a sketch → its picture, and all that it printed. */
+async function run(scripts, sketch) {
+  const { page, messages } = await runSketch(browser, server, scripts, written(sketch))
+  const image = (await page.$('canvas')) && (await readPixels(page))
+  await leavePage(page)
+  return { image, messages }
+}
+
+test('there are sixty of them', () => assert.ok(Object.keys(sketches).length >= 60))
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: the picture of the twin, or a message`, async () => {
+    const twins = Object.entries(sketches).filter(([, { twin }]) => twin)
+    const pictures = await drawScenes(browser, server, [p5, warpjet], {
+      size: 100,
+      setup: `${clock}
+${twins.map(([name, { twin }]) => `warps[${JSON.stringify(name)}] = createWarp(${twin})`).join('\n')}`,
+      scenes: {
+        plain: `lights(); noStroke(); fill('coral'); sphere(40)`,
+        ...Object.fromEntries(
+          twins.map(([name]) => [
+            name,
+            `lights(); noStroke(); fill('coral'); warps[${JSON.stringify(name)}](); sphere(40)`,
+          ]),
+        ),
+      },
+    })
+    const problems = []
+    for (const [name, sketch] of Object.entries(sketches)) {
+      const { image, messages } = await run([p5, warpjet, operators], sketch)
+      const expected = sketch.says ?? sketch.notes
+      const isSaid = expected
+        ? messages.some((each) =>
+            expected.test(
+              each.replace(/^uncaught: (WarpError: )?|^.*?(?=createWarp:|noise:|v\.mult)/, ''),
+            ),
+          )
+        : !messages.length
+      if (!isSaid) problems.push(`${name}: it printed ${JSON.stringify(messages)}`)
+      if (!sketch.twin) continue
+      const twin = pictures[name]
+      const differing = image ? differingPixels(image, twin, 4) : 'all'
+      const moved = differingPixels(twin, pictures.plain, 4)
+      const lit = litPixels(twin).length
+      if (!(differing < 5 && moved > 150 && lit > 1000))
+        problems.push(
+          `${name}: ${differing} pixels differ, ${moved} of the shape itself, ${lit} are lit`,
+        )
+    }
+    assert.deepEqual(problems, [])
+  })

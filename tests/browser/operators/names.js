@@ -1,0 +1,83 @@
+// Sketches whose variables are in functions around the offset function, or have the names of globals.
+export const sketches = {
+  'a parameter called height, without operators': {
+    top: `function makeWave(height) {
+      return createWarp(({ glsl, position }) => glsl.vec3(0, position.x.mult(5).sin().mult(height), 0))
+    }`,
+    setup: `wave = makeWave(0.3)`,
+    twin: ({ glsl, position }) => glsl.vec3(0, position.x.mult(5).sin().mult(0.3), 0),
+  },
+  'a parameter called height, with operators': {
+    top: `function makeWave(height) {
+      return createWarp(({ position }) => [0, sin(position.x * 5) * height, 0])
+    }`,
+    setup: `wave = makeWave(0.3)`,
+    says: /cannot see "height" of the sketch around it, where it is no global; add the option \{ scope: \{ height \} \}/,
+  },
+  'the same, with a scope': {
+    top: `function makeWave(height) {
+      return createWarp(({ position }) => [0, sin(position.x * 5) * height, 0], { scope: { height } })
+    }`,
+    setup: `wave = makeWave(0.3)`,
+    twin: ({ glsl, position }) => glsl.vec3(0, position.x.mult(5).sin().mult(0.3), 0),
+  },
+  'operators on numbers around methods': {
+    top: `function makeWave(width, key) {
+      const half = width / 2
+      return createWarp(({ glsl, position }) => glsl.vec3(position.y.mult(half * 8 + key).sin().mult(0.2), 0, 0))
+    }`,
+    setup: `wave = makeWave(1, 2)`,
+    twin: ({ glsl, position }) => glsl.vec3(position.y.mult(6).sin().mult(0.2), 0, 0),
+  },
+  'a local in setup': {
+    setup: `const amount = random([0.3, 0.3])
+    wave = createWarp(({ position }) => [0, position.x * amount, 0])`,
+    says: /cannot see "amount" of the sketch around it; make it global, or add the option \{ scope: \{ amount \} \}/,
+  },
+  'the same as a global': {
+    top: `const amount = 0.3`,
+    setup: `wave = createWarp(({ position }) => [0, position.x * amount, 0])`,
+    twin: ({ glsl, position }) => glsl.vec3(0, position.x.mult(0.3), 0),
+  },
+  'a top-level arrow function that takes length': {
+    top: `const makeWave = (length) => createWarp(({ position }) => position * length)`,
+    setup: `wave = makeWave(0.4)`,
+    says: /cannot see "length" .* scope: \{ length \}/,
+  },
+  'a global and a local of one name, elsewhere': {
+    top: `const size = 0.25
+    function other(size) { return size * 2 }`,
+    setup: `wave = createWarp(({ position }) => position * size)`,
+    twin: ({ position }) => position.mult(0.25),
+  },
+  'a variable of the loop around it': {
+    setup: `for (let i = 1; i < 3; i++) wave = createWarp(({ position }) => position * (i / 10))`,
+    says: /cannot see "i" .* scope: \{ i \}/,
+  },
+  'a class with its warp': {
+    top: `class Blob {
+      constructor(amount) {
+        this.amount = amount
+        this.warp = createWarp(({ position }) => [sin(position.y * 4) * this.amount, 0, 0])
+      }
+    }`,
+    setup: `wave = new Blob(0.3).warp`,
+    says: /cannot see "this" of the object around it; write amount in place of this.amount, and add the option \{ scope: \{ amount: this.amount \} \}/,
+  },
+  'a class with its warp, with a scope': {
+    top: `class Blob {
+      constructor(amount) {
+        this.warp = createWarp(({ position }) => [sin(position.y * 4) * amount, 0, 0], { scope: { amount } })
+      }
+    }`,
+    setup: `wave = new Blob(0.3).warp`,
+    twin: ({ glsl, position }) => glsl.vec3(position.y.mult(4).sin().mult(0.3), 0, 0),
+  },
+  'names of p5 as parameters within': {
+    setup: `wave = createWarp(({ position }) => {
+      const shape = (width, height) => sin(width * 4) * height
+      return [0, shape(position.x, 0.2), 0]
+    })`,
+    twin: ({ glsl, position }) => glsl.vec3(0, position.x.mult(4).sin().mult(0.2), 0),
+  },
+}
