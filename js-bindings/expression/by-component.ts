@@ -4,7 +4,7 @@ import { describeShape } from '../checks/describe.js'
 import type { Expression } from './expression.js'
 import type { Session } from './session.js'
 
-/** By operation, how many operands follow the numbers. */
+/** Maps an operation to the number of operands that follow the numbers. */
 const following: Readonly<Record<string, number>> = {
   add: 0,
   sub: 0,
@@ -18,11 +18,11 @@ const following: Readonly<Record<string, number>> = {
   mix: 1,
 }
 
-/** Those of any number of operands, where too few numbers for a vector would count for each component. */
+/** Operations that take any number of operands: there, too few numbers for a vector would each count for all components. */
 const isChained = (name: string) => /^(?:add|sub|mult|div)$/.test(name)
 
 /**
- * The operands of an operation, with one vector in place of the numbers for its components, `vectorOf` makes it. Throws a `WarpError` for
+ * The operands of an operation, with one vector, made by `vectorOf`, in place of the numbers for its components. Throws a `WarpError` for
  * another number of them than the vector has.
  */
 export function gatherNumbers(

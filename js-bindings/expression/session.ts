@@ -47,9 +47,9 @@ export class Session {
   private readonly core: Core = getCore()
   private readonly recorded = new Map<Recorded, number>()
   private id: SessionHandle | 0
-  /** By handle, what nothing was made of yet, each with its note for the console. */
+  /** Maps the handle of an unused expression to its note for the console. */
   private readonly idle = new Map<number, () => void>()
-  /** What `copy()` gave, and what methods have made of that. */
+  /** Results of `copy()`, and of methods called on them. */
   private readonly copies = new WeakSet<Expression>()
   /** How many functions' derivatives are being asked for at this moment. */
   private nesting = 0

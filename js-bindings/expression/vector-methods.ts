@@ -34,7 +34,7 @@ function checkCount(method: string, given: readonly unknown[], counts: readonly 
 
 const allSizes = [2, 3, 4]
 
-/** By name, of a vector (`rem` and `copy` also of a number) and what follows it. */
+/** Maps a method's name to its composition. Each takes a vector; `rem` and `copy` also take a number. */
 export const vectorMethods: Readonly<
   Record<string, (x: Operand, ...others: unknown[]) => Expression>
 > = {
@@ -42,7 +42,7 @@ export const vectorMethods: Readonly<
     checkCount('copy', others, [0])
     return (x.session as Session).copyOf(x)
   },
-  /** As JavaScript's `%`: with the sign of x. */
+  /** The result has the sign of x, as JavaScript's `%` has. */
   rem(x, ...by) {
     checkCount('rem', by, [1, shapeOf(x)[1]])
     const whole = methodsOf(methodsOf(x.div!(...by)).trunc!())
@@ -65,7 +65,7 @@ export const vectorMethods: Readonly<
     checkVector(v, 'setMag', allSizes)
     return methodsOf(v.normalize!()).mult!(operandOf(v, 'setMag', given[0]))
   },
-  /** As p5 signs it: by the direction of the z axis that the turn from one to the other has. */
+  /** p5 gives the angle the sign of the z of the cross product. */
   angleBetween(a, ...given) {
     checkCount('angleBetween', given, [1])
     const rows = checkVector(a, 'angleBetween', [2, 3])

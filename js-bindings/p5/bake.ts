@@ -26,11 +26,11 @@ type Bake = (shape: BuiltShape, name: string) => Pick<BuiltShape, 'vertices' | '
 
 interface Baking {
   bake: Bake
-  /** Whether the vertices have the model's transforms already. */
+  /** True if the warp moves vertices that the model's transforms were applied to. */
   isOfWorld: boolean
 }
 
-/** By builder, the shaders of the warps that were called since it began. */
+/** Maps a builder to the shaders of the warps that were called since it began. */
 const baking = new WeakMap<GeometryBuilder, Map<Shader, Baking>>()
 
 /** To be called when a warp was put on; does nothing while no geometry is being built. Throws a `WarpError`. */

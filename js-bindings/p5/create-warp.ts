@@ -152,7 +152,7 @@ function keepFor(canvas: Canvas, offset: OffsetFunction, warpSettings: WarpSetti
   return keepWarp(offset, settings, { moves: stroke !== false })
 }
 
-/** Whether a warp is on what the canvas draws next. */
+/** Tests whether the canvas draws its next shape with a warp. */
 export function isWarped(canvas: Canvas): boolean {
   const renderer = rendererOf(canvas)
   const shader = renderer && stateOf(renderer).userFillShader

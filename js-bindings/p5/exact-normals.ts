@@ -6,13 +6,8 @@
 import { WarpError } from '../checks/errors.js'
 import type { Shader } from './host.js'
 import { normalMatrices } from './struct-hooks.js'
-import {
-  type Hooks,
-  type ModifiedShader,
-  type MovingHooks,
-  isWgsl,
-  movingHooks,
-} from './turned-hooks.js'
+import { type ModifiedShader, isWgsl } from './modified-shader.js'
+import { type Hooks, type MovingHooks, movingHooks } from './turned-hooks.js'
 import { describeShader } from './unreadable-hooks.js'
 import { forgetLastShape, prepareWhereBound } from './variation-buffers.js'
 import { readsVariation, turnedVariation, variationDeclarations } from './variation-text.js'
@@ -55,7 +50,7 @@ export function exactNormals<Given extends object>(shader: Given): Given {
   }
 }
 
-/** A shader's hooks, and what is beyond them. */
+/** New hooks of a shader, and a change to the shader that p5 makes of them. */
 interface Woven {
   hooks: Hooks
   finish: (shader: ModifiedShader) => ModifiedShader

@@ -52,7 +52,7 @@ export interface Vector {
   x: number
   y: number
   z: number
-  /** Of p5.Vector alone. */
+  /** Present on a p5.Vector. */
   copy?(): Vector
 }
 
@@ -86,12 +86,12 @@ interface States extends MaterialState {
   setValue(name: string, value: unknown): void
 }
 
-/** What hands an attribute of shapes to shaders. */
+/** p5's RenderBuffer: it passes an attribute of shapes to shaders. */
 export interface ShapeBuffer {
   readonly attr?: string
 }
 
-/** What collects shapes between beginGeometry() and endGeometry(), such as buildGeometry() calls. */
+/** p5's GeometryBuilder: it collects shapes while buildGeometry() runs. */
 export interface GeometryBuilder {
   readonly geometry: BuiltShape
   addGeometry(shape: BuiltShape): void

@@ -1,4 +1,4 @@
-/** What stands behind each function that createWarp returned. */
+/** The recorded warp and the settings of each function that createWarp returned. */
 import type { KeptWarp } from '../compile/warp-text.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { runOnCpu } from '../compile/compile-warp.js'

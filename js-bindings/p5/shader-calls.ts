@@ -5,7 +5,7 @@ import type { Canvas } from './host.js'
 import { madeWarpOf } from './made-warps.js'
 import { located } from './places.js'
 
-/** By name, what to write instead. */
+/** Maps a method to the advice in its message. */
 const instead: Record<string, string> = {
   imageShader: 'a warp is on images too; write warp() before image(…)',
   strokeShader:

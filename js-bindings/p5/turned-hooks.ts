@@ -7,26 +7,9 @@ import { drawInputs } from '../inputs/inputs.js'
 import type { Target } from '../module/kept-module.js'
 import type { OffsetFunction } from '../types/types.js'
 import { aboveStrands, glslOf } from './strands-wgsl.js'
+import { type ModifiedShader, isWgsl } from './modified-shader.js'
 import { checkReadable, inStrandsWords, isOfStrands, withoutRandom } from './unreadable-hooks.js'
 import { readsVariation, variationVariables } from './variation-text.js'
-
-/** A shader that p5's `modify` made. */
-export interface ModifiedShader {
-  readonly hooks: {
-    readonly vertex: Readonly<Record<string, string>>
-    readonly helpers: Readonly<Record<string, string>>
-    readonly uniforms: Readonly<Record<string, unknown>>
-    /** On WEBGPU. */
-    readonly storageUniforms?: Readonly<Record<string, unknown>>
-    readonly fragment?: Readonly<Record<string, string>>
-    readonly declarations?: string
-    readonly varyingVariables?: readonly string[]
-    readonly modified: { readonly vertex: Readonly<Record<string, boolean>> }
-  }
-  /** As p5 has it, with the places of hooks. */
-  _vertSrc: string
-  modify(hooks: Record<string, string>): ModifiedShader
-}
 
 export type Hooks = Record<string, string>
 
@@ -34,9 +17,6 @@ export type Hooks = Record<string, string>
 const unread = Object.fromEntries(
   Object.keys(drawInputs).map((name) => [name, `warpjetNo_${name}`]),
 )
-
-/** Whether the shader is of a WEBGPU canvas. */
-export const isWgsl = ({ _vertSrc }: ModifiedShader) => /\bfn main\b/.test(_vertSrc)
 
 export interface Weaving {
   /** What the inputs of an offset are called in the new hook. */
@@ -60,7 +40,7 @@ export interface MovingHooks {
   hooks: Hooks
   declarations: string[]
   texts: string[]
-  /** Those whose normals depend on how normal and uv vary over the surface. */
+  /** Hooks whose normals depend on how normal and uv vary over the surface. */
   varying: { name: string; warp: WarpText }[]
 }
 
@@ -176,7 +156,7 @@ function readable(shader: ModifiedShader, head: string, hook: string, isOfShape:
   return `${aboveStrands}\n${glslOf(above)}\n${head}${glslOf(hook)}`
 }
 
-/** As p5 has it above its own text. */
+/** Mirrors the function that p5 puts above its shaders. */
 const getTexture = `vec4 getTexture(sampler2D content, vec2 coord) {
   vec4 color = texture(content, coord);
   if (color.a > 0.0) color.rgb /= color.a;

@@ -1,14 +1,14 @@
-/** What of a shader's hooks `exactNormals` cannot read, in the words of the sketch and not of the text that p5 made of it. */
+/** Messages about hooks that `exactNormals` cannot read. They name calls of the sketch, not the source that p5 generated from it. */
 import { WarpError, describe } from '../checks/errors.js'
-import type { ModifiedShader } from './turned-hooks.js'
+import type { ModifiedShader } from './modified-shader.js'
 
-/** By what p5 calls the hooks of each kind of shader. */
+/** Maps a hook's name to the kind of shader that has it. */
 const others: readonly (readonly [RegExp, string])[] = [
   [/^StrokeVertex /, 'a shader of lines, which have no normals; draw with it as it is'],
   [/^vec4(?:<f32>)? getColor$/, 'a filter, which moves no vertices; use it as it is'],
 ]
 
-/** What came in place of a shader of surfaces. */
+/** Describes what was passed in place of a shader of surfaces. */
 export function describeShader(given: unknown): string {
   const shader = given as (ModifiedShader & { vertSrc?: unknown }) | undefined
   const { vertex = {}, fragment = {} } = shader?.hooks ?? {}

@@ -39,7 +39,7 @@ export function giveArrays(geometry: { prototype: object } | undefined) {
     })
 }
 
-/** Of all scripts of the page, each of which may have a copy of this file. */
+/** Shared by all scripts of the page, each of which may have a copy of this file. */
 const keeping = ((globalThis as Record<symbol, unknown>)[Symbol.for('warpjet.renderers')] ??=
   []) as WeakRef<Renderer>[]
 
