@@ -50,7 +50,7 @@ export class Session {
   /** Maps the handle of an unused expression to its note for the console. */
   private readonly idle = new Map<number, () => void>()
   /** Results of `copy()`, and of methods called on them. */
-  private readonly copies = new WeakSet<Expression>()
+  private copies: WeakSet<Expression> | undefined
   /** How many functions' derivatives are being asked for at this moment. */
   private nesting = 0
 
@@ -136,13 +136,14 @@ export class Session {
   /** The same expression, for a sketch that means to change it as it would a p5.Vector. */
   copyOf({ handle }: Expression): Expression {
     const copy = new Expression(this, handle)
+    this.copies ??= new WeakSet()
     this.copies.add(copy)
     return copy
   }
 
   /** To be called with what a method gave: of a copy it is noted if nothing is made of it. */
   followCopy(copy: Expression, method: string, result: unknown) {
-    if (!this.copies.has(copy) || !(result instanceof Expression)) return
+    if (!this.copies?.has(copy) || !(result instanceof Expression)) return
     this.copies.add(result)
     if (result.handle === copy.handle) return
     const error = new Error()
