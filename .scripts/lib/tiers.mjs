@@ -40,6 +40,8 @@ export const leftOut = {
     'tests/browser/p5-webgpu.test.js': 'what it compares with WebGL has its tests there every day',
     'tests/browser/p5-webgpu-examples.test.js':
       'each is drawn by WebGL every day, and on a CPU a page with both takes ten seconds',
+    'tests/browser/p5-1-pictures.test.js':
+      'it opens ninety pages twice; p5-1.test.js has a smoke test, and docs.test.js and gallery.test.js draw them by p5 2',
     'tests/browser/three-webgpu.test.js':
       'without a GPU it is slow, and the nodes hold the text that three.test.js draws',
     'tests/browser/react.test.js': 'what it wraps has its tests every day',

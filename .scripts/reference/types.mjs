@@ -44,6 +44,18 @@ const special = {
   },
 }
 
+/** Methods of vectors that take a vector as its numbers, too, as p5.Vector's do, and what follows these. */
+const takesNumbers = { mod: 0, dot: 0, cross: 0, dist: 0, distance: 0, mix: 1 }
+
+/** One signature, not two: methods of a union of vectors can be called only where none is overloaded. */
+function withNumbers(operation, self) {
+  const [signature] = method(self)(operation)
+  const after = takesNumbers[operation.name]
+  if (after === undefined) return [signature]
+  const numbers = `x: Operand, y: Operand, ...${after ? 'others' : 'zw'}: Operand[]`
+  return [signature.replace(/^\((.*)\): /, `(...given: [$1] | [${numbers}]): `)]
+}
+
 /** The interfaces of methods, and which operations each has. */
 const receivers = [
   {
@@ -72,12 +84,12 @@ const receivers = [
     about: 'Of vectors. A number beside a vector counts for each component.',
     has: ({ kinds, isOptional }) =>
       kinds[0] === 'vector' || (isComponentwise(kinds) && (kinds.length > 1 || isOptional)),
-    signaturesOf: (operation) => special[operation.base]?.vector ?? method('Self')(operation),
+    signaturesOf: (operation) => special[operation.base]?.vector ?? withNumbers(operation, 'Self'),
   },
   {
     head: 'Vec3Methods',
     has: ({ kinds }) => kinds[0] === 'vec3',
-    signaturesOf: method('Vec3'),
+    signaturesOf: (operation) => withNumbers(operation, 'Vec3'),
   },
   {
     head: 'MatrixMethods<Self extends Shape<Size, Size>> extends AnyMethods<Self>',

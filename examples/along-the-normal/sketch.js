@@ -1,6 +1,7 @@
 // Bumps along the normal of a ring: left, lit as if the normal were the same all
 // around a vertex; right, addSurfaceVariation has told how it varies, and the
 // light is right.
+// p5 2: 1.11 keeps no properties of vertices.
 let ring, rough, exact
 
 async function setup() {
@@ -26,8 +27,8 @@ async function setup() {
 function draw() {
   background('#151823')
   ambientLight(80)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
   specularMaterial(160)
   shininess(40)
 

@@ -4,7 +4,7 @@ let cloth, wind
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  // A front and a back, each with its own normals.
+  // A front and a back, each with its own normals. p5 1.11 would keep the colour of this moment.
   cloth = buildGeometry(() => {
     for (const side of [0, PI]) {
       push()
@@ -13,7 +13,7 @@ function setup() {
       plane(110, 170, 24, 32)
       pop()
     }
-  })
+  }).clearColors()
 
   wind = createWarp(
     ({ glsl, position, millis }) => {
@@ -33,8 +33,8 @@ function draw() {
   background('#151823')
   orbitControl()
   ambientLight(110)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
   specularMaterial(40)
   shininess(10)
 

@@ -5,8 +5,9 @@ let coarse, fine, twist
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  coarse = denseCube(180, 2)
-  fine = denseCube(180, 40)
+  // p5 1.11 would keep the colour of this moment.
+  coarse = denseCube(180, 2).clearColors()
+  fine = denseCube(180, 40).clearColors()
 
   twist = createWarp(({ glsl, position, millis }) => {
     const [x, y, z] = [position.x(), position.y(), position.z()]
@@ -22,8 +23,8 @@ function draw() {
   background('#151823')
   orbitControl()
   ambientLight(100)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
   specularMaterial(90)
   shininess(40)
   twist()

@@ -7,9 +7,11 @@ const warps = {}
 async function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  textFont(await loadFont('fredoka.woff'))
+  const font = await loadFont('fredoka.woff')
+  textFont(font)
   textAlign(CENTER)
-  bar = makeBar(42, 150)
+  // p5 1.11 would keep the colour of this moment.
+  bar = makeBar(42, 150).clearColors()
 
   const { add, bend, blend, chain, inSpace, mask, twist } = warpjet
   const swing = (most) => (inputs) => inputs.millis.div(1500).cos().mult(most)
@@ -32,8 +34,8 @@ async function setup() {
 function draw() {
   background('#151823')
   ambientLight(100)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
   specularMaterial(70)
   shininess(30)
 

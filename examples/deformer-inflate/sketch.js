@@ -1,5 +1,6 @@
 // Points move along their normals. What the amount depends on
 // counts: here it runs over the hand in waves.
+// p5 2: 1.11 keeps no properties of vertices.
 let hand, inflate
 
 async function setup() {
@@ -19,8 +20,8 @@ function draw() {
   background('#151823')
   orbitControl()
   ambientLight(100)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
 
   rotateX(-0.2)
   rotateY(0.3)

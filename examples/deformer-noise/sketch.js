@@ -1,5 +1,6 @@
 // A sphere grows bumps along its normals, which become others as
 // time goes by.
+// p5 2: 1.11 keeps no properties of vertices.
 let ball, noise
 
 async function setup() {
@@ -14,8 +15,8 @@ function draw() {
   background('#151823')
   orbitControl()
   ambientLight(100)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
 
   fill('#e9c46a')
   specularMaterial(110)

@@ -21,8 +21,8 @@ async function setup() {
 function draw() {
   background('#151823')
   ambientLight(60)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
   specularMaterial(120)
   shininess(30)
 

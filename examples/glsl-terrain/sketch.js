@@ -38,8 +38,8 @@ function setup() {
 function draw() {
   background('#151823')
   ambientLight(60)
-  directionalLight('#ffe3bd', -0.8, 0.5, -0.5)
-  directionalLight('#35508c', 0.6, 0.2, -0.4)
+  directionalLight(255, 227, 189, -0.8, 0.5, -0.5)
+  directionalLight(53, 80, 140, 0.6, 0.2, -0.4)
   specularMaterial(40)
   shininess(20)
 

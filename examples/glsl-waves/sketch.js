@@ -37,8 +37,8 @@ function setup() {
 function draw() {
   background('#151823')
   ambientLight(70)
-  directionalLight('#fff6e0', 0.5, 0.35, 0.3)
-  directionalLight('#5b8fd8', -0.3, 0.8, -0.6)
+  directionalLight(255, 246, 224, 0.5, 0.35, 0.3)
+  directionalLight(91, 143, 216, -0.3, 0.8, -0.6)
   specularMaterial(200)
   shininess(25)
 

@@ -30,8 +30,8 @@ function draw() {
   background('#151823')
   orbitControl()
   ambientLight(130)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#6a5cff', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(106, 92, 255, 0.8, -0.3, 0.2)
   specularMaterial(60)
   shininess(30)
 

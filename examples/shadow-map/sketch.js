@@ -1,5 +1,6 @@
 // A shadow map, which p5 does not have: the same warp as the light sees it, in a p5.Framebuffer
 // that keeps how near to the light each place is; then lit, and dark where something was nearer.
+// p5 2: cameras of framebuffers are others in 1.11.
 let nearest, eye, far, lit, farTower, litTower
 
 function setup() {

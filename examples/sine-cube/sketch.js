@@ -5,7 +5,8 @@ let cube, warp
 function setup() {
   createCanvas(640, 480, WEBGL)
   noStroke()
-  cube = denseCube(200, 40)
+  // p5 1.11 would keep the colour of this moment.
+  cube = denseCube(200, 40).clearColors()
 
   warp = createWarp(({ glsl, position, millis }) => {
     const wave = (x) => x.mult(0.035).add(millis.div(800)).sin().mult(22)
@@ -18,8 +19,8 @@ function draw() {
   background('#151823')
   orbitControl()
   ambientLight(100)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
 
   rotateX(-0.5)
   rotateY(millis() / 4000)

@@ -1,6 +1,7 @@
 // Figure 2: a sphere, (a) at rest, (b) moved by sines, but lit by its old normals,
 // (c) with the flat normals that dFdx and dFdy find on the screen, (d) by
 // createWarp, with the exact normals.
+// p5 2: hooks of 1.11 have other names.
 let warp, onlyPositions, facets
 
 const sines = ({ glsl, position, millis }) => {
@@ -59,8 +60,8 @@ const inWGSL = {
 function draw() {
   background('#151823')
   ambientLight(100)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
   specularMaterial(120)
   shininess(50)
 

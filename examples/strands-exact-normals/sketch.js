@@ -1,5 +1,6 @@
 // A shader in p5.strands, with operators, an if and a loop: left as p5 draws it,
 // lit as if nothing had moved; right the same shader after exactNormals.
+// p5 2: 1.11 has no p5.strands.
 let before, after
 
 function setup() {
@@ -29,8 +30,8 @@ function setup() {
 function draw() {
   background('#151823')
   ambientLight(60)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
   specularMaterial(140)
   shininess(40)
   panel(-150, '#e9c46a', before)

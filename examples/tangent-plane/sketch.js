@@ -2,6 +2,7 @@
 // rotates the plane of x and y until it touches the surface, moves two neighbours
 // in it, and takes the plane through the moved points. The axis of that rotation is
 // z × normal. In front, the cube's normal is z: no axis, and no light.
+// p5 2: hooks of 1.11 have other names.
 let cube, exact, byNeighbours
 
 const sines = ({ glsl, position, millis }) => {
@@ -56,8 +57,8 @@ function setup() {
 function draw() {
   background('#151823')
   ambientLight(100)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
   specularMaterial(90)
   shininess(40)
 

@@ -1,5 +1,6 @@
 // Figure 7d: extruded text that bulges under the mouse. Seen by p5's own camera,
 // world space is the screen, but for the origin, which is in the middle.
+// p5 2: 1.11 has no textToModel().
 let word, bulge
 
 async function setup() {
@@ -27,8 +28,8 @@ async function setup() {
 function draw() {
   background('#151823')
   ambientLight(100)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
 
   rotateX(-0.3)
   rotateY(sin(millis() / 3000) / 3)

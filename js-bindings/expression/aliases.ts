@@ -1,6 +1,7 @@
 // Other names that people bring along, from three's TSL, p5.strands, p5 and GLSL: each is an alias of what there is, and no
 // operation of its own.
 import type { Expression } from './expression.js'
+import { vectorMethods } from './vector-methods.js'
 
 type Methods = Record<string, (...operands: unknown[]) => Expression>
 
@@ -49,6 +50,7 @@ export const madeOf: Readonly<
   pow3: (x) => methodsOf(x.mult!(x)).mult!(x),
   magSq: (x) => x.dot!(x),
   lengthSq: (x) => x.dot!(x),
+  ...vectorMethods,
 }
 
 export const methodsOf = (expression: Expression) => expression as Expression & Methods
@@ -63,6 +65,12 @@ export const meantByMethods: Readonly<Record<string, string>> = {
   tangent: 'tan',
   absolute: 'abs',
   toFixed: 'round',
+  set: 'v = glsl.vec3(x, y, z), since an expression never changes',
+  setValue: 'v = glsl.vec3(x, y, z), since an expression never changes',
+  getValue: 'v.x, v.y or v.z',
+  setHeading: 'glsl.vec2(angle.cos(), angle.sin()).mult(v.length())',
+  slerp: 'a.mix(b, amount), and .setMag(length) for its length',
+  clampToZero: 'v.abs().lt(1e-6).ifElse(0, v)',
 }
 
 export const meantByFunctions: Readonly<Record<string, string>> = {

@@ -5,11 +5,13 @@ import { getCore } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { frontEndKey } from '../checks/front-end.js'
 import { Expression, toExpression } from './expression.js'
+import { gatherNumbers } from './by-component.js'
 import { declareFunction } from './host-functions.js'
 import { callNoise, noiseKinds } from './noise.js'
 import { repeat } from './repeat.js'
 import type { Shape } from './shapes.js'
 import { callTexture } from './texture.js'
+import { isVec2, partsOf, rotated } from './vector-methods.js'
 import { madeOf, meantByFunctions, meantByMethods, methodsOf, sameAs } from './aliases.js'
 import { lazyObject } from '../checks/lazy-object.js'
 import { didYouMean, refusing } from '../checks/nearest.js'
@@ -44,6 +46,12 @@ function getOperations(): Operation[] {
 /** The number of the operation of that name. */
 export const operationNumber = (name: string): number =>
   getOperations().find((operation) => operation.name === name)!.number
+
+const gather = (session: Session, name: string, operands: Expression[]) =>
+  gatherNumbers(session, name, operands, (numbers) => {
+    const constructor = `vec${numbers.length}`
+    return session.call(operationNumber(constructor), constructor, numbers)
+  })
 
 const params: Record<string, Shape> = {
   param: [1, 1],
@@ -124,12 +132,10 @@ function installMakers() {
     add(
       name,
       (session) =>
-        (...operands: unknown[]) =>
-          session.call(
-            number,
-            name,
-            operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
-          ),
+        (...given: unknown[]) => {
+          const operands = given.map((operand, i) => toExpression(session, name, operand, i + 1))
+          return session.call(number, name, gather(session, name, operands))
+        },
       isListed,
     )
   for (const kind of noiseKinds)
@@ -152,8 +158,11 @@ function installMakers() {
 /** Only a session makes expressions. */
 const sessionOf = (expression: Expression) => expression.session as Session
 
-/** Methods that ask for results, as glsl-autodiff has them. */
-const results = {
+/** Methods that give no expression: the numbers of a vector as p5 has them, and those that ask for results, as glsl-autodiff does. */
+const others = {
+  array(this: Expression) {
+    return partsOf(this)
+  },
   output(this: Expression, name: unknown) {
     sessionOf(this).ask(name, this, 'output')
   },
@@ -204,7 +213,7 @@ function installMethods() {
     define(kind, function (...operands) {
       return callNoise(sessionOf(this), kind, [this, ...operands], true)
     })
-  for (const [name, method] of Object.entries(results)) define(name, method)
+  for (const [name, method] of Object.entries(others)) define(name, method)
   for (const [alias, name] of Object.entries(sameAs))
     if (Object.hasOwn(methods, name))
       define(alias, function (...operands) {
@@ -274,6 +283,7 @@ function defineOperation(name: string, number: number) {
   const isTurn = /^rotate[XYZ]$/.test(name)
   define(name, function (...given) {
     const session = sessionOf(this)
+    if (name === 'rotate' && isVec2(this)) return rotated(this, ...given)
     if (isTurn && given.length > 0)
       throw new WarpError(
         `${name}: a turn is a matrix, and gives where a vertex goes; write glsl.${name}(angle).mult(v).sub(v).`,
@@ -281,13 +291,17 @@ function defineOperation(name: string, number: number) {
     const operands: Expression[] = [this]
     for (const operand of given)
       operands.push(toExpression(session, name, operand, operands.length))
-    return session.call(number, name, operands, true)
+    return session.call(number, name, gather(session, name, operands), true)
   })
 }
 
 function define(name: string, method: (this: Expression, ...operands: unknown[]) => unknown) {
   const value = function (this: unknown, ...operands: unknown[]) {
-    if (this instanceof Expression) return method.apply(this, operands)
+    if (this instanceof Expression) {
+      const result = method.apply(this, operands)
+      sessionOf(this).followCopy(this, name, result)
+      return result
+    }
     throw new WarpError(`${name}: call it on an expression, as in x.${name}(…).`)
   }
   Object.defineProperty(methods, name, { value, configurable: true, writable: true })

@@ -7,7 +7,7 @@ import type { KeptModule, Target } from '../module/kept-module.js'
 import { describeShape } from '../checks/describe.js'
 import { isCallable } from '../checks/options.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
-import { noteIdle } from './idle.js'
+import { noteIdle, noteUnused } from './idle.js'
 import { callerOutside } from './source-lines.js'
 import type { HostSampling } from './texture.js'
 import { failed, needsPartials } from '../wasm/tables.js'
@@ -47,8 +47,10 @@ export class Session {
   private readonly core: Core = getCore()
   private readonly recorded = new Map<Recorded, number>()
   private id: SessionHandle | 0
-  /** By handle, the conditions that nothing was made of yet, and the places where they came up. */
-  private readonly idle = new Map<number, Error>()
+  /** Maps the handle of an unused expression to its note for the console. */
+  private readonly idle = new Map<number, () => void>()
+  /** Results of `copy()`, and of methods called on them. */
+  private copies: WeakSet<Expression> | undefined
   /** The handles of conditions. */
   private readonly conditions = new Set<number>()
   /** How many functions' derivatives are being asked for at this moment. */
@@ -128,7 +130,7 @@ export class Session {
     }
   }
 
-  /** Says that a condition is not idle. */
+  /** Says that something is made of it. */
   use({ handle }: Expression) {
     this.idle.delete(handle)
   }
@@ -136,6 +138,28 @@ export class Session {
   /** Returns whether a value is a condition: the result of a comparison, or of logic. */
   isCondition({ handle }: Expression): boolean {
     return this.conditions.has(handle)
+  }
+
+  /** The same expression, for a sketch that means to change it as it would a p5.Vector. */
+  copyOf({ handle }: Expression): Expression {
+    const copy = new Expression(this, handle)
+    this.copies ??= new WeakSet()
+    this.copies.add(copy)
+    return copy
+  }
+
+  /** To be called with what a method gave: of a copy it is noted if nothing is made of it. */
+  followCopy(copy: Expression, method: string, result: unknown) {
+    if (!this.copies?.has(copy) || !(result instanceof Expression)) return
+    this.copies.add(result)
+    if (result.handle === copy.handle) return
+    const error = new Error()
+    this.idle.set(result.handle, () => noteUnused(method, error))
+  }
+
+  private watch(condition: number) {
+    const error = new Error()
+    this.idle.set(condition, () => noteIdle(error))
   }
 
   /** An operation by its number; a method's first operand is what it is called on. */
@@ -148,12 +172,11 @@ export class Session {
       else if (this.idle.size) operands.forEach((operand) => this.use(operand))
       const result = this.core._call(id, operation, isMethod, few, handle(0), handle(1), handle(2))
       if (result !== needsPartials) {
-        const expression = this.expression(result)
         if (conditions.has(method)) {
-          this.idle.set(result, new Error())
+          this.watch(result)
           this.conditions.add(result)
         }
-        return expression
+        return this.expression(result)
       }
       this.givePartials(id)
     }
@@ -161,6 +184,7 @@ export class Session {
 
   swizzle(name: string, value: Expression, indices: readonly number[]): Expression {
     const id = this.open(name)
+    this.use(value)
     const packed = indices.reduce((bits, index, i) => bits | (index << (2 * i)), 0)
     const result = this.core._swizzle(id, value.handle, indices.length, packed)
     if (result === failed) throw new WarpError(`${name}: ${this.core.problem(id)}`)
@@ -194,7 +218,7 @@ export class Session {
       const add = (at: number) => core.addRecorded(id, name, variables, at, module.length)
       this.recorded.set(recorded, (number = laid(core, module, add)))
     }
-    for (const { handle } of operands) core._push(id, handle)
+    this.push(id, operands)
     const first = core._callRecorded(id, number)
     return Array.from({ length: results }, (_, i) => this.expression(first + i))
   }
@@ -328,7 +352,7 @@ export class Session {
   finish(): KeptModule {
     const id = this.open('finish')
     if (!this.core._finish(id)) this.refuse()
-    for (const error of this.idle.values()) noteIdle(error)
+    for (const note of this.idle.values()) note()
     const at = this.core._keptWords(id) / 4
     const words = this.core.HEAPU32.slice(at, at + this.core._keptSize(id))
     return Object.assign(words as KeptModule, { others: this.others })

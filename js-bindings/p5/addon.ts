@@ -21,6 +21,7 @@ import { drawBox } from './dense-shapes.js'
 import { type SubdivideOptions, subdivideShape } from './subdivide.js'
 import type { Makers, WarpModel } from '../mesh/p5-model.js'
 import { addSurfaceVariation } from './add-surface-variation.js'
+import { watchShaderCalls } from './shader-calls.js'
 
 /**
  * What the addon adds to a sketch and to a p5.Graphics. TypeScript lets nobody add to the default export that p5's own
@@ -76,6 +77,7 @@ export interface Loading {
 
 interface P5 extends Makers {
   prototype: SketchMethods
+  Shader?: { prototype: object }
   Graphics: { prototype: Methods }
   registerAddon?(addon: unknown): void
 }
@@ -138,6 +140,7 @@ function addMethods(p5: P5, methods: Methods) {
   })
   after(methods, 'shader', dropStrokes)
   after(methods, 'resetShader', dropStrokes)
+  watchShaderCalls(p5, methods)
 }
 
 /** Lets `work` follow each call of one of p5's methods. */

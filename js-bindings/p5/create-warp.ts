@@ -3,8 +3,10 @@ import { type KeptWarp, keepWarp, readOptions as readWarpOptions } from '../comp
 import { isExpression } from '../checks/describe.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { operatorsKey, readOperators } from '../checks/operators.js'
+import { bakeIntoGeometry } from './bake.js'
 import { guarded } from './guards.js'
 import { namesFor } from './hooks.js'
+import { rememberWarp } from './made-warps.js'
 import { located } from './places.js'
 import {
   type Canvas,
@@ -19,7 +21,6 @@ import { type CreateWarpOptions, type WarpSettings, readOptions } from './settin
 import { checkShader, passOn } from './own-shader.js'
 import { shadersFor, styleFor } from './shaders.js'
 import { putOnStrokes } from './strokes.js'
-import { remember } from './subdivide.js'
 import { results, targetOf } from './styles.js'
 import { checkCallback } from '../checks/options.js'
 import type { OffsetFunction, UniformOverrides } from '../types/types.js'
@@ -98,6 +99,7 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
       setUniforms(each, uniforms, settings, values)
     }
     reapply.set(shader, () => apply(uniforms))
+    bakeIntoGeometry({ canvas, warp, settings }, shader, uniforms, values)
   }
 
   const distort: Distort = (uniforms = {}) =>
@@ -108,7 +110,7 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
         )
       apply(uniforms)
     })
-  return remember(distort, { canvas, warp, settings })
+  return rememberWarp(distort, { canvas, warp, settings })
 }
 
 /** It reads its uniforms by the names that they have in the shader. */
@@ -143,6 +145,13 @@ function keepFor(canvas: Canvas, offset: OffsetFunction, warpSettings: WarpSetti
     surfaceVariation: surfaceVariation ?? true,
   })
   return keepWarp(offset, settings, { moves: stroke !== false })
+}
+
+/** Tests whether the canvas draws its next shape with a warp. */
+export function isWarped(canvas: Canvas): boolean {
+  const renderer = rendererOf(canvas)
+  const shader = renderer && stateOf(renderer).userFillShader
+  return !!shader && reapply.has(shader)
 }
 
 /**

@@ -52,6 +52,8 @@ export interface Vector {
   x: number
   y: number
   z: number
+  /** Present on a p5.Vector. */
+  copy?(): Vector
 }
 
 /** What is used of a p5.Geometry. */
@@ -84,6 +86,21 @@ interface States extends MaterialState {
   setValue(name: string, value: unknown): void
 }
 
+/** p5's RenderBuffer: it passes an attribute of shapes to shaders. */
+export interface ShapeBuffer {
+  readonly attr?: string
+}
+
+/** p5's GeometryBuilder: it collects shapes while buildGeometry() runs. */
+export interface GeometryBuilder {
+  readonly geometry: BuiltShape
+  addGeometry(shape: BuiltShape): void
+}
+
+export interface BuiltShape extends Shape {
+  vertexColors: number[]
+}
+
 /** On 1.11 the material is a set of fields of the renderer itself, on 2.x it lies in `states`. */
 export interface Renderer extends MaterialState {
   readonly isP3D?: boolean
@@ -95,10 +112,11 @@ export interface Renderer extends MaterialState {
   /** On 1.11. */
   readonly _doStroke?: boolean
   _getPointShader?(): Shader
+  readonly geometryBuilder?: GeometryBuilder
   /** What shapes hand to shaders: on 2.x, and on 1.11 for shapes that p5 keeps. */
-  readonly buffers?: { readonly fill: object[] }
+  readonly buffers?: { readonly fill: ShapeBuffer[] }
   readonly retainedMode?: {
-    readonly buffers: { readonly fill: object[] }
+    readonly buffers: { readonly fill: ShapeBuffer[] }
     readonly geometry: Record<string, { readonly model?: unknown }>
   }
 }

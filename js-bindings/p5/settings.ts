@@ -34,7 +34,7 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
    */
   surfaceVariation?: boolean
   /**
-   * Whether lines and points are warped too, those of `stroke()`, `line()`, `bezier()` and text: left out, if the sketch has
+   * Whether lines and points are warped too, those of `stroke()`, `line()` and `bezier()`: left out, if the sketch has
    * called `stroke()` and the offset reads neither normal, uv nor color, which lines lack; otherwise they are turned off.
    */
   stroke?: boolean

@@ -3,6 +3,7 @@ import { WarpError } from '../checks/errors.js'
 
 const words: readonly (readonly [RegExp, string])[] = [
   [/^@group.*|\bhooks\./gm, ''],
+  [/\btextureSampleLevel\((\w+), \w+_sampler, /g, 'textureLod($1, '],
   [/\batan2\b/g, 'atan'],
   [/\bvec(\d)<i32>/g, 'ivec$1'],
   [/<f32>/g, ''],

@@ -19,7 +19,7 @@ export const turnInStruct = (name: string, { space, hooks }: Woven): Turn =>
 const flat = 'bool warpjetFlat;'
 
 /** What turns normals from the shape's own space to another. */
-const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNormalMatrix' }
+export const normalMatrices = { local: '', world: 'uModelNormalMatrix', camera: 'uNormalMatrix' }
 
 /**
  * p5's normal shader normalizes at the end of main, hence the last word in `afterVertex`. Its lit shader does not

@@ -1,26 +1,16 @@
 /** In the place of a sketch's hook that moves positions: one that calls it, and turns the normal by its exact derivative. */
 import { asOwn } from '../checks/operators.js'
 import { compileWarp } from '../compile/compile-warp-text.js'
+import type { WarpText } from '../compile/warp-text.js'
+import { WarpError } from '../checks/errors.js'
 import { glslOffset } from '../glsl/offset.js'
 import { drawInputs } from '../inputs/inputs.js'
 import type { Target } from '../module/kept-module.js'
 import type { OffsetFunction } from '../types/types.js'
 import { aboveStrands, glslOf } from './strands-wgsl.js'
-
-/** A shader that p5's `modify` made. */
-export interface ModifiedShader {
-  readonly hooks: {
-    readonly vertex: Readonly<Record<string, string>>
-    readonly helpers: Readonly<Record<string, string>>
-    readonly uniforms: Readonly<Record<string, unknown>>
-    readonly declarations?: string
-    readonly varyingVariables?: readonly string[]
-    readonly modified: { readonly vertex: Readonly<Record<string, boolean>> }
-  }
-  /** As p5 has it, with the places of hooks. */
-  readonly _vertSrc: string
-  modify(hooks: Record<string, string>): ModifiedShader
-}
+import { type ModifiedShader, isWgsl } from './modified-shader.js'
+import { checkReadable, inStrandsWords, isOfStrands, withoutRandom } from './unreadable-hooks.js'
+import { readsVariation, variationVariables } from './variation-text.js'
 
 export type Hooks = Record<string, string>
 
@@ -29,16 +19,30 @@ const unread = Object.fromEntries(
   Object.keys(drawInputs).map((name) => [name, `warpjetNo_${name}`]),
 )
 
-/** Whether the shader is of a WEBGPU canvas. */
-export const isWgsl = ({ _vertSrc }: ModifiedShader) => /\bfn main\b/.test(_vertSrc)
-
 export interface Weaving {
   /** What the inputs of an offset are called in the new hook. */
   names: Record<'position' | 'normal' | 'uv' | 'color', string>
   /** Statements that give where `position` moves to by the sketch's own hook. */
   moved: (own: string) => string
-  /** The new hook: `text` is the sketch's, as the function `own`; `code` computes `turned`, the normal. */
-  hook: (parts: { code: string; own: string; text: string; turned: string }) => Hooks
+  /**
+   * The new hook: `text` is the sketch's, as the function `own`; `code` computes `turned`, the normal, and is what was written as
+   * `warp`.
+   */
+  hook: (parts: {
+    code: string
+    own: string
+    text: string
+    turned: string
+    warp: WarpText
+  }) => Hooks
+}
+
+export interface MovingHooks {
+  hooks: Hooks
+  declarations: string[]
+  texts: string[]
+  /** Hooks whose normals depend on how normal and uv vary over the surface. */
+  varying: { name: string; warp: WarpText }[]
 }
 
 /** New hooks that call the sketch's own and turn the normal; nothing where no position moves. */
@@ -46,20 +50,28 @@ export function movingHooks(
   shader: ModifiedShader,
   names: readonly string[],
   weavingOf: (name: string) => Weaving,
-): { hooks: Hooks; declarations: string[]; texts: string[] } | undefined {
-  const moving = names
-    .filter((name) => shader.hooks.modified.vertex[name])
-    .map((name) => turned(shader, name, weavingOf))
-    .filter((hook) => hook !== undefined)
+): MovingHooks | undefined {
+  const moving: NonNullable<ReturnType<typeof turned>>[] = []
+  for (const name of names.filter((each) => shader.hooks.modified.vertex[each])) {
+    const hook = turned(shader, name, weavingOf, moving.length === 0)
+    if (hook) moving.push(hook)
+  }
   if (moving.length === 0) return undefined
   return {
     hooks: Object.assign({}, ...moving.map(({ hook }) => hook)) as Hooks,
     declarations: moving.map(({ declarations }) => declarations),
     texts: moving.map(({ text }) => text),
+    varying: moving.filter(({ warp }) => readsVariation(warp)),
   }
 }
 
-function turned(shader: ModifiedShader, name: string, weavingOf: (name: string) => Weaving) {
+/** `isFirst`: no hook has moved the surface before. */
+function turned(
+  shader: ModifiedShader,
+  name: string,
+  weavingOf: (name: string) => Weaving,
+  isFirst: boolean,
+) {
   const [type, word] = name.split(' ')
   const own = `warpjetOwn_${word}`
   const outputs = {
@@ -69,16 +81,19 @@ function turned(shader: ModifiedShader, name: string, weavingOf: (name: string) 
   }
   const hook = shader.hooks.vertex[name]!
   const text = `${isWgsl(shader) ? 'fn' : type} ${own}${hook}`
+  checkReadable(shader, name, hook)
   const weaving = weavingOf(name)
-  const source = `${readable(shader, `${type} ${own}`, hook)}
+  const isOfShape = /Object|Local/.test(word!)
+  const source = `${readable(shader, `${type} ${own}`, hook, isOfShape)}
 vec3 warpjetPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
+  ${isWgsl(shader) ? '' : attributes.map((each) => each.isSet(isOfShape)).join('')}
   ${weaving.moved(own)}
 }`
   const options = {
     target: targetOf(shader, type!),
-    names: { ...unread, ...weaving.names },
+    names: { ...unread, ...variationVariables, ...weaving.names },
     outputs,
-    surfaceVariation: false,
+    surfaceVariation: true,
   } as const
   const read = glslOffset(source, {
     function: 'warpjetPosition',
@@ -89,10 +104,25 @@ vec3 warpjetPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
   const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, color, uniforms }) =>
     read({ glsl, position, normal, uv, color, uniforms } as never),
   )
-  if (compileWarp(offset, { ...options, normals: false }).stats.operations === 0) return undefined
-  const { code, declarations } = compileWarp(offset, options)
-  return { declarations, text, hook: weaving.hook({ code, own, text, turned: outputs.normal }) }
+  try {
+    if (compileWarp(offset, { ...options, normals: false }).stats.operations === 0) return undefined
+    const exact = compileWarp(offset, options)
+    const isKnown = isFirst || !readsVariation(exact)
+    if (!isKnown) noteSecond(word!)
+    const warp = isKnown ? exact : compileWarp(offset, { ...options, surfaceVariation: false })
+    const { code, declarations } = warp
+    const parts = { code, own, text, turned: outputs.normal, warp }
+    return { name, declarations, text, warp, hook: weaving.hook(parts) }
+  } catch (error) {
+    if (!(error instanceof WarpError && isOfStrands(hook))) throw error
+    throw new WarpError(inStrandsWords(error.message, word!))
+  }
 }
+
+const noteSecond = (word: string) =>
+  console.warn(
+    `exactNormals: ${word} moves vertices by normal or texCoord where another hook has moved them before, so that its light is only nearly right; move them in one hook.`,
+  )
 
 function targetOf(shader: ModifiedShader, type: string): Target {
   if (isWgsl(shader)) return 'wgsl'
@@ -100,9 +130,21 @@ function targetOf(shader: ModifiedShader, type: string): Target {
   return type === 'Vertex' || shader._vertSrc.includes('300 es') ? 'glsl300' : 'glsl100'
 }
 
+/** Attributes that a hook may read by themselves, as globals that begin as the inputs of the offset: those of the shape's own space only there. */
+const attributes = [
+  { name: 'aPosition', type: 'vec3', value: 'position', isFree: false },
+  { name: 'aNormal', type: 'vec3', value: 'normal', isFree: false },
+  { name: 'aTexCoord', type: 'vec2', value: 'uv', isFree: true },
+].map((attribute) => ({
+  ...attribute,
+  isKnown: (isOfShape: boolean) => isOfShape || attribute.isFree,
+  isSet: (isOfShape: boolean) =>
+    isOfShape || attribute.isFree ? `${attribute.name} = ${attribute.value};\n  ` : '',
+}))
+
 /** The hook as a function, and what stands above it, in GLSL. */
-function readable(shader: ModifiedShader, head: string, hook: string): string {
-  if (!isWgsl(shader)) return `${aboveHooks(shader)}\n${head}${hook}`
+function readable(shader: ModifiedShader, head: string, hook: string, isOfShape: boolean): string {
+  if (!isWgsl(shader)) return `${aboveHooks(shader, isOfShape)}\n${head}${hook}`
   const { uniforms, varyingVariables = [], vertex, declarations } = shader.hooks
   const above = [
     ...Object.keys(uniforms).map((uniform) => `uniform var ${uniform};`),
@@ -116,18 +158,29 @@ function readable(shader: ModifiedShader, head: string, hook: string): string {
   return `${aboveStrands}\n${glslOf(above)}\n${head}${glslOf(hook)}`
 }
 
+/** Mirrors the function that p5 puts above its shaders. */
+const getTexture = `vec4 getTexture(sampler2D content, vec2 coord) {
+  vec4 color = texture(content, coord);
+  if (color.a > 0.0) color.rgb /= color.a;
+  return color;
+}`
+
 /** What p5 writes above a shader's hooks, as far as they can read it. */
-function aboveHooks({ hooks, _vertSrc }: ModifiedShader): string {
+function aboveHooks({ hooks, _vertSrc }: ModifiedShader, isOfShape: boolean): string {
   const inner = _vertSrc.match(
     /^[ \t]*(?:(?:IN|OUT|uniform|in|out)\s[^;()]+;|struct Vertex\s*\{[^}]*\};)/gm,
   )
+  const known = attributes.filter(({ isKnown }) => isKnown(isOfShape))
+  const isKnown = (line: string) => known.some(({ name }) => new RegExp(`\\b${name}\\b`).test(line))
   return [
     '#define IN in\n#define OUT out',
-    ...(inner ?? []),
+    ...(inner ?? []).filter((line) => !isKnown(line)),
+    ...known.map(({ type, name }) => `${type} ${name};`),
+    getTexture,
     ...Object.keys(hooks.uniforms).map((uniform) => `uniform ${uniform};`),
     ...(hooks.varyingVariables ?? []).map((varying) => `out ${varying};`),
     hooks.declarations ?? '',
-    hooks.vertex.declarations ?? '',
+    withoutRandom(hooks.vertex.declarations ?? ''),
     ...Object.entries(hooks.helpers).map(([head, body]) => head + body),
   ].join('\n')
 }

@@ -39,11 +39,12 @@ export function giveArrays(geometry: { prototype: object } | undefined) {
     })
 }
 
-const prepared = new WeakSet<Renderer>()
-const keeping: WeakRef<Renderer>[] = []
+/** Shared by all scripts of the page, each of which may have a copy of this file. */
+const keeping = ((globalThis as Record<symbol, unknown>)[Symbol.for('warpjet.renderers')] ??=
+  []) as WeakRef<Renderer>[]
 
 /** p5's name of a shape: 1.11 keeps shapes under their names, and these do not know them. */
-const nameOf = (shape: Drawn): string =>
+export const nameOf = (shape: Shape): string =>
   shape.gid ||
   (keeping
     .flatMap((reference) => Object.entries(reference.deref()?.retainedMode?.geometry ?? {}))
@@ -52,12 +53,10 @@ const nameOf = (shape: Drawn): string =>
 
 /** For a renderer that is to draw with a warp that reads them. */
 export function prepareBuffers(renderer: Renderer) {
-  if (prepared.has(renderer)) return
-  prepared.add(renderer)
-  if (renderer.retainedMode) keeping.push(new WeakRef(renderer))
   const buffers = renderer.buffers?.fill ?? renderer.retainedMode?.buffers.fill
   const [first] = buffers ?? []
-  if (!first) return
+  if (!first || buffers!.some(({ attr }) => attr === variationAttribute(variationNames[0]!))) return
+  if (renderer.retainedMode) keeping.push(new WeakRef(renderer))
   const RenderBuffer = first.constructor as new (...settings: unknown[]) => typeof first
   for (const name of variationNames)
     buffers!.push(
@@ -69,6 +68,18 @@ export function prepareBuffers(renderer: Renderer) {
         renderer,
       ),
     )
+}
+
+/** Prepares whichever renderer draws with the shader, for one that a sketch puts on by itself. */
+export function prepareWhereBound(shader: Shader) {
+  const prepare = () => prepareBuffers(shader._renderer as unknown as Renderer)
+  // On 1.11 a shader has none before it is drawn with.
+  if (shader._renderer) prepare()
+  const bind = shader.bindShader!
+  shader.bindShader = (...args) => {
+    bind.apply(shader, args)
+    prepare()
+  }
 }
 
 /** p5 leaves the attributes of the last shape on for one that lacks them, which is then to read zeros. */

@@ -2,7 +2,7 @@
  * p5 2.x on WebGPU: the hooks of WebGL in WGSL, where a parameter cannot be assigned and what `main` hands on is out of reach. So
  * the last hook keeps the normal in a varying of ours, and colours are worked out from that.
  */
-import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import { type VariationInput, variationAttribute, variationNames } from '../inputs/inputs.js'
 import { WarpError } from '../checks/errors.js'
 import { variationIn, variationVariables } from './variation-text.js'
 import type { Declared } from '../module/result.js'
@@ -37,30 +37,18 @@ export const wgslHooks: HookStyle = {
       woven,
       base,
       'var<private> warpjetFlat: bool;',
-      ...attributesOf(woven).map((name) => `var<private> ${variationAttribute(name)}_: vec3<f32>;`),
+      ...privatesFor(attributesOf(woven)),
     ),
     varyingVariables: ['warpjetShown: vec3<f32>', 'warpjetSeen: vec3<f32>'],
     ...hooks('Vertex', fillHooks(woven)),
     ...(type === 'normal' ? colors : 'Inputs getPixelInputs' in base.hooks.fragment && lit),
   }),
-  /** Attributes come in a struct, and hooks do not get them. */
-  finish(shader, woven) {
-    const names = attributesOf(woven)
-    if (names.length === 0) return
-    if (names.length > mostBuffers)
-      throw new WarpError(
-        'createWarp: on WEBGPU an offset that depends on both normal and uv has more attributes than a shader may; write it with one of them, or add the option { surfaceVariation: false }, which lets both count as constant.',
-      )
-    const fields = names.map(
-      (name, i) => `  @location(${4 + i}) ${variationAttribute(name)}: vec3<f32>,\n`,
-    )
-    const globals = names.map(
-      (name) => `  ${variationAttribute(name)}_ = input.${variationAttribute(name)};\n`,
-    )
-    shader._vertSrc = shader
-      ._vertSrc!.replace(/(struct VertexInput \{[^}]*)\}/, `$1${fields.join('')}}`)
-      .replace('HOOK_beforeVertex();', `${globals.join('')}  HOOK_beforeVertex();`)
-  },
+  finish: (shader, woven) =>
+    addAttributes(
+      shader,
+      attributesOf(woven),
+      'createWarp: on WEBGPU an offset that depends on both normal and uv has more attributes than a shader may; write it with one of them, or add the option { surfaceVariation: false }, which lets both count as constant.',
+    ),
   stroke: (woven, base) => ({
     ...declarationsOf(
       woven,
@@ -106,22 +94,46 @@ const mostBuffers = 4
 
 const isOfNormal = (name: string) => name.startsWith('normal')
 
+/** Globals, since attributes come in a struct, which hooks do not get. */
+export const privatesFor = (names: readonly VariationInput[]) =>
+  names.map((name) => `var<private> ${variationAttribute(name)}_: vec3<f32>;`)
+
+/** Adds them to the struct, and hands them to the globals. Throws a `WarpError` with that sentence where they are too many. */
+export function addAttributes(
+  shader: Pick<Shader, '_vertSrc'>,
+  names: readonly VariationInput[],
+  tooMany: string,
+) {
+  if (names.length === 0) return
+  if (names.length > mostBuffers) throw new WarpError(tooMany)
+  const fields = names.map(
+    (name, i) => `  @location(${4 + i}) ${variationAttribute(name)}: vec3<f32>,\n`,
+  )
+  const globals = names.map(
+    (name) => `  ${variationAttribute(name)}_ = input.${variationAttribute(name)};\n`,
+  )
+  shader._vertSrc = shader
+    ._vertSrc!.replace(/(struct VertexInput \{[^}]*)\}/, `$1${fields.join('')}}`)
+    .replace('HOOK_beforeVertex();', `${globals.join('')}  HOOK_beforeVertex();`)
+}
+
 /** What the text reads, and beyond a shape's own space all of the normal's, if it reads any. */
-function attributesOf({ text, space }: Woven) {
+export function attributesOf({ text, space }: Pick<Woven, 'text' | 'space'>) {
   const read = variationIn(text)
   const isWhole = space !== 'local' && read.some(isOfNormal)
   return variationNames.filter((name) => read.includes(name) || (isWhole && isOfNormal(name)))
 }
 
-/** See `turnedVariation`. */
-function variation(woven: Woven) {
+/** See `turnedVariation`. `ofCamera` turns normals to view space. */
+export function variation(
+  woven: Pick<Woven, 'text' | 'space'>,
+  ofCamera = 'model.uNormalMatrix',
+): string {
   const { space } = woven
   const names = attributesOf(woven)
   if (names.length === 0) return ''
   const given = (name: string) => `${variationAttribute(name)}_`
-  const matrix = { local: '', world: 'model.uModelNormalMatrix', camera: 'model.uNormalMatrix' }[
-    space
-  ]
+  const matrix = { local: '', world: 'model.uModelNormalMatrix', camera: ofCamera }[space]
   const lines = names.map((name) => {
     if (!matrix) return given(name)
     if (!isOfNormal(name)) return `warpjetN * ${given(name)}`

@@ -1,6 +1,6 @@
 // Other names of operations; js-bindings/expression/aliases.ts has them and says where they come from.
 import type { sameAs } from '../expression/aliases.js'
-import type { Scalar } from './expressions.js'
+import type { Operand, Scalar, Vec2, Vector } from './expressions.js'
 
 type Names = typeof sameAs
 
@@ -23,13 +23,37 @@ export interface MadeMethods<Self> {
   pow2(): Self
   /** x * x * x */
   pow3(): Self
+  /** The same expression: none ever changes. */
+  copy(): Self
+  /** The rest of a division, x - divisor * trunc(x / divisor), which has the sign of x as JavaScript's `%`. */
+  rem(divisor: Self | Operand): Self
 }
 
-export interface MadeVectorMethods {
+export interface MadeVectorMethods<Self> {
   /** The square of the length. */
   magSq(): Scalar
   /** The square of the length. */
   lengthSq(): Scalar
+  /** The rest of a division, x - divisor * trunc(x / divisor), which has the sign of x as JavaScript's `%`. */
+  rem(divisor: Self | Operand): Self
+  /** The rest of a division of each component by a number of its own. */
+  rem(x: Operand, y: Operand, ...zw: Operand[]): Self
+  /** The same direction, but no longer than that. */
+  limit(length: Operand): Self
+  /** The same direction with that length. */
+  setMag(length: Operand): Self
+  /** The angle of x and y, from -π to π. */
+  heading(): Scalar
+  /** The angle to another vector, from -π to π, as p5 signs it; of a vec2 or vec3. */
+  angleBetween(v: Self): Scalar
+  /** Its components. */
+  array(): Scalar[]
+}
+
+/** Of a vec2. */
+export interface Vec2Methods {
+  /** The vector turned by an angle in radians. */
+  rotate(angle: Operand): Vec2
 }
 
 /** The same as functions of the builder. */
@@ -48,4 +72,16 @@ export interface MadeFunctions {
   magSq(v: object): Scalar
   /** The square of the length of a vector. */
   lengthSq(v: object): Scalar
+  /** The same expression. */
+  copy<Value extends object>(x: Value): Value
+  /** The rest of a division, which has the sign of x. */
+  rem<Value extends object>(x: Value, ...divisor: (Value | Operand)[]): Value
+  /** The same direction, but no longer than that. */
+  limit<Value extends Vector>(v: Value, length: Operand): Value
+  /** The same direction with that length. */
+  setMag<Value extends Vector>(v: Value, length: Operand): Value
+  /** The angle of x and y. */
+  heading(v: Vector): Scalar
+  /** The angle from one vec2 or vec3 to another. */
+  angleBetween<Value extends Vector>(a: Value, b: Value): Scalar
 }

@@ -11,7 +11,7 @@ import type {
   Vec3Methods,
   VectorMethods,
 } from './methods.js'
-import type { AliasesOf, MadeMethods, MadeVectorMethods } from './aliases.js'
+import type { AliasesOf, MadeMethods, MadeVectorMethods, Vec2Methods } from './aliases.js'
 import type { CurlMethod, FieldMethods, NoiseMethods } from './noise.js'
 import type { MatrixOf, Shape, Size, VectorOf } from './signatures.js'
 
@@ -31,8 +31,9 @@ export interface Vec2
     VectorMethods<Vec2>,
     NoiseMethods,
     AliasesOf<VectorMethods<Vec2>>,
-    MadeMethods<Vec2>,
-    MadeVectorMethods,
+    Omit<MadeMethods<Vec2>, 'rem'>,
+    MadeVectorMethods<Vec2>,
+    Vec2Methods,
     Results,
     XY,
     RG,
@@ -44,8 +45,8 @@ export interface Vec3
     Shape<1, 3>,
     VectorMethods<Vec3>,
     AliasesOf<VectorMethods<Vec3>>,
-    MadeMethods<Vec3>,
-    MadeVectorMethods,
+    Omit<MadeMethods<Vec3>, 'rem'>,
+    MadeVectorMethods<Vec3>,
     Vec3Methods,
     NoiseMethods,
     CurlMethod,
@@ -60,8 +61,8 @@ export interface Vec4
     Shape<1, 4>,
     VectorMethods<Vec4>,
     AliasesOf<VectorMethods<Vec4>>,
-    MadeMethods<Vec4>,
-    MadeVectorMethods,
+    Omit<MadeMethods<Vec4>, 'rem'>,
+    MadeVectorMethods<Vec4>,
     FieldMethods,
     CurlMethod,
     Results,

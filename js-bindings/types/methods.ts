@@ -349,7 +349,7 @@ export interface VectorMethods<Self extends Shape<1, Size>> extends ComponentMet
    */
   atan(x?: Self | Operand): Self
   /** `x.mod(divisor)`: x - divisor * floor(x / divisor), which has the sign of the divisor. */
-  mod(divisor: Self | Operand): Self
+  mod(...given: [divisor: Self | Operand] | [x: Operand, y: Operand, ...zw: Operand[]]): Self
   /** The least of two or more. */
   min(...others: (Self | Operand)[]): Self
   /** The greatest of two or more. */
@@ -357,7 +357,10 @@ export interface VectorMethods<Self extends Shape<1, Size>> extends ComponentMet
   /** `x.clamp(low, high)`: x, but not below low nor above high. */
   clamp(low: Self | Operand, high: Self | Operand): Self
   /** `x.mix(y, amount)`: From x where the amount is 0 to y where it is 1, and beyond. */
-  mix(y: Self | Operand, amount: Self | Operand): Self
+  mix(
+    ...given:
+      [y: Self | Operand, amount: Self | Operand] | [x: Operand, y: Operand, ...others: Operand[]]
+  ): Self
   /** `edge.step(x)`: 0 where x is below the edge, otherwise 1. */
   step(x: Self | Operand): Self
   /** `x.lt(y)`: x < y */
@@ -379,13 +382,13 @@ export interface VectorMethods<Self extends Shape<1, Size>> extends ComponentMet
   /** One of two values; a number other than 0 counts as true. */
   ifElse(yes: Self | Operand, no: Self | Operand): Self
   /** The dot product. */
-  dot(b: Self): Scalar
+  dot(...given: [b: Self] | [x: Operand, y: Operand, ...zw: Operand[]]): Scalar
   /** The length; its derivative at zero counts as zero. */
   length(): Scalar
   /** The distance of two points. */
-  dist(b: Self): Scalar
+  dist(...given: [b: Self] | [x: Operand, y: Operand, ...zw: Operand[]]): Scalar
   /** The distance of two points. */
-  distance(b: Self): Scalar
+  distance(...given: [b: Self] | [x: Operand, y: Operand, ...zw: Operand[]]): Scalar
   /** Length 1 in the same direction, or zero for zero. */
   normalize(): Self
   /** A direction mirrored by the surface with that unit normal. */
@@ -432,7 +435,7 @@ export interface VectorMethods<Self extends Shape<1, Size>> extends ComponentMet
 
 export interface Vec3Methods {
   /** The cross product. */
-  cross(b: Vec3): Vec3
+  cross(...given: [b: Vec3] | [x: Operand, y: Operand, ...zw: Operand[]]): Vec3
   /** `axis.rotate(angle)`: The mat3 that turns about any axis, as `rotateX` does. */
   rotate(angle: Operand): Mat3
   /**

@@ -299,7 +299,10 @@ test('what cannot be is told, and the shader stays as it was', async () => {
   )
   assert.equal(await page.evaluate('isSame'), true)
   assert.equal(await page.evaluate('isLeft'), true)
-  assert.match(await page.evaluate('message'), /a shader was expected/)
+  assert.match(
+    await page.evaluate('message'),
+    /expected a shader of surfaces, such as .*, got an empty object/,
+  )
   assert.equal(messages.length, 1, messages.join('; '))
   assert.match(messages[0], /the shader stays as it is.*attribute aSize/)
 })

@@ -2,7 +2,7 @@
 // that there is no operation without one.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { madeOf, sameAs } from '../operations/aliases.js'
+import { madeOf, ofVectors, sameAs } from '../operations/aliases.js'
 import { compile } from '../../dist/warpjet.js'
 import { brokenConventions, inDouble, problemsOf } from '../operations/check.js'
 import { conventions } from '../operations/conventions.js'
@@ -32,8 +32,8 @@ const functions = [
 /** Results are asked for, not computed; and those of a warp: tests/js/compile.test.js and tests/cpp/warp_test.cpp have them. */
 const results = ['output', 'outputDeriv', 'adjustNormal', 'adjustTangent']
 
-/** Other names, which tests/js/front-door.test.js proves. */
-const aliases = [...Object.keys(sameAs), ...Object.keys(madeOf)]
+/** Other names, which tests/js/front-door.test.js and vectors.test.js prove. */
+const aliases = [...Object.keys(sameAs), ...Object.keys(madeOf), ...ofVectors]
 
 /** The names that a user can call, { builder, method }. */
 function surface() {

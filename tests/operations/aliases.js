@@ -44,3 +44,6 @@ export const madeOf = {
   magSq: (x, y, z) => x * x + y * y + z * z,
   lengthSq: (x, y, z) => x * x + y * y + z * z,
 }
+
+/** Methods of p5.Vector, of which tests/js/vectors.test.js compares the values with p5's own. */
+export const ofVectors = ['copy', 'rem', 'limit', 'setMag', 'heading', 'angleBetween', 'array']

@@ -57,8 +57,8 @@ function draw() {
   background('#151823')
   orbitControl()
   ambientLight(100)
-  directionalLight('#fff0dd', -0.5, 0.8, -0.9)
-  directionalLight('#4463d6', 0.8, -0.3, 0.2)
+  directionalLight(255, 240, 221, -0.5, 0.8, -0.9)
+  directionalLight(68, 99, 214, 0.8, -0.3, 0.2)
 
   fill('#ff8a5b')
   ${warp}()
