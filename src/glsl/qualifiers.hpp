@@ -1,0 +1,41 @@
+// What stands before a type, as it was read.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "glsl/source.hpp"
+
+namespace warpjet::glsl {
+
+// In the order in which they stand.
+enum class QualifierRole : std::uint8_t {
+  Invariant,
+  Interpolation,
+  Layout,
+  Const,
+  Centroid,
+  Storage,
+  Precision,
+};
+
+struct Qualifiers {
+  struct Word {
+    std::string_view text;
+    QualifierRole role;
+    Location place;
+  };
+
+  std::vector<Word> words{};
+  // What the layouts say.
+  bool hasLocation = false, isOfBlocks = false;
+  // Whether one of them is for a block alone, not for its members.
+  bool isWhole = false;
+
+  bool any() const { return !words.empty(); }
+  // The one of a role, or an empty word.
+  std::string_view word(QualifierRole role) const;
+  bool isConst() const { return !word(QualifierRole::Const).empty(); }
+};
+
+}  // namespace warpjet::glsl
