@@ -141,7 +141,8 @@ StatementId Parser::switchStatement() {
       children.push_back(statement());
     }
   }
-  if (!children.empty() && tree_.statements[children.back()].kind == Statement::Kind::Case)
+  if (!problems_.any() && !children.empty() &&
+      tree_.statements[children.back()].kind == Statement::Kind::Case)
     fail(tree_.statements[children.back()].place,
          "nothing stands after this label; write break; there");
   expect("}", "the cases of a switch");
