@@ -228,7 +228,7 @@ Lowering::Value Lowering::grouped(const BuiltIn& row, const std::vector<Value>& 
   return unpacked(recorder_.group(row.code, operands), node.type);
 }
 
-// At a vec2 or ivec2, at a vector that is divided by its last component, and so many texels beside.
+// Reads a texel: at a vec2 or ivec2, or at a vector divided by its last component, plus the offset.
 Lowering::Value Lowering::lookUp(const BuiltIn& row, const std::vector<Value>& x) {
   const bool isFetched = row.way == Way::TexelFetch;
   Value at(x[1].begin(), x[1].begin() + 2);

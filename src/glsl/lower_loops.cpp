@@ -15,7 +15,7 @@ constexpr std::uint32_t mostFoldedSteps = 10'000;
 constexpr std::size_t deepestFolds = 8;
 // Of an array that a loop fills, every element is a state.
 constexpr std::size_t mostStates = 32;
-// Of one that only the shader ends, without the option maxIterations.
+// The limit for a loop that only the shader ends, without the option maxIterations.
 constexpr int mostUnknown = 1'000;
 constexpr const char* endsUnknown =
     "how often this loop runs depends on what only the shader knows; count to a constant and "

@@ -53,7 +53,8 @@ void Lowering::visitExpressions(StatementId body, const Visit& visit) const {
   }
 }
 
-// Those that write to no parameter, name no global that changes, and call none but such.
+// A pure function writes to no parameter, names no global that changes, and calls pure functions
+// alone.
 void Lowering::findPure() {
   std::vector<bool> isChanging(tree_.variables.size());
   for (const VariableId each : changing_) isChanging[each] = true;

@@ -10,7 +10,7 @@ namespace warpjet::glsl {
 
 namespace {
 
-// What every browser has at least.
+// The least value that each browser must have.
 struct Limit {
   std::string_view name;
   int in100, in300;

@@ -73,7 +73,8 @@ StatementId Parser::declaration(const Qualifiers& given, Type type, const Token&
                        .place = name.place});
 }
 
-// What a constant or a global starts with: in 1.00 the latter may be a uniform or another global.
+// Checks the initial value of a constant or a global; in 1.00 a global may start as a uniform or
+// another global.
 void Parser::checkStart(Variable::Kind kind, ExpressionId start, const Token& name) {
   using enum Variable::Kind;
   if (kind == Constant && !constants_.isConstant(start))

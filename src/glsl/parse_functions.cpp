@@ -18,7 +18,7 @@ std::string_view wordOf(const Parameter& parameter) {
                                                             : "inout";
 }
 
-// How the parameters of two declarations of one function differ; empty where they do not.
+// Says how the parameters of two declarations of one function differ; empty if they do not.
 std::string differenceOf(const Function& before, const Function& now) {
   for (std::size_t i = 0; i < now.parameters.size(); ++i) {
     const std::string_view was = wordOf(before.parameters[i]), is = wordOf(now.parameters[i]);
@@ -167,7 +167,7 @@ FunctionId Parser::declareFunction(const Function& made) {
   return index;
 }
 
-// Calls of what has no body.
+// Fails at a call of a function that has no body.
 void Parser::refuseMissing() {
   for (const Call& call : calls_)
     if (const Function& function = tree_.functions[call.to]; function.body == nothing)

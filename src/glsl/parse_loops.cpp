@@ -87,7 +87,7 @@ StatementId Parser::forStatement() {
                        .children = {first, step, body}});
 }
 
-// Of a condition; `vec3(…)` begins an expression.
+// Whether a condition declares a variable; `vec3(…)` begins an expression.
 bool Parser::startsDeclaration(std::size_t ahead) const {
   const Token& token = peek(ahead);
   return (startsType(ahead) && peek(ahead + 1).kind == Kind::Name) || token.is("const") ||

@@ -257,7 +257,7 @@ ExpressionId Parser::call(const Token& name) {
                         .operands = std::move(operands)});
 }
 
-// The same number of texels wherever it runs: GLSL ES 3.00, section 8.8.
+// An offset in texels must be constant: GLSL ES 3.00, section 8.8.
 void Parser::checkOffset(const BuiltIn& row, ExpressionId offset, Location place) {
   if (problems_.any()) return;
   const auto numbers = constants_.wholes(offset);

@@ -1,4 +1,4 @@
-// What stands before a type: which qualifiers there are, in which order, and where each may stand.
+// Qualifiers of types: their order, and which of them each kind of declaration allows.
 // GLSL ES 3.00, section 4.
 #include <algorithm>
 #include <array>
@@ -70,7 +70,7 @@ void Parser::checkOrder(const Qualifiers::Word& before, const Token& token, Role
                           "or out or uniform, highp");
 }
 
-// `(location = 0)`, or how a block of uniforms lies in memory.
+// Reads `(location = 0)`, or the memory layout of a block of uniforms.
 void Parser::layout(Qualifiers& found) {
   expect("(", "layout");
   do {

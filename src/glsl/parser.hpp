@@ -156,7 +156,7 @@ class Parser {
   Token end_;
   std::size_t at_ = 0;
   int depth_ = 0, loops_ = 0, switches_ = 0;
-  // Of a whole shader that says by its #version and by what it names which one it is.
+  // The stage of a whole shader, which its variables of the language tell.
   enum class Stage : std::uint8_t { Unknown, Vertex, Fragment } stage_ = Stage::Unknown;
   bool hasReturn_ = false;  // the function that is being read
   // Numbers of all variables, and of those from outside.

@@ -20,7 +20,7 @@ class Preprocessor {
     macros_.define("GL_ES", 1);
     macros_.define("GL_FRAGMENT_PRECISION_HIGH", 1);
     macros_.define("__FILE__", 0);
-    // As in a browser, whatever else a text without #version may hold.
+    // Browsers take a text without #version as 1.00.
     macros_.define("__VERSION__", 100);
   }
 

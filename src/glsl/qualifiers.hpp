@@ -1,4 +1,4 @@
-// What stands before a type, as it was read.
+// The qualifiers of a type, as they were read.
 #pragma once
 
 #include <string_view>
@@ -27,9 +27,9 @@ struct Qualifiers {
   };
 
   std::vector<Word> words{};
-  // What the layouts say.
+  // Set by layouts.
   bool hasLocation = false, isOfBlocks = false;
-  // Whether one of them is for a block alone, not for its members.
+  // Set by a layout that blocks have, but not their members.
   bool isWhole = false;
 
   bool any() const { return !words.empty(); }

@@ -27,7 +27,7 @@ double held(Base base, double value) {
   }
 }
 
-// A result that is infinite is left to the shader, unless it follows from what was so before.
+// Leaves an infinite result to the shader, unless an operand was infinite already.
 bool isKept(double result, bool areFinite) {
   return areFinite ? std::abs(result) <= 3.4028234663852886e38 : !std::isnan(result);
 }

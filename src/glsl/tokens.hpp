@@ -19,7 +19,7 @@ struct Token {
   Location place;
   // Whether it names a macro that was met within itself, and so names none any more.
   bool isPlain = false;
-  // Of a token from the body of a macro, the line where the call ends; 0 for all others.
+  // The line where the call ends that this token is expanded from; 0 if it is from no macro.
   std::uint32_t callLine = 0;
 
   bool is(std::string_view wanted) const {

@@ -93,7 +93,7 @@ struct Variable {
   } kind;
   // Of a constant or a global, the expression that it starts with.
   ExpressionId start = nothing;
-  // Of a global, whether the next stage gets it.
+  // Whether the next stage reads this global.
   bool isOutput = false;
 };
 

@@ -68,9 +68,9 @@ struct Structure {
   std::string_view name{};
   std::vector<Field> fields{};
   int size = 0;
-  // Of uniforms: it has members, but no value of its own.
+  // A block of uniforms has members, but no value of its own.
   bool isBlock = false;
-  // Of fields, by their names.
+  // Maps name → place in `fields`.
   std::map<std::string_view, std::size_t> places{};
 
   void add(Field field) {
@@ -102,9 +102,9 @@ class Types {
   bool hasSampler(Type type) const;
   bool hasArray(Type type) const;
   bool hasBase(Type type, Base base) const;
-  // Whether a structure has another one in it.
+  // Whether a field of the structure is a structure.
   bool hasNested(Type type) const;
-  // Of uniforms, or an array of such.
+  // Whether it is a block of uniforms, or an array of blocks.
   bool isBlock(Type type) const {
     return type.base == Base::Struct && structures_[type.structure].isBlock;
   }

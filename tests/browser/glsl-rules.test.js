@@ -1,4 +1,4 @@
-// The rules that a text must keep, beside what a browser makes of it: what it refuses we refuse, and what it takes we take.
+// We accept and refuse the same shaders as Chromium.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { glslOffset } from '../../dist/glsl.js'
@@ -17,7 +17,7 @@ after(async () => {
   await server.close()
 })
 
-/** By kind of shader: its main, and what stands above all. */
+/** Maps stage → the first line and the main of its shaders. */
 const stages = {
   VERTEX_SHADER: ['', 'void main() { gl_Position = vec4(offset(vec3(0.5)), 1.0); }'],
   FRAGMENT_SHADER: ['precision highp float;\n', 'void main() { offset(vec3(0.5)); }'],
@@ -25,7 +25,7 @@ const stages = {
 
 const heads = { 100: ['#version 100', 'webgl'], 300: ['#version 300 es', 'webgl2'] }
 
-/** What we know better, or read in no warp, by a piece of its name. */
+/** The cases where we differ on purpose. */
 const known = [
   // A number that has no place in 32 bits, which 1.00 leaves open.
   /a whole number: (?:0x100000000|4294967296|040000000000)$/,

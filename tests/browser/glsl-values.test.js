@@ -1,4 +1,4 @@
-// What a rule of the language makes of a text: the values that a browser computes, and ours.
+// Functions whose values depend on a rule of the language have the values that Chromium computes.
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { compileWarp } from '../../dist/warpjet.js'

@@ -1,4 +1,4 @@
-// What a text may hold, by hand: names that meet the warp's own, matrices, blocks of uniforms, loops, and how long it takes.
+// Name clashes, matrices, blocks of uniforms, loops, limits and compile times, with expected values by hand.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
