@@ -17,6 +17,7 @@ import { capture, run } from './lib/run.mjs'
 import { Stop, good, heading, isMain, main, say } from './lib/terminal.mjs'
 import { setup } from './setup.mjs'
 import { own } from '../tests/glsl/own.js'
+import { blocks, values } from '../tests/glsl/values.js'
 
 const programs = '.build/sanitize'
 const folder = '.build/fuzz'
@@ -138,7 +139,14 @@ async function writeSeeds() {
   await cmakeBuild('sanitize', 'fuzz_seeds')
   await run(path(programs, 'fuzz_seeds'), [seeds])
   mkdirSync(path(seeds, 'glsl'), { recursive: true })
-  const texts = { ...own, 'a misspelled function': 'float own(float x) { return exAp2(x); }' }
+  const texts = {
+    ...own,
+    ...values[300],
+    ...Object.fromEntries(
+      Object.entries(blocks).map(([name, parts]) => [`a block ${name}`, parts.join('\n')]),
+    ),
+    'a misspelled function': 'float own(float x) { return exAp2(x); }',
+  }
   for (const [name, text] of Object.entries(texts))
     writeFileSync(path(seeds, 'glsl', slug(name)), text.replaceAll('\n  ', '\n') + '\n')
   good(`${walk(seeds).length} files in ${seeds}`)
@@ -150,7 +158,7 @@ const help = `npm run fuzz -- [--seconds 60] [--target ${Object.keys(targets).jo
 
   --seconds  how long each target runs; 60 by default
   --target   only this one; otherwise all at once
-  --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp and tests/glsl/own.js, and ends`
+  --seeds    writes the seeds in ${seeds} anew, from tests/fuzz/*_seeds.cpp and tests/glsl, and ends`
 
 function options() {
   try {

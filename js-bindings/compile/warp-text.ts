@@ -196,12 +196,14 @@ export function keepWarp(
   const { method, target, names, normals, surfaceVariation, isAccepted, debug } = settings
   const record = (session: Session): KeptWarp => {
     const given: Record<string, Expression> = {}
-    for (const [name, label] of Object.entries(names))
+    for (const [name, label] of Object.entries(names)) {
       given[name] = session.input(
         label,
         [1, inputSizes[name as InputName]],
         `${method} names.${name}`,
       )
+      session.inputNames.set(label, name)
+    }
     const offset = checkOffset(session, method, offsetFunction(warpInputs(session, given)))
     const operands = warpOperands.map((name) => given[name]!)
     const { varies } = session.warp(method, [offset, ...operands], normals, !surfaceVariation)

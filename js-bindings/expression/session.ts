@@ -42,6 +42,8 @@ export class Session {
   private readonly others = new Map<number, ReadAsFloats>()
   /** Maps the shader's name of an image → the sampling that its host passes. */
   readonly samplings = new Map<string, HostSampling>()
+  /** Maps the shader's name of an input of a warp → the input that it is. */
+  readonly inputNames = new Map<string, string>()
   /** The functions of the host, by their number. */
   readonly functions: HostFunction[] = []
   private readonly core: Core = getCore()

@@ -8,7 +8,7 @@ import type { TypeName } from '../expression/shapes.js'
 import { drawInputs, inputSizes, markWhole, variationInputs } from '../inputs/inputs.js'
 import type { Vec4, WarpInputs } from '../types/types.js'
 import { imageSizeText, instanceID, textsAsFloats } from './function-text.js'
-import { type Given as Value, Halves, halvesOf } from './halves.js'
+import { Columns, type Given as Value, Halves, halvesOf } from './halves.js'
 import type { Named, External } from './listing.js'
 import { article } from './options.js'
 import type { Given } from './replay.js'
@@ -59,7 +59,10 @@ export function bindExternals(
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
-    if (!isAttribute) return parameterOf(method, glsl, external)
+    if (!isAttribute) {
+      checkRoot(method, glsl, external)
+      return parameterOf(method, glsl, external)
+    }
     throw new WarpError(
       `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv, color and ${instanceID}.`,
     )
@@ -93,6 +96,19 @@ export function bindExternals(
     },
     imageSize,
   }
+}
+
+/** In the shader of a warp, `position` is the position, whatever the text declares under that name. */
+function checkRoot(method: string, glsl: Builder, { name }: Named) {
+  const [root = ''] = /^\w+/.exec(name) ?? []
+  const { target, inputNames } = glsl.val!(0).session as Session
+  const input = inputNames.get(root)
+  if (input !== undefined)
+    throw new WarpError(
+      `${method}: the uniform ${root} has the name of an input, ${input}; rename it in the text, such as my${root[0]!.toUpperCase()}${root.slice(1)}.`,
+    )
+  if (root.startsWith('gl_') && target === 'wgsl')
+    throw new WarpError(`${method}: WGSL has no ${root}; give its value by a uniform.`)
 }
 
 function checked(
@@ -131,14 +147,20 @@ interface Marking {
 }
 
 const parameterTypes = /^(float|vec|mat|u?int|bool|[iub]vec)(\d?)$/
-const isParameter = (type: string) => parameterTypes.test(type)
+const matrixTypes = /^mat(\d)x(\d)$/
+const isParameter = (type: string) => parameterTypes.test(type) || matrixTypes.test(type)
 
 /** A variable of the host's shader: a parameter of a function, or a uniform. */
 export function parameterOf(method: string, glsl: Builder, { name, type }: Named): Value {
+  const [, columns, rows] = matrixTypes.exec(type) ?? []
+  if (rows && columns !== rows)
+    return new Columns(
+      Array.from({ length: Number(columns) }, (_, i) => glsl[`vec${rows}Param`]!(`${name}[${i}]`)),
+    )
   const [, word, size] = parameterTypes.exec(type) ?? []
   if (word === undefined)
     throw new WarpError(
-      `${method}: ${name} is ${article(type)}; only numbers, vectors and matrices of as many rows as columns can be given.`,
+      `${method}: ${name} is ${article(type)}; only numbers, vectors and matrices can be given.`,
     )
   if (word === 'float') return glsl.param!(name)
   if (word === 'vec' || word === 'mat') return glsl[`${type}Param`]!(name)

@@ -8,7 +8,7 @@ import { type Target, checkTarget } from '../module/kept-module.js'
 import type { Vector } from '../types/types.js'
 import { bindExternals, parameterOf } from './bind.js'
 import { functionText } from './function-text.js'
-import { type FunctionHead, type Listing, withSource } from './listing.js'
+import { type FunctionHead, type Listing, type Named, withSource } from './listing.js'
 import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
 import { pack, replay } from './replay.js'
 
@@ -41,11 +41,12 @@ export function differentiate(source: string, options: DifferentiateOptions = {}
     return { by, shape, listing: text.list(head, iterations) }
   })
   const { head } = listing
+  const parameters = renameParameters(listing)
   const name = readNewName(options.name, head.name + (shape.isValue ? 'Gradient' : 'Jacobian'))
   const result = freeName(listing)
   const text = compile(
     (glsl) => ({
-      [result]: derivativesOf(glsl as unknown as Builder, listing, by, shape) as never,
+      [result]: derivativesOf(glsl as unknown as Builder, listing, parameters, by, shape) as never,
     }),
     { target },
   )
@@ -54,13 +55,28 @@ export function differentiate(source: string, options: DifferentiateOptions = {}
     result,
     name,
     type: shape.type,
-    parameters: head.parameters,
+    parameters,
+  })
+}
+
+/** What an expression such as `lights[0].color` is a part of. */
+const rootOf = ({ name }: Named) => /^\w*/.exec(name)![0]
+
+/** A parameter that has the name of a uniform would hide it, which another function of the text may read. */
+function renameParameters({ head, externals }: Listing): Named[] {
+  const taken = new Set([...head.parameters, ...externals].map(rootOf))
+  const hidden = new Set(externals.filter((each) => each.isRead).map(rootOf))
+  return head.parameters.map((each) => {
+    let { name } = each
+    for (let i = 2; hidden.has(each.name) && taken.has(name); i++) name = `${each.name}${i}`
+    taken.add(name)
+    return { ...each, name }
   })
 }
 
 /** For the output: of no parameter and no uniform. */
 function freeName({ head, externals }: Listing): string {
-  const taken = new Set([...head.parameters, ...externals].map((each) => each.name))
+  const taken = new Set([...head.parameters, ...externals].map(rootOf))
   const name = ['result', 'outcome', 'derivatives'].find((each) => !taken.has(each))
   if (name) return name
   let number = 2
@@ -77,11 +93,12 @@ interface ResultShape {
 function derivativesOf(
   glsl: Builder,
   listing: Listing,
+  parameters: readonly Named[],
   by: string,
   { isValue }: ResultShape,
 ): Expression {
   const { head, externals } = listing
-  const operands = head.parameters.map((each) => parameterOf('differentiate', glsl, each))
+  const operands = parameters.map((each) => parameterOf('differentiate', glsl, each))
   const outside = bindExternals('differentiate', glsl, externals, {})
   const value = pack(glsl, head.type, replay(glsl, listing, { arguments: operands, ...outside }))
   const place = head.parameters.findIndex(({ name }) => name === by)
@@ -129,7 +146,7 @@ function checkHead(
   for (const each of parameters)
     if (
       each.isOut ||
-      !/^(?:float|u?int|bool|vec[234]|mat[234])$/.test(each.type) ||
+      !/^(?:float|u?int|bool|vec[234]|mat[234](?:x[234])?)$/.test(each.type) ||
       each.name === '?'
     )
       refuse(
@@ -137,6 +154,9 @@ function checkHead(
           ? `the parameter ${each.name} of ${name} is out; return a value`
           : `the parameter ${each.name} of ${name} is ${article(each.type)}, which nothing can be given for`,
       )
+  const wide = parameters.find((each) => /x/.test(each.type))
+  if (wide && target === 'glsl100')
+    refuse(`glsl100 has no ${wide.type}, which the parameter ${wide.name} is; take glsl300 or wgsl`)
   const input = parameters.find((each) => each.name === by)!.type
   if (!isFloats(input))
     refuse(`${by} is ${article(input)}; only a float or a vector can be differentiated by`)

@@ -10,17 +10,22 @@ export class Halves {
   ) {}
 }
 
+/** The columns of a matrix that is not square, which no expression can be. */
+export class Columns {
+  constructor(readonly vectors: readonly Expression[]) {}
+}
+
 /** A float will do where numbers are known to be small. */
-export type Given = Expression | Halves
+export type Given = Expression | Halves | Columns
 
 /** The half that is asked for; there is no upper one of a float. */
-export function halfOf(given: Given, isHigh: boolean): Expression | undefined {
+export function halfOf(given: Expression | Halves, isHigh: boolean): Expression | undefined {
   if (given instanceof Halves) return isHigh ? given.high : given.low
   return isHigh ? undefined : given
 }
 
 /** A number that is an int or uint, of a sketch or of a text. */
-export function halvesOf(glsl: Builder, value: number): Given {
+export function halvesOf(glsl: Builder, value: number): Expression | Halves {
   if (Math.abs(value) <= 2 ** 24) return glsl.val!(value)
   const bits = Math.trunc(value) | 0
   return new Halves(glsl.val!(bits & 0xffff), glsl.val!(bits >> 16))

@@ -3,7 +3,7 @@
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
 import { getGlsl } from '../wasm/glsl.js'
-import { type Given as Value, Halves, halfOf, halvesOf, wholeOf } from './halves.js'
+import { Columns, type Given as Value, Halves, halfOf, halvesOf, wholeOf } from './halves.js'
 import type { Listing } from './listing.js'
 import { type Routine, record } from './record.js'
 
@@ -102,6 +102,10 @@ function constantOf(glsl: Builder, value: number): Expression {
 
 /** Of an argument or a uniform, where the layout says of which half, too. */
 function partOf(value: Value, place: number, layout: number): Expression | undefined {
+  if (value instanceof Columns) {
+    const rows = layout & 15
+    return componentOf(value.vectors[Math.floor(place / rows)]!, place % rows, (1 << 4) | rows)
+  }
   const half = halfOf(value, layout >= highHalf)
   return half && componentOf(half, place, layout % highHalf)
 }

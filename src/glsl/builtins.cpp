@@ -135,8 +135,23 @@ constexpr std::array table{
     BuiltIn{"texture2D", "4S2", Texture},
     BuiltIn{"textureLod", "4S2F", Texture},
     BuiltIn{"texture2DLod", "4S2F", Texture},
+    BuiltIn{"textureProj", "4S3", TextureProj},
+    BuiltIn{"textureProj", "4S4", TextureProj},
+    BuiltIn{"texture2DProj", "4S3", TextureProj},
+    BuiltIn{"texture2DProj", "4S4", TextureProj},
+    BuiltIn{"textureProjLod", "4S3F", TextureProj},
+    BuiltIn{"textureProjLod", "4S4F", TextureProj},
+    BuiltIn{"texture2DProjLod", "4S3F", TextureProj},
+    BuiltIn{"texture2DProjLod", "4S4F", TextureProj},
+    BuiltIn{"textureOffset", "4S2k", Texture},
+    BuiltIn{"textureLodOffset", "4S2Fk", Texture},
+    BuiltIn{"textureProjOffset", "4S3k", TextureProj},
+    BuiltIn{"textureProjOffset", "4S4k", TextureProj},
+    BuiltIn{"textureProjLodOffset", "4S3Fk", TextureProj},
+    BuiltIn{"textureProjLodOffset", "4S4Fk", TextureProj},
     BuiltIn{"textureSize", "kSi", TextureSize},
     BuiltIn{"texelFetch", "4Ski", TexelFetch},
+    BuiltIn{"texelFetchOffset", "4Skik", TexelFetch},
 
     // what a warp has no use for, or a vertex has none
     BuiltIn{"dFdx", "GG", Refused},
@@ -278,6 +293,21 @@ bool isOut(const BuiltIn& row, std::size_t parameter) {
     isNext = false;
   }
   return false;
+}
+
+std::string_view builtInFeature(const BuiltIn& row) {
+  if (row.way >= AbsInt && row.way <= ClampInt)
+    return "abs, sign, min, max or clamp of whole numbers";
+  return row.way == MixBool ? "mix by a bvec" : "";
+}
+
+bool readsImage(const BuiltIn& row) {
+  return row.way == Texture || row.way == TextureProj || row.way == TextureSize ||
+         row.way == TexelFetch;
+}
+
+bool hasOffset(const BuiltIn& row) {
+  return row.signature.find('S') != row.signature.npos && row.name.ends_with("Offset");
 }
 
 }  // namespace warpjet::glsl

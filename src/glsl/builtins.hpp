@@ -39,6 +39,7 @@ enum class Way : std::uint8_t {
   All,
   Not,
   Texture,
+  TextureProj,
   TextureSize,
   TexelFetch,
   IsNan,
@@ -68,5 +69,11 @@ struct Found {
 
 std::optional<Found> findBuiltIn(std::string_view name, std::span<const Type> operands);
 bool isOut(const BuiltIn& row, std::size_t parameter);
+// What the table of versions calls it where its name is in both languages, or an empty word.
+std::string_view builtInFeature(const BuiltIn& row);
+// Whether it reads an image, which no constant does.
+bool readsImage(const BuiltIn& row);
+// Whether it takes an offset in texels, as its last parameter.
+bool hasOffset(const BuiltIn& row);
 
 }  // namespace warpjet::glsl

@@ -1,5 +1,6 @@
 #include "glsl/condition.hpp"
 
+#include "glsl/nearest.hpp"
 #include "glsl/operators.hpp"
 
 namespace warpjet::glsl {
@@ -40,9 +41,9 @@ std::int32_t compute(Operator op, std::int32_t a, std::int32_t b) {
     case Operator::AtLeast:
       return a >= b;
     case Operator::ShiftLeft:
-      return wrapped(x << (y & 31));
+      return wrapped(x << y);
     case Operator::ShiftRight:
-      return a >> (y & 31);
+      return a >> b;
     case Operator::Add:
       return wrapped(x + y);
     case Operator::Subtract:
@@ -59,42 +60,58 @@ std::int32_t compute(Operator op, std::int32_t a, std::int32_t b) {
 
 class Condition {
  public:
-  Condition(const Token& word, std::vector<Token> tokens, Problems& problems)
-      : tokens_(std::move(tokens)), problems_(problems) {
+  Condition(const Token& word, std::vector<Token> tokens, const Macros& macros, Problems& problems)
+      : tokens_(std::move(tokens)), macros_(macros), problems_(problems), what_("#") {
     end_.place = tokens_.empty() ? word.place : tokens_.back().place;
+    what_ += word.text;
   }
 
   bool evaluate() {
-    const std::int32_t value = binary(1);
-    if (at_ < tokens_.size())
-      problems_.add(peek().place, "this #if has more than one condition; join them by && or ||");
+    const std::int32_t value = next();
+    if (!isAtEnd()) fail("this " + what_ + " has more than one condition; join them by && or ||");
     return value != 0;
   }
 
- private:
-  const Token& peek() const { return at_ < tokens_.size() ? tokens_[at_] : end_; }
-
+  std::int32_t next() { return binary(1); }
+  bool isAtEnd() const { return at_ >= tokens_.size(); }
   std::int32_t fail(std::string sentence) {
     problems_.add(peek().place, std::move(sentence));
     at_ = tokens_.size();
     return 0;
   }
 
+ private:
+  const Token& peek() const { return at_ < tokens_.size() ? tokens_[at_] : end_; }
+
   std::int32_t binary(int level) {
     std::int32_t left = unary();
     for (;;) {
       const OperatorRow* row = peek().kind == Kind::Symbol ? findOperator(peek().text) : nullptr;
       if (!row || row->level < level) return left;
+      if (row->op == Operator::Xor) return fail("^^ cannot stand in " + what_ + "; write !=");
       ++at_;
+      // The second operand of && and || counts only where the first does not decide.
+      const bool isLeft =
+          row->op == Operator::And ? left == 0 : row->op == Operator::Or && left != 0;
+      skipped_ += isLeft;
       const std::int32_t right = binary(row->level + 1);
-      const bool divides = row->op == Operator::Divide || row->op == Operator::Remainder;
-      if (divides && right == 0) return fail("this #if divides by zero");
-      left = compute(row->op, left, right);
+      skipped_ -= isLeft;
+      left = computed(row->op, left, right);
     }
   }
 
+  std::int32_t computed(Operator op, std::int32_t left, std::int32_t right) {
+    const bool divides = op == Operator::Divide || op == Operator::Remainder;
+    const bool shifts = op == Operator::ShiftLeft || op == Operator::ShiftRight;
+    const bool isWrong = (divides && right == 0) || (shifts && (right < 0 || right > 31));
+    if (!isWrong) return compute(op, left, right);
+    if (skipped_) return 0;
+    return fail("this " + what_ +
+                (divides ? " divides by zero" : " shifts by less than 0 or more than 31"));
+  }
+
   std::int32_t unary() {
-    if (++depth_ > deepestIf) return fail("this #if is nested more than 200 deep");
+    if (++depth_ > deepestIf) return fail("this " + what_ + " is nested more than 200 deep");
     const std::int32_t value = primary();
     --depth_;
     return value;
@@ -114,21 +131,34 @@ class Condition {
     if (token.is("(")) {
       ++at_;
       const std::int32_t value = binary(1);
-      if (!peek().is(")")) return fail("a ) is missing in this #if");
+      if (!peek().is(")")) return fail("a ) is missing in this " + what_);
       ++at_;
       return value;
     }
-    // Not in the specification, but every WebGL takes it so.
-    if (token.kind == Kind::Name) return ++at_, 0;
-    return fail(at_ < tokens_.size() ? quoted(token.text) + " cannot stand in an #if"
-                                     : "this #if ends before its condition does");
+    if (token.kind == Kind::Name && skipped_) return ++at_, 0;
+    if (token.kind == Kind::Name && what_ == "#line")
+      return fail("#line needs the number of a line; " + quoted(token.text) + " stands here");
+    if (token.kind == Kind::Name) return fail(unknown(token.text));
+    return fail(at_ < tokens_.size() ? quoted(token.text) + " cannot stand in " + what_
+                                     : "this " + what_ + " ends before its condition does");
+  }
+
+  std::string unknown(std::string_view name) const {
+    Nearest nearest(name);
+    macros_.each([&](std::string_view other) { nearest.offer(other); });
+    return "no #define gives " + quoted(name) + " a value; define it, or write defined(" +
+           std::string(name) + ")" + nearest.question();
   }
 
   std::vector<Token> tokens_;
+  const Macros& macros_;
   Problems& problems_;
+  std::string what_;
   Token end_;
   std::size_t at_ = 0;
   int depth_ = 0;
+  // Operands around this one that do not count.
+  int skipped_ = 0;
 };
 
 }  // namespace
@@ -155,7 +185,24 @@ bool evaluateCondition(const Token& word, std::span<const Token> tokens, Macros&
   }
   std::vector<Token> expanded;
   macros.expand(answered, expanded);
-  return !problems.any() && Condition(word, std::move(expanded), problems).evaluate();
+  return !problems.any() && Condition(word, std::move(expanded), macros, problems).evaluate();
+}
+
+LineNumbers evaluateLine(const Token& word, std::span<const Token> tokens, Macros& macros,
+                         Problems& problems) {
+  std::vector<Token> expanded;
+  macros.expand(tokens, expanded);
+  if (expanded.empty()) problems.add(word.place, "#line needs the number of a line");
+  for (const Token& token : expanded)
+    if (token.kind == Kind::Int && intValue(token, problems) >= 0x7fffffff)
+      problems.add(token.place, "no line has so large a number");
+  Condition reader(word, std::move(expanded), macros, problems);
+  LineNumbers numbers;
+  if (!problems.any()) numbers.line = reader.next();
+  if (!problems.any() && !reader.isAtEnd()) numbers.file = reader.next();
+  if (!problems.any() && !reader.isAtEnd())
+    reader.fail("#line takes the number of a line and that of a file, and no more");
+  return numbers;
 }
 
 }  // namespace warpjet::glsl

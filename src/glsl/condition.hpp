@@ -1,6 +1,7 @@
-// The condition of an `#if`.
+// The condition of an `#if`, and the numbers of a `#line`.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "glsl/macros.hpp"
@@ -9,5 +10,13 @@ namespace warpjet::glsl {
 
 bool evaluateCondition(const Token& word, std::span<const Token> tokens, Macros& macros,
                        Problems& problems);
+
+// The number of the next line and, if there is one, that of the file.
+struct LineNumbers {
+  std::int32_t line = 0;
+  std::optional<std::int32_t> file{};
+};
+LineNumbers evaluateLine(const Token& word, std::span<const Token> tokens, Macros& macros,
+                         Problems& problems);
 
 }  // namespace warpjet::glsl

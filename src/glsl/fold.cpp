@@ -120,7 +120,69 @@ std::optional<double> foldFloat(Code code, std::span<const double> x) {
   }
 }
 
+std::optional<double> foldTranscendental(Code code, std::span<const double> x) {
+  using enum Code;
+  constexpr double degree = 3.14159265358979323846 / 180, ln2 = 0.69314718055994530942;
+  switch (code) {
+    case Radians:
+      return x[0] * degree;
+    case Degrees:
+      return x[0] / degree;
+    case Sin:
+      return std::sin(x[0]);
+    case Cos:
+      return std::cos(x[0]);
+    case Tan:
+      return std::tan(x[0]);
+    case Asin:
+      return std::asin(x[0]);
+    case Acos:
+      return std::acos(x[0]);
+    case Atan:
+      return x.size() == 2 ? std::atan2(x[0], x[1]) : std::atan(x[0]);
+    case Sinh:
+      return std::sinh(x[0]);
+    case Cosh:
+      return std::cosh(x[0]);
+    case Tanh:
+      return std::tanh(x[0]);
+    case Asinh:
+      return std::asinh(x[0]);
+    case Acosh:
+      return std::acosh(x[0]);
+    case Atanh:
+      return std::atanh(x[0]);
+    case Pow:
+      return std::pow(x[0], x[1]);
+    case Exp:
+      return std::exp(x[0]);
+    case Exp2:
+      return std::exp(x[0] * ln2);
+    case Log:
+      return std::log(x[0]);
+    case Log2:
+      return std::log(x[0]) / ln2;
+    case InverseSqrt:
+      return 1 / std::sqrt(x[0]);
+    case Round:
+      return std::nearbyint(x[0]);
+    case Mix:
+      return x[0] * (1 - x[2]) + x[1] * x[2];
+    case Smoothstep: {
+      const double t = std::clamp((x[2] - x[0]) / (x[1] - x[0]), 0.0, 1.0);
+      return t * t * (3 - 2 * t);
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace
+
+std::optional<double> foldFunction(Code code, std::span<const double> x) {
+  const auto known = fold(code, x);
+  return known ? known : foldTranscendental(code, x);
+}
 
 std::optional<double> fold(Code code, std::span<const double> x) {
   return code >= Code::IntOf ? foldWhole(code, x) : foldFloat(code, x);

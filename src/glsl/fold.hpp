@@ -12,4 +12,7 @@ namespace warpjet::glsl {
 // a uint from 0, and whoever asked wraps the result.
 std::optional<double> fold(Code code, std::span<const double> x);
 
+// The same of all functions, whose last bits shaders leave open.
+std::optional<double> foldFunction(Code code, std::span<const double> x);
+
 }  // namespace warpjet::glsl

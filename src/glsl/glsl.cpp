@@ -6,8 +6,8 @@
 
 namespace warpjet::glsl {
 
-Source::Source(std::string text) : text_(std::move(text)) {
-  Preprocessed read = preprocess(readTokens(text_, problems_), problems_);
+Source::Source(std::string_view text) : text_(text) {
+  Preprocessed read = preprocess(readTokens(text_.joined, problems_, text_.joins), problems_);
   if (!problems_.any()) tree_ = Parser(std::move(read), problems_).parse();
 }
 

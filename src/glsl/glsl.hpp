@@ -46,10 +46,10 @@ struct Listing {
 
 class Source {
  public:
-  explicit Source(std::string text);
+  explicit Source(std::string_view text);
 
   // The sentence with its place; empty where there is none.
-  std::string problem() const { return problems_.any() ? problems_.text(text_) : ""; }
+  std::string problem() const { return problems_.any() ? problems_.text(text_.separate) : ""; }
 
   // A line for each function with a body: the number, the type and the name, then the parameters.
   std::string functions() const;
@@ -58,7 +58,7 @@ class Source {
   Listing lower(int function, int maxIterations);
 
  private:
-  std::string text_;
+  Lines text_;
   Problems problems_;
   Tree tree_;
 };

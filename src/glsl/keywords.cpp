@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "glsl/source.hpp"
 #include "glsl/types.hpp"
 #include "glsl/versions.hpp"
 
@@ -16,31 +17,76 @@ struct Word {
   int version = 0;
 };
 
-// GLSL ES 3.00, section 3.8, and 1.00, section 3.7, as far as a text might try; types are in their
-// table.
+// GLSL ES 3.00, section 3.8, and 1.00, section 3.7; types that are read are in their table.
 // clang-format off
 constexpr Word words[]{
     {"const"}, {"uniform"}, {"layout", 300}, {"centroid", 300}, {"flat"}, {"smooth", 300}, {"break"},
     {"continue"}, {"do"}, {"for"}, {"while"}, {"switch"}, {"case", 300}, {"default"}, {"if"},
     {"else"}, {"in"}, {"out"}, {"inout"}, {"true"}, {"false"}, {"invariant"}, {"discard"},
     {"return"}, {"lowp"}, {"mediump"}, {"highp"}, {"precision"}, {"struct"}, {"attribute"},
-    {"varying"}, {"goto"}, {"class"}, {"union"}, {"enum"}, {"typedef"}, {"template"}, {"this"},
-    {"inline"}, {"noinline"}, {"volatile"}, {"public"}, {"static"}, {"extern"}, {"external"},
-    {"interface"}, {"long"}, {"short"}, {"double"}, {"half"}, {"fixed"}, {"unsigned"}, {"superp"},
-    {"input"}, {"output"}, {"sizeof"}, {"cast"}, {"namespace"}, {"using"}, {"sampler3D"},
-    {"samplerCube"}, {"sampler2DArray", 300}, {"sampler2DShadow"}, {"isampler2D", 300},
-    {"usampler2D", 300},
+    {"varying"}, {"sampler3D"}, {"samplerCube"}, {"sampler2DArray", 300}, {"sampler2DShadow"},
+    {"isampler2D", 300}, {"usampler2D", 300},
+};
+
+// Those that have no use yet. A text without #version may have for a name what 3.00 alone keeps.
+constexpr Word reserved[]{
+    {"asm"}, {"class"}, {"union"}, {"enum"}, {"typedef"}, {"template"}, {"this"}, {"packed", 100},
+    {"goto"}, {"inline"}, {"noinline"}, {"volatile"}, {"public"}, {"static"}, {"extern"},
+    {"external"}, {"interface"}, {"long"}, {"short"}, {"double"}, {"half"}, {"fixed"}, {"unsigned"},
+    {"superp"}, {"input"}, {"output"}, {"hvec2"}, {"hvec3"}, {"hvec4"}, {"dvec2"}, {"dvec3"},
+    {"dvec4"}, {"fvec2"}, {"fvec3"}, {"fvec4"}, {"sampler1D"}, {"sampler1DShadow"},
+    {"sampler2DRect"}, {"sampler3DRect"}, {"sampler2DRectShadow"}, {"image1DShadow"},
+    {"image2DShadow"}, {"image1DArrayShadow"}, {"image2DArrayShadow"}, {"sizeof"}, {"cast"},
+    {"namespace"}, {"using"},
+    {"coherent", 300}, {"restrict", 300}, {"readonly", 300}, {"writeonly", 300}, {"resource", 300},
+    {"atomic_uint", 300}, {"noperspective", 300}, {"patch", 300}, {"sample", 300},
+    {"subroutine", 300}, {"common", 300}, {"partition", 300}, {"active", 300}, {"filter", 300},
+    {"image1D", 300}, {"iimage1D", 300}, {"uimage1D", 300}, {"image2D", 300}, {"iimage2D", 300},
+    {"uimage2D", 300}, {"image3D", 300}, {"iimage3D", 300}, {"uimage3D", 300}, {"imageCube", 300},
+    {"iimageCube", 300}, {"uimageCube", 300}, {"imageBuffer", 300}, {"iimageBuffer", 300},
+    {"uimageBuffer", 300}, {"image1DArray", 300}, {"iimage1DArray", 300}, {"uimage1DArray", 300},
+    {"image2DArray", 300}, {"iimage2DArray", 300}, {"uimage2DArray", 300}, {"sampler1DArray", 300},
+    {"sampler1DArrayShadow", 300}, {"isampler1D", 300}, {"isampler1DArray", 300},
+    {"usampler1D", 300}, {"usampler1DArray", 300}, {"isampler2DRect", 300}, {"usampler2DRect", 300},
+    {"samplerBuffer", 300}, {"isamplerBuffer", 300}, {"usamplerBuffer", 300}, {"sampler2DMS", 300},
+    {"isampler2DMS", 300}, {"usampler2DMS", 300}, {"sampler2DMSArray", 300},
+    {"isampler2DMSArray", 300}, {"usampler2DMSArray", 300}, {"isampler3D", 300},
+    {"isamplerCube", 300}, {"isampler2DArray", 300}, {"usampler3D", 300}, {"usamplerCube", 300},
+    {"usampler2DArray", 300}, {"samplerCubeShadow", 300}, {"sampler2DArrayShadow", 300},
 };
 // clang-format on
 
+template <std::size_t size>
+bool hasWord(const Word (&all)[size], std::string_view name, int version, bool ofEither) {
+  return std::any_of(std::begin(all), std::end(all), [&](const Word& word) {
+    return word.text == name && (word.version == 0 || ofEither || word.version == version);
+  });
+}
+
 }  // namespace
 
+bool isReserved(std::string_view name, int version) {
+  return hasWord(reserved, name, version ? version : 100, false) ||
+         (version == 100 && name == "sampler3D");
+}
+
 bool isKeyword(std::string_view name, int version) {
-  const auto isIt = [&](const Word& word) {
-    return word.text == name && (word.version == 0 || version == 0 || word.version == version);
-  };
-  return std::any_of(std::begin(words), std::end(words), isIt) ||
+  return hasWord(words, name, version, version == 0) || isReserved(name, version) ||
          (findType(name) && versionProblem(version, name).empty());
+}
+
+std::string nameProblem(std::string_view name, int version) {
+  const std::string start = quoted(name) + " cannot be a name: ";
+  if (isReserved(name, version)) return start + "GLSL keeps this word for later; take another";
+  if (isKeyword(name, version)) return start + "it is a word of the language";
+  for (const std::string_view of : {"gl_", "webgl_", "_webgl_"})
+    if (name.starts_with(of))
+      return start + "those with " + std::string(of) + " are the language's";
+  if (name.find("__") != name.npos)
+    return start + "those with two underscores in a row are the language's";
+  if (const std::size_t longest = version == 100 ? 256 : 1024; name.size() > longest)
+    return start + "it has more than " + std::to_string(longest) + " letters";
+  return {};
 }
 
 }  // namespace warpjet::glsl

@@ -15,6 +15,12 @@ Code codeOfConstant(Base base) {
   return base == Base::Int || base == Base::Uint ? Code::Whole : Code::Constant;
 }
 
+// What is infinite cannot be written in every language: the largest float takes its place.
+double finite(double value) {
+  constexpr double largest = 3.4028234663852886e38;
+  return std::clamp(value, -largest, largest);
+}
+
 bool isOfImage(Code code) {
   return code == Code::Texel || code == Code::FetchedTexel || code == Code::ImageSize;
 }
@@ -171,7 +177,7 @@ class Lister {
       case Code::Undefined:
         listing_.words.back() = static_cast<std::uint32_t>(codeOfConstant(operation.base));
         say(static_cast<std::uint32_t>(listing_.constants.size()));
-        listing_.constants.push_back(operation.value);
+        listing_.constants.push_back(finite(operation.value));
         break;
       case Code::Argument:
       case Code::Uniform: {

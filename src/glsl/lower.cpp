@@ -20,6 +20,7 @@ Lowering::Lowering(const Tree& tree, Problems& problems, int maxIterations,
       maxIterations_(maxIterations),
       inlined_(std::move(inlined)) {
   findAssigned();
+  findPure();
 }
 
 Lowered Lowering::lower(FunctionId number) {
@@ -146,6 +147,7 @@ Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
     if (function.parameters[i].direction == Parameter::Direction::Out)
       arguments[i] = undefined(function.parameters[i].type);
   const int size = sizeOf(function.type);
+  for (const Value& argument : arguments) steps_ += argument.size() / 32;
   if (const auto results = callRoutine(number, arguments)) {
     auto next = results->begin() + size;
     std::size_t target = 0;
@@ -157,11 +159,26 @@ Lowering::Value Lowering::call(FunctionId number, std::vector<Value> arguments,
     }
     return {results->begin(), results->begin() + size};
   }
+  if (isPure_[number]) return enterOnce(number, arguments);
   Value result = enter(number, std::move(arguments));
   std::size_t next = 0;
   for (const Parameter& parameter : function.parameters)
     if (parameter.direction != Parameter::Direction::In)
       store(targets[next++], get(slotOf(parameter.variable), sizeOf(parameter.type)));
+  return result;
+}
+
+// Runs the body of a function that gives the same for the same arguments, once for these. What
+// holds loops belongs to the loop that it stands in.
+Lowering::Value Lowering::enterOnce(FunctionId number, const std::vector<Value>& arguments) {
+  std::vector<std::uint32_t> key{static_cast<std::uint32_t>(number),
+                                 openLoops_.empty() ? 0 : openLoops_.back()};
+  for (const Value& argument : arguments)
+    for (const Id id : argument) key.push_back(index(id));
+  const auto known = results_.find(key);
+  if (known != results_.end()) return known->second;
+  Value result = enter(number, arguments);
+  if (!problems_.any()) results_.emplace(std::move(key), result);
   return result;
 }
 

@@ -44,7 +44,12 @@ class Lowering {
   Lowering(const Tree& tree, Problems& problems, int maxIterations,
            std::set<RoutineKey> inlined = {});
 
+  // For constant expressions of a tree that is still growing.
+  Lowering(const Tree& tree, Problems& problems);
+
   Lowered lower(FunctionId function);
+  // The numbers of a constant expression; empty where one has none, as 1 / 0.
+  std::vector<double> constant(ExpressionId expression);
 
  private:
   using Value = std::vector<Id>;
@@ -84,6 +89,7 @@ class Lowering {
   Value call(FunctionId function, std::vector<Value> arguments, const std::vector<LValue>& targets,
              Location place);
   Value enter(FunctionId function, std::vector<Value> arguments);
+  Value enterOnce(FunctionId function, const std::vector<Value>& arguments);
   bool isTooMuch(Location place);
   Slot slotOf(VariableId variable) const { return slots_[variable]; }
   int sizeOf(Type type) const { return tree_.types.size(type); }
@@ -95,6 +101,12 @@ class Lowering {
   template <class Yes, class No>
   void branch(Id condition, const Yes& yes, const No& no);
   void merge(Id condition, Store::Changes yes, Store::Changes no);
+
+  // lower_constants.cpp
+  Value expanded(Code code, const std::vector<Value>& x);
+  Id determinant(const Value& matrix);
+  Id minorOf(const Value& matrix, std::size_t column, std::size_t row);
+  Value inverse(const Value& matrix);
 
   // lower_statements.cpp
   void execute(StatementId statement);
@@ -110,6 +122,9 @@ class Lowering {
 
   // lower_routines.cpp
   void findAssigned();
+  void findPure();
+  template <class Visit>
+  void visitExpressions(StatementId body, const Visit& visit) const;
   std::optional<Value> callRoutine(FunctionId function, const std::vector<Value>& arguments);
   int recordRoutine(FunctionId function, const std::vector<Value>& arguments,
                     const RoutineKey& key);
@@ -128,7 +143,8 @@ class Lowering {
   bool record(const Statement& statement, Folding& folding);
   bool isRight(const Statement& statement, Folding& folding, const Store::Changes& changes);
   bool declares(const Statement& loop, Slot slot) const;
-  std::optional<std::uint32_t> stepsOf(const Folding& folding) const;
+  std::optional<std::uint32_t> stepsOf(const Statement& statement, const Folding& folding) const;
+  bool hasNoEnd(const Statement& statement) const;
   bool isWorthIt(const Folding& folding, std::size_t once) const;
   bool close(const Statement& statement, const Folding& folding);
 
@@ -171,6 +187,7 @@ class Lowering {
   Value unpacked(Id group, Type type);
   Id number(Base base, double value) { return recorder_.constant(base, value); }
   Id compare(Code code, Base base, Id x, Id y);
+  Value lookUp(const BuiltIn& row, const std::vector<Value>& x);
   Value texture(Code code, const Value& image, const Value& at);
   Value imageSize(const Value& image);
 
@@ -196,7 +213,12 @@ class Lowering {
   std::map<RoutineKey, int> routineNumbers_;
   std::vector<Routine> routines_;
   std::uint32_t routineCount_ = 0;
-  std::vector<bool> isAssigned_;  // by variable
+  // Globals that somebody assigns to, and functions whose results follow from their arguments
+  // alone.
+  std::vector<VariableId> changing_;
+  std::vector<bool> isPure_;
+  // What such functions gave where they were entered: by function, innermost loop and arguments.
+  std::map<std::vector<std::uint32_t>, Value> results_;
   std::size_t steps_ = 0;
   int depth_ = 0;
 };

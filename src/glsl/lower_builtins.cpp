@@ -112,8 +112,7 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
     case IsNan:
       // In WGSL, != of what is no number may be false.
       return forEach([&](std::size_t i) {
-        return recorder_.apply(Code::Not, base,
-                               {recorder_.apply(Code::Eq, base, {x[0][i], x[0][i]})});
+        return recorder_.negated(recorder_.apply(Code::Eq, base, {x[0][i], x[0][i]}));
       });
     case IsInf:
       return forEach([&](std::size_t i) {
@@ -121,19 +120,18 @@ Lowering::Value Lowering::builtIn(const Expression& node) {
         return recorder_.apply(Code::Gt, base, {size, number(Base::Float, 3.4028234663852886e38)});
       });
     case Texture:
-      return texture(Code::Texel, x[0], x[1]);
+    case TextureProj:
+      return lookUp(row, x);
     case TextureSize:
     case TexelFetch: {
-      const Id level = x.back()[0];
+      const Id level = x[row.way == TextureSize ? 1 : 2][0];
       if (!recorder_.isConstant(level) || recorder_.value(level) != 0) {
         problems_.add(node.place, "only level 0 of an image is read here; write " +
                                       std::string(row.name) + "(…, 0)");
         return undefined(node.type);
       }
       if (row.way == TextureSize) return imageSize(x[0]);
-      Value numbers;
-      for (const Id each : x[1]) numbers.push_back(recorder_.convert(each, Base::Float));
-      return texture(Code::FetchedTexel, x[0], numbers);
+      return lookUp(row, x);
     }
     case Refused:
       break;
@@ -193,6 +191,7 @@ Lowering::Value Lowering::unpacked(Id group, Type type) {
 Lowering::Value Lowering::grouped(const BuiltIn& row, const std::vector<Value>& x,
                                   const Expression& node) {
   const Type first = tree_.expressions[node.operands[0]].type;
+  if (recorder_.foldsAll()) return expanded(row.code, x);
   if (first.isScalar()) {
     // These of numbers are simpler.
     const auto minus = [&](Id a, Id b) { return scalar(Operator::Subtract, Base::Float, a, b); };
@@ -227,6 +226,25 @@ Lowering::Value Lowering::grouped(const BuiltIn& row, const std::vector<Value>& 
   for (std::size_t i = 0; i < x.size(); ++i)
     operands.push_back(packed(tree_.expressions[node.operands[i]].type, x[i]));
   return unpacked(recorder_.group(row.code, operands), node.type);
+}
+
+// Reads a texel: at a vec2 or ivec2, or at a vector divided by its last component, plus the offset.
+Lowering::Value Lowering::lookUp(const BuiltIn& row, const std::vector<Value>& x) {
+  const bool isFetched = row.way == Way::TexelFetch;
+  Value at(x[1].begin(), x[1].begin() + 2);
+  const Id last = x[1].back();
+  const Value size = hasOffset(row) && !isFetched ? imageSize(x[0]) : Value();
+  for (std::size_t i = 0; i < 2; ++i) {
+    Id& each = at[i];
+    each = recorder_.convert(each, Base::Float);
+    if (row.way == Way::TextureProj) each = scalar(Operator::Divide, Base::Float, each, last);
+    if (!hasOffset(row)) continue;
+    Id by = recorder_.convert(x.back()[i], Base::Float);
+    if (!isFetched)
+      by = scalar(Operator::Divide, Base::Float, by, recorder_.convert(size[i], Base::Float));
+    each = scalar(Operator::Add, Base::Float, each, by);
+  }
+  return texture(isFetched ? Code::FetchedTexel : Code::Texel, x[0], at);
 }
 
 Lowering::Value Lowering::texture(Code code, const Value& image, const Value& at) {

@@ -15,6 +15,11 @@ constexpr std::uint32_t mostFoldedSteps = 10'000;
 constexpr std::size_t deepestFolds = 8;
 // Of an array that a loop fills, every element is a state.
 constexpr std::size_t mostStates = 32;
+// The limit for a loop that only the shader ends, without the option maxIterations.
+constexpr int mostUnknown = 1'000;
+constexpr const char* endsUnknown =
+    "how often this loop runs depends on what only the shader knows; count to a constant and "
+    "break, or give the option maxIterations";
 // Whole numbers that float32 counts without a gap, and then some.
 constexpr double large = 1 << 22;
 
@@ -31,12 +36,19 @@ void Lowering::loop(const Statement& statement) {
   breakables_.pop_back();
 }
 
-// Condition, body and step once, where nothing was stopped. Gives the condition, which is taken to
-// hold unless the loop asks for it. `end` is called where the next iteration would begin.
+// Condition, body and step once, where nothing was stopped; the condition of a `do` comes last.
+// Gives the condition, which is taken to hold unless the loop asks for it. `end` is called where
+// the next iteration would begin.
 template <class End>
 Id Lowering::iterate(const Statement& statement, bool asks, const End& end) {
   const Breakable here = breakables_.back();
   Id test = number(Base::Bool, 1);
+  // What comes next where the condition holds, if the loop asks for it.
+  const auto check = [&](const auto& next) {
+    if (statement.expression != nothing) test = condition(statement.expression);
+    if (!asks) return next();
+    branch(test, next, [&] { store_.set(here.broken, number(Base::Bool, 1)); });
+  };
   const auto run = [&] {
     execute(statement.children[2]);
     store_.set(here.continued, number(Base::Bool, 0));
@@ -45,6 +57,7 @@ Id Lowering::iterate(const Statement& statement, bool asks, const End& end) {
         [&] {
           resume();
           execute(statement.children[1]);
+          if (statement.isLate) return check(end);
           end();
         });
   };
@@ -52,9 +65,8 @@ Id Lowering::iterate(const Statement& statement, bool asks, const End& end) {
       stopped(), [] {},
       [&] {
         resume();
-        if (statement.expression != nothing) test = condition(statement.expression);
-        if (!asks) return run();
-        branch(test, run, [&] { store_.set(here.broken, number(Base::Bool, 1)); });
+        if (statement.isLate) return run();
+        check(run);
       });
   return test;
 }
@@ -129,7 +141,7 @@ bool Lowering::counts(Id next, Id before, std::uint32_t steps, int depth) const 
 // state. States are floats, which lose the bits of an int or uint that does more than to count:
 // such a loop is unrolled.
 bool Lowering::foldLoop(const Statement& statement) {
-  if (statement.isLate || problems_.any() || openLoops_.size() >= deepestFolds) return false;
+  if (problems_.any() || openLoops_.size() >= deepestFolds) return false;
   const Problems before = problems_;
   const std::size_t size = recorder_.size();
   store_.open();
@@ -144,7 +156,7 @@ bool Lowering::foldLoop(const Statement& statement) {
 
   Folding folding{changesOf(changes), 0, first, false, 0, 0};
   if (!record(statement, folding)) return giveUp();
-  const auto steps = stepsOf(folding);
+  const auto steps = stepsOf(statement, folding);
   if (steps) {
     folding.steps = *steps;
     // So that thousands of long loops end too, in a loop that is unrolled.
@@ -230,12 +242,13 @@ bool Lowering::declares(const Statement& loop, Slot slot) const {
 
 // How often the condition holds, if only numbers decide that are known. These are followed as they
 // are in the shader, in float32.
-std::optional<std::uint32_t> Lowering::stepsOf(const Folding& folding) const {
+std::optional<std::uint32_t> Lowering::stepsOf(const Statement& statement,
+                                               const Folding& folding) const {
   LoopRun run(recorder_, folding.loop, folding.all);
   for (std::uint32_t step = 0; step <= mostFoldedSteps; ++step) {
     const auto test = run.value(folding.test);
     if (!test) return std::nullopt;
-    if (*test == 0) return step;
+    if (*test == 0) return step + statement.isLate;
     run.advance();
   }
   return std::nullopt;
@@ -279,7 +292,7 @@ bool Lowering::close(const Statement& statement, const Folding& folding) {
     }
   }
   // The condition that ends it may change something, as `i-- > 0` does.
-  if (!folding.asks)
+  if (!folding.asks && !statement.isLate)
     branch(
         stopped(), [] {},
         [&] {
@@ -287,6 +300,13 @@ bool Lowering::close(const Statement& statement, const Folding& folding) {
           condition(statement.expression);
         });
   return true;
+}
+
+// Whether nothing but a break or a return can end it.
+bool Lowering::hasNoEnd(const Statement& statement) const {
+  if (statement.expression == nothing) return true;
+  const Expression& test = tree_.expressions[statement.expression];
+  return test.kind == Expression::Kind::Constant && test.value != 0;
 }
 
 // Where it is not known whether there is another iteration, that and all after it are in a branch
@@ -298,7 +318,10 @@ void Lowering::unroll(const Statement& statement) {
     conditions.push_back(condition);
     store_.open();
   };
-  int unknown = 0;
+  const Problems before = problems_;
+  // The iterations that only the shader can end. The first one of a `do` is one of them.
+  int unknown = statement.isLate;
+  const bool isEndless = hasNoEnd(statement);
   for (int iteration = 0; !isTooMuch(statement.place); ++iteration) {
     if (iteration > mostIterations) {
       problems_.add(statement.place, "this loop has not ended after " +
@@ -310,9 +333,7 @@ void Lowering::unroll(const Statement& statement) {
       if (recorder_.isFalse(test) || recorder_.isUndefined(test)) break;
       if (!recorder_.isConstant(test)) {
         if (maxIterations_ == 0) {
-          problems_.add(statement.place,
-                        "how often this loop runs depends on what only the shader knows; count to "
-                        "a constant and break, or give the option maxIterations");
+          problems_.add(statement.place, endsUnknown);
           break;
         }
         if (unknown++ == maxIterations_) break;
@@ -324,10 +345,18 @@ void Lowering::unroll(const Statement& statement) {
     const Id isOver = stopped();
     if (recorder_.isTrue(isOver)) break;
     if (!recorder_.isConstant(isOver)) {
+      if (isEndless && maxIterations_ > 0 && iteration + 1 >= maxIterations_) break;
+      if (isEndless && maxIterations_ == 0 && ++unknown > mostUnknown)
+        problems_.add(statement.place, endsUnknown);
       enter(recorder_.negated(isOver));
       resume();
     }
     execute(statement.children[1]);
+  }
+  // What ran so long that it became too much.
+  if (problems_.any() && !before.any() && isEndless && unknown > 1 && maxIterations_ == 0) {
+    problems_ = before;
+    problems_.add(statement.place, endsUnknown);
   }
   for (std::size_t i = conditions.size(); i-- > 0;) merge(conditions[i], store_.close(), {});
 }

@@ -8,13 +8,13 @@ namespace warpjet::glsl {
 
 // Those that somebody assigns to: what reads them depends on more than its arguments.
 void Lowering::findAssigned() {
-  isAssigned_.resize(tree_.variables.size());
+  std::vector<bool> isAssigned(tree_.variables.size());
   const auto mark = [&](ExpressionId target) {
     const Expression* node = &tree_.expressions[target];
     using enum Expression::Kind;
     while (node->kind == Part || node->kind == Swizzle || node->kind == Element)
       node = &tree_.expressions[node->operands[0]];
-    if (node->kind == Variable) isAssigned_[node->index] = true;
+    if (node->kind == Variable) isAssigned[node->index] = true;
   };
   for (const Expression& node : tree_.expressions) {
     using enum Expression::Kind;
@@ -27,6 +27,58 @@ void Lowering::findAssigned() {
     for (std::size_t i = 0; i < node.operands.size(); ++i)
       if (parameters[i].direction != Parameter::Direction::In) mark(node.operands[i]);
   }
+  for (std::size_t i = 0; i < isAssigned.size(); ++i)
+    if (isAssigned[i] && tree_.variables[i].kind == Variable::Kind::Global)
+      changing_.push_back(static_cast<VariableId>(i));
+}
+
+// Every expression within a statement.
+template <class Visit>
+void Lowering::visitExpressions(StatementId body, const Visit& visit) const {
+  std::vector<StatementId> statements{body};
+  std::vector<ExpressionId> expressions;
+  while (!statements.empty()) {
+    const StatementId next = statements.back();
+    statements.pop_back();
+    if (next == nothing) continue;
+    const Statement& statement = tree_.statements[next];
+    statements.insert(statements.end(), statement.children.begin(), statement.children.end());
+    if (statement.expression != nothing) expressions.push_back(statement.expression);
+    while (!expressions.empty()) {
+      const Expression& node = tree_.expressions[expressions.back()];
+      expressions.pop_back();
+      visit(node);
+      expressions.insert(expressions.end(), node.operands.begin(), node.operands.end());
+    }
+  }
+}
+
+// A pure function writes to no parameter, names no global that changes, and calls pure functions
+// alone.
+void Lowering::findPure() {
+  std::vector<bool> isChanging(tree_.variables.size());
+  for (const VariableId each : changing_) isChanging[each] = true;
+  isPure_.assign(tree_.functions.size(), true);
+  std::vector<std::vector<FunctionId>> callers(tree_.functions.size());
+  std::vector<FunctionId> impure;
+  for (std::size_t i = 0; i < tree_.functions.size(); ++i) {
+    const auto number = static_cast<FunctionId>(i);
+    bool isPure = tree_.functions[i].body != nothing;
+    for (const Parameter& each : tree_.functions[i].parameters)
+      isPure = isPure && each.direction == Parameter::Direction::In;
+    visitExpressions(tree_.functions[i].body, [&](const Expression& node) {
+      if (node.kind == Expression::Kind::Variable && isChanging[node.index]) isPure = false;
+      if (node.kind == Expression::Kind::Call) callers[node.index].push_back(number);
+    });
+    if (!isPure) impure.push_back(number);
+  }
+  while (!impure.empty()) {
+    const FunctionId number = impure.back();
+    impure.pop_back();
+    if (!isPure_[number]) continue;
+    isPure_[number] = false;
+    impure.insert(impure.end(), callers[number].begin(), callers[number].end());
+  }
 }
 
 // What a call gives and then what it writes to; nothing if it is to be entered.
@@ -36,6 +88,7 @@ std::optional<Lowering::Value> Lowering::callRoutine(FunctionId number,
   Value floats;
   bool areKnown = true;
   for (const Value& argument : arguments) {
+    if (floats.size() + argument.size() > 2 * mostNumbers) return std::nullopt;
     for (const Id id : argument) {
       const bool isFloat = recorder_.base(id) == Base::Float;
       const bool isKnown = recorder_.isConstant(id) || recorder_.isUndefined(id);
@@ -84,11 +137,9 @@ int Lowering::recordRoutine(FunctionId number, const std::vector<Value>& argumen
   const Problems before = problems_;
   std::vector<std::uint32_t> outer = std::exchange(openLoops_, {});
   store_.open();
-  for (std::size_t i = 0; i < tree_.variables.size(); ++i) {
-    const Variable& variable = tree_.variables[i];
-    if (variable.kind != Variable::Kind::Global || !isAssigned_[i]) continue;
-    for (int k = 0; k < sizeOf(variable.type); ++k) {
-      const Slot slot = slots_[i] + static_cast<Slot>(k);
+  for (const VariableId each : changing_) {
+    for (int k = 0; k < sizeOf(tree_.variables[each].type); ++k) {
+      const Slot slot = slotOf(each) + static_cast<Slot>(k);
       store_.set(slot, recorder_.convert(recorder_.parameter(mine, unknowable),
                                          recorder_.base(store_.get(slot))));
     }

@@ -1,7 +1,6 @@
 // Statements: what runs, and under which condition.
 #include <algorithm>
 
-#include "glsl/constants.hpp"
 #include "glsl/lower.hpp"
 
 namespace warpjet::glsl {
@@ -137,9 +136,7 @@ void Lowering::select(const Statement& statement) {
   const Id no = number(Base::Bool, 0);
   const Slot broken = store_.allocate(1, no);
   const auto fits = [&](const Statement& label) {
-    const auto known = constantInt(tree_, label.expression);
-    return scalar(Operator::Equal, recorder_.base(value), value,
-                  recorder_.constant(recorder_.base(value), *known));
+    return scalar(Operator::Equal, recorder_.base(value), value, evaluate(label.expression)[0]);
   };
   Id fitsAny = no;
   for (const StatementId child : statement.children) {

@@ -19,17 +19,21 @@ constexpr int deepestNested = 1'000;
 
 void Macros::define(std::string_view name, int value) {
   made_.push_back(std::to_string(value));
-  macros_[name] = {false, {}, {Token{Kind::Int, false, true, made_.back(), {}}}};
+  macros_[name] = {false, {}, {Token{Kind::Int, false, true, made_.back(), {}}}, 0, true};
 }
 
 void Macros::define(const Token& word, std::span<const Token> rest) {
   if (rest.empty() || rest[0].kind != Kind::Name)
     return problems_.add(word.place, "#define needs a name");
   const Token& name = rest[0];
-  if (name.text.starts_with("GL_") || name.is("defined") || name.text.starts_with("__"))
+  const auto known = macros_.find(name.text);
+  const bool isKnown = known != macros_.end();
+  if (name.text.starts_with("GL_") || name.is("defined") || name.is("__LINE__") ||
+      (isKnown && known->second.isOfLanguage))
     return problems_.add(name.place,
                          quoted(name.text) + " cannot be defined: it is the language's");
   Macro macro;
+  macro.line = name.place.shown;
   std::size_t at = 1;
   if (at < rest.size() && rest[at].is("(") && !rest[at].followsSpace) {
     macro.hasParameters = true;
@@ -39,7 +43,13 @@ void Macros::define(const Token& word, std::span<const Token> rest) {
       if (at >= rest.size() || rest[at].kind != Kind::Name)
         return problems_.add(name.place,
                              "the parameters of " + quoted(name.text) + " must be names in ( )");
-      macro.parameters.push_back(rest[at++].text);
+      const std::string_view parameter = rest[at++].text;
+      if (std::find(macro.parameters.begin(), macro.parameters.end(), parameter) !=
+          macro.parameters.end())
+        return problems_.add(rest[at - 1].place, quoted(parameter) + " is a parameter of " +
+                                                     quoted(name.text) +
+                                                     " already; give it another name");
+      macro.parameters.push_back(parameter);
       if (at < rest.size() && rest[at].is(",")) {
         ++at;
       } else if (!isEnd()) {
@@ -50,13 +60,38 @@ void Macros::define(const Token& word, std::span<const Token> rest) {
     ++at;
   }
   macro.body.assign(rest.begin() + static_cast<std::ptrdiff_t>(at), rest.end());
+  if (isKnown && !isSame(macro, known->second))
+    return problems_.add(name.place, quoted(name.text) + " has another value since line " +
+                                         std::to_string(known->second.line) + "; write #undef " +
+                                         std::string(name.text) +
+                                         " before this line, or take another name");
   macros_[name.text] = std::move(macro);
+}
+
+// Token by token; white space counts where there is some, however much it is.
+bool Macros::isSame(const Macro& a, const Macro& b) {
+  if (a.hasParameters != b.hasParameters || a.parameters != b.parameters ||
+      a.body.size() != b.body.size())
+    return false;
+  for (std::size_t i = 0; i < a.body.size(); ++i) {
+    if (a.body[i].text != b.body[i].text) return false;
+    if (i > 0 && a.body[i].followsSpace != b.body[i].followsSpace) return false;
+  }
+  return true;
 }
 
 void Macros::undefine(const Token& word, std::span<const Token> rest) {
   if (rest.empty() || rest[0].kind != Kind::Name)
     return problems_.add(word.place, "#undef needs a name");
-  macros_.erase(rest[0].text);
+  const std::string_view name = rest[0].text;
+  const auto known = macros_.find(name);
+  if (name == "__LINE__" || (known != macros_.end() && known->second.isOfLanguage))
+    return problems_.add(rest[0].place,
+                         quoted(name) + " cannot be undefined: it is the language's");
+  if (rest.size() > 1)
+    return problems_.add(rest[1].place, "#undef takes one name; take " + quoted(rest[1].text) +
+                                            " and what follows away");
+  macros_.erase(name);
 }
 
 void Macros::expand(std::span<const Token> tokens, std::vector<Token>& result) {
@@ -74,7 +109,7 @@ void Macros::expand(Stream& stream, std::vector<Token>& result, const Within& wi
     const Token& token = stream.tokens[stream.at];
     if (result.size() > mostTokens) return problems_.add(token.place, tooLong);
     if (token.is("__LINE__")) {
-      result.push_back(number(token.place.shown, token));
+      result.push_back(number(lineOf(token), token));
       continue;
     }
     const std::size_t before = result.size();
@@ -108,6 +143,7 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
   }
   std::vector<std::vector<Token>> arguments;
   Stream* rest = &stream;
+  std::uint32_t line = lineOf(token);
   if (macro.hasParameters) {
     ++stream.at;
     if (!readArguments(rest, macro.parameters.size(), arguments)) {
@@ -115,6 +151,7 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
                                      std::to_string(macro.parameters.size()) + " arguments in ( )");
       return false;
     }
+    line = lineOf(rest->tokens[rest->at]);
   }
   result.pop_back();
   // Macros whose expansion has been left by then may be used again.
@@ -124,7 +161,8 @@ bool Macros::expandLast(Stream& stream, std::vector<Token>& result, const Within
   held_ += held;
   ++nested_;
   if (held_ > mostTokens) problems_.add(token.place, tooLong);
-  substitute(macro, token, arguments, result, {within.begin(), within.begin() + depth}, *rest);
+  substitute(macro, token, line, arguments, result, {within.begin(), within.begin() + depth},
+             *rest);
   --nested_;
   held_ -= held;
   return true;
@@ -155,7 +193,7 @@ bool Macros::readArguments(Stream*& stream, std::size_t count,
 }
 
 // What is named in arguments is not yet within the macro, so that it is expanded before.
-void Macros::substitute(const Macro& macro, const Token& name,
+void Macros::substitute(const Macro& macro, const Token& name, std::uint32_t line,
                         std::vector<std::vector<Token>>& arguments, std::vector<Token>& result,
                         Within within, Stream& rest) {
   std::vector<Token> body;
@@ -173,6 +211,7 @@ void Macros::substitute(const Macro& macro, const Token& name,
     } else {
       body.push_back(token);
       body.back().place = name.place;
+      body.back().callLine = line;
     }
     if (body.size() > mostTokens) return problems_.add(name.place, tooLong);
   }

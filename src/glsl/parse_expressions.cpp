@@ -41,6 +41,10 @@ ExpressionId Parser::expression() {
   while (peek().is(",")) {
     const Location place = take().place;
     const ExpressionId right = assignment();
+    for (const ExpressionId each : {left, right})
+      if (text_.version == 300 && (typeOf(each) == voidType || tree_.types.hasArray(typeOf(each))))
+        fail(place, tree_.types.withArticle(typeOf(each)) +
+                        " cannot stand beside a comma; write two statements");
     left = add(Expression{
         .kind = Code::Sequence, .type = typeOf(right), .place = place, .operands = {left, right}});
   }
@@ -94,12 +98,14 @@ ExpressionId Parser::choice() {
   if (!typeOf(test).isBool())
     return failed(place, "a bool must stand before ?, but " +
                              tree_.types.withArticle(typeOf(test)) + " does");
-  if (typeOf(yes) != typeOf(no) || typeOf(yes) == voidType)
+  if (typeOf(yes) != typeOf(no) || (typeOf(yes) == voidType && text_.version == 300))
     return failed(place, "both values of ? : must be of one type, but are " +
                              tree_.types.withArticle(typeOf(yes)) + " and " +
                              tree_.types.withArticle(typeOf(no)));
   if (tree_.types.hasSampler(typeOf(yes)))
     return failed(place, "an image cannot be chosen by ? :; choose between what texture() gives");
+  if (text_.version && (typeOf(yes).isArray() || typeOf(yes).base == Base::Struct))
+    return failed(place, "no browser chooses between arrays or structures by ? :; write if");
   return add(Expression{
       .kind = Code::Choose, .type = typeOf(yes), .place = place, .operands = {test, yes, no}});
 }

@@ -7,7 +7,35 @@
 
 namespace warpjet::glsl {
 
-void Parser::function(Type result, const Token& name) {
+namespace {
+
+using Role = QualifierRole;
+
+std::string_view wordOf(const Parameter& parameter) {
+  return parameter.isConst                                  ? "const"
+         : parameter.direction == Parameter::Direction::In  ? "in"
+         : parameter.direction == Parameter::Direction::Out ? "out"
+                                                            : "inout";
+}
+
+// Says how the parameters of two declarations of one function differ; empty if they do not.
+std::string differenceOf(const Function& before, const Function& now) {
+  for (std::size_t i = 0; i < now.parameters.size(); ++i) {
+    const std::string_view was = wordOf(before.parameters[i]), is = wordOf(now.parameters[i]);
+    if (was != is)
+      return "parameter " + std::to_string(i + 1) + " of " + quoted(now.name) + " was declared " +
+             std::string(was) + " before, and is " + std::string(is) +
+             " here; write the same twice";
+  }
+  return {};
+}
+
+}  // namespace
+
+void Parser::function(const Qualifiers& given, Type result, const Token& name) {
+  allowOnly(given, {QualifierRole::Precision}, "a function");
+  checkPrecision(given, result);
+  if (problems_.any()) return;
   if (!scope_.isGlobal()) return fail(name.place, "a function cannot stand inside another one");
   const Meaning known = scope_.find(name.text);
   if (known.kind != Meaning::Kind::Function && !checkFree(name)) return;
@@ -23,11 +51,19 @@ void Parser::function(Type result, const Token& name) {
   scope_.open();
   Function made{name.text, result, parameters(), name.place};
   expect(")", "the parameters of a function");
+  if (made.name == "main" && (result != voidType || !made.parameters.empty()))
+    fail(name.place, "main takes nothing and gives nothing: write void main()");
+  if (redefines(made))
+    fail(name.place, quoted(name.text) + " is a function of the language; give yours another name");
   if (!problems_.any()) {
     const FunctionId number = declareFunction(made);
     if (!problems_.any() && !accept(";")) {
       current_ = number;
+      hasReturn_ = false;
       const StatementId body = block();
+      if (result != voidType && !hasReturn_)
+        fail(name.place, quoted(name.text) + " gives " + tree_.types.withArticle(result) +
+                             ", but nothing in it returns one");
       if (number != nothing && !problems_.any()) tree_.functions[number].body = body;
       current_ = nothing;
     }
@@ -45,7 +81,16 @@ std::vector<Parameter> Parser::parameters() {
   do {
     const Qualifiers given = qualifiers();
     const Location place = peek().place;
+    const std::string_view storage = given.word(Role::Storage);
+    allowOnly(given, {Role::Const, Role::Storage, Role::Precision}, "a parameter");
+    if (!storage.empty() && storage != "in" && storage != "out" && storage != "inout")
+      fail(place, quoted(storage) + " cannot stand before a parameter; take it away");
+    if (peek().is("struct")) fail(place, "a structure cannot be declared here; declare it above");
+    const auto direction = storage == "out"     ? Parameter::Direction::Out
+                           : storage == "inout" ? Parameter::Direction::InOut
+                                                : Parameter::Direction::In;
     Type each = type();
+    checkPrecision(given, each);
     Token name = peek();
     if (name.kind == Kind::Name) {
       take();
@@ -54,52 +99,63 @@ std::vector<Parameter> Parser::parameters() {
     }
     if (peek().is("[")) each = arrayOf(each);
     if (problems_.any()) break;
-    if (each == voidType || each.length == 0) {
+    if (each.base == Base::Void || each.length == 0) {
       fail(place, "a parameter cannot be " + tree_.types.name(each));
       break;
     }
     if (!name.text.empty() && !checkFree(name)) break;
-    if (tree_.types.hasSampler(each) && given.direction != Parameter::Direction::In) {
+    if (tree_.types.hasSampler(each) && direction != Parameter::Direction::In) {
       fail(place, "an image can only be read; leave out and inout away");
       break;
     }
-    if (given.isConst && given.direction != Parameter::Direction::In) {
-      fail(place, "a parameter cannot be both const and " +
-                      std::string(given.direction == Parameter::Direction::Out ? "out" : "inout"));
+    if (given.isConst() && direction != Parameter::Direction::In) {
+      fail(place, "a parameter cannot be both const and " + std::string(storage));
       break;
     }
     const VariableId variable = addVariable(
-        name, each, given.isConst ? Variable::Kind::Constant : Variable::Kind::Parameter);
-    all.push_back({given.direction, variable, each});
+        name, each, given.isConst() ? Variable::Kind::Constant : Variable::Kind::Parameter);
+    all.push_back({direction, variable, each, given.isConst()});
   } while (accept(","));
   return all;
 }
 
+// Whether it is a built-in function with the same parameters; 3.00 refuses the name alone.
+bool Parser::redefines(const Function& made) const {
+  std::vector<Type> types;
+  for (const Parameter& each : made.parameters) types.push_back(each.type);
+  const auto found = findBuiltIn(made.name, types);
+  if (!found) return false;
+  const BuiltIn& row = builtIns[static_cast<std::size_t>(found->row)];
+  return versionProblem(100, builtInFeature(row)).empty() && versionProblem(100, row.name).empty();
+}
+
 FunctionId Parser::declareFunction(const Function& made) {
   const auto isSame = [&](const Function& other) {
-    return other.name == made.name && other.parameters.size() == made.parameters.size() &&
+    return other.parameters.size() == made.parameters.size() &&
            std::equal(other.parameters.begin(), other.parameters.end(), made.parameters.begin(),
                       [](const Parameter& a, const Parameter& b) { return a.type == b.type; });
   };
   const bool isDefinition = peek().is("{");
-  for (std::size_t i = 0; i < tree_.functions.size(); ++i) {
+  for (const FunctionId i : overloads_[made.name]) {
     Function& other = tree_.functions[i];
     if (!isSame(other)) continue;
-    const auto directions = [](const Parameter& a, const Parameter& b) {
-      return a.direction == b.direction;
-    };
-    if (other.type != made.type || !std::equal(other.parameters.begin(), other.parameters.end(),
-                                               made.parameters.begin(), directions)) {
-      fail(made.place, quoted(made.name) + " was declared otherwise before");
+    if (other.type != made.type) {
+      fail(made.place, quoted(made.name) + " was declared otherwise before, to give " +
+                           tree_.types.withArticle(other.type));
+    } else if (std::string why = differenceOf(other, made); !why.empty()) {
+      fail(made.place, std::move(why));
+    } else if (!isDefinition && other.body == nothing && text_.version == 100) {
+      fail(made.place, quoted(made.name) + " is declared already; take this line away");
     } else if (isDefinition && other.body != nothing) {
       fail(made.place, quoted(made.name) + " has a body with these parameters already");
     } else if (isDefinition) {
       other = made;
     }
-    return static_cast<FunctionId>(i);
+    return i;
   }
   tree_.functions.push_back(made);
   const auto index = static_cast<FunctionId>(tree_.functions.size() - 1);
+  overloads_[made.name].push_back(index);
   // Of the scope outside of its parameters.
   scope_.close();
   if (scope_.find(made.name).kind != Meaning::Kind::Function)
@@ -109,6 +165,13 @@ FunctionId Parser::declareFunction(const Function& made) {
     scope_.add(tree_.variables[parameter.variable].name,
                {Meaning::Kind::Variable, parameter.variable});
   return index;
+}
+
+// Fails at a call of a function that has no body.
+void Parser::refuseMissing() {
+  for (const Call& call : calls_)
+    if (const Function& function = tree_.functions[call.to]; function.body == nothing)
+      return fail(call.place, quoted(function.name) + " is declared, but has no body");
 }
 
 // Functions that are reached from themselves. Each function is looked at once.

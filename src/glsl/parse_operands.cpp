@@ -1,6 +1,7 @@
 // What operators stand between: names, numbers, calls, constructors, and parts of them.
+#include <algorithm>
+
 #include "glsl/builtins.hpp"
-#include "glsl/constants.hpp"
 #include "glsl/nearest.hpp"
 #include "glsl/parser.hpp"
 #include "glsl/typing.hpp"
@@ -85,10 +86,15 @@ ExpressionId Parser::element(ExpressionId operand) {
   if (!typeOf(index).isWhole() || !typeOf(index).isScalar())
     return failed(
         place, "an index must be an int or uint, but is " + tree_.types.withArticle(typeOf(index)));
-  if (!isConstant(tree_, index, counters_) && !isUniform(operand))
+  const auto isCounter = [&](VariableId each) {
+    return std::find(counters_.begin(), counters_.end(), each) != counters_.end();
+  };
+  if (!constants_.isConstant(index, isCounter) && !isUniform(operand))
     requireVersion("an index that is not constant", place);
+  if (tree_.types.isBlock(type) && !constants_.isConstant(index))
+    return failed(place, "the index of a block of uniforms must be a constant");
   const int count = type.isArray() ? type.length : type.isMatrix() ? type.columns : type.rows;
-  if (const auto known = constantInt(tree_, index); known && (*known < 0 || *known >= count))
+  if (const auto known = constants_.whole(index); known && (*known < 0 || *known >= count))
     return failed(place, "the index " + std::to_string(*known) + " is not one of 0 to " +
                              std::to_string(count - 1));
   const Type element = type.isArray()    ? type.element()
@@ -130,7 +136,7 @@ ExpressionId Parser::number() {
   Expression made{.kind = Code::Constant, .place = token.place};
   if (token.kind == Kind::Float) {
     made.type = floatType;
-    made.value = floatValue(token, problems_);
+    made.value = floatValue(token);
     if (token.text.back() == 'f' || token.text.back() == 'F')
       requireVersion("a number with an f", token.place);
   } else {
@@ -236,9 +242,8 @@ ExpressionId Parser::call(const Token& name) {
   }
   const BuiltIn& row = builtIns[found->row];
   requireVersion(name.text, name.place);
-  if (row.way >= Way::AbsInt && row.way <= Way::ClampInt)
-    requireVersion("abs, sign, min, max or clamp of whole numbers", name.place);
-  if (row.way == Way::MixBool) requireVersion("mix by a bvec", name.place);
+  requireVersion(builtInFeature(row), name.place);
+  if (hasOffset(row)) checkOffset(row, operands.back(), name.place);
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (isOut(row, i)) makeAssignable(operands[i], name.place, "this call");
   if (row.way == Way::Refused)
@@ -252,13 +257,23 @@ ExpressionId Parser::call(const Token& name) {
                         .operands = std::move(operands)});
 }
 
+// An offset in texels must be constant: GLSL ES 3.00, section 8.8.
+void Parser::checkOffset(const BuiltIn& row, ExpressionId offset, Location place) {
+  if (problems_.any()) return;
+  const auto numbers = constants_.wholes(offset);
+  const bool fits = !numbers.empty() && std::all_of(numbers.begin(), numbers.end(),
+                                                    [](int n) { return n >= -8 && n <= 7; });
+  if (!fits)
+    fail(place, "the offset of " + std::string(row.name) +
+                    " must be a constant of whole numbers from -8 to 7");
+}
+
 // One of the text's own; nothing where none of that name fits, for a built-in one may.
 ExpressionId Parser::callFunction(const Token& name, std::vector<ExpressionId> operands,
                                   const std::vector<Type>& types) {
   std::string known;
-  for (std::size_t i = 0; i < tree_.functions.size(); ++i) {
+  for (const FunctionId i : overloads_[name.text]) {
     const Function& function = tree_.functions[i];
-    if (function.name != name.text) continue;
     std::vector<Type> wanted;
     for (const Parameter& parameter : function.parameters) wanted.push_back(parameter.type);
     known += (known.empty() ? "(" : " or (") + typesOf(wanted) + ')';
@@ -266,11 +281,11 @@ ExpressionId Parser::callFunction(const Token& name, std::vector<ExpressionId> o
     for (std::size_t k = 0; k < operands.size(); ++k)
       if (function.parameters[k].direction != Parameter::Direction::In)
         makeAssignable(operands[k], name.place, "this call");
-    if (current_ != nothing) calls_.push_back({current_, static_cast<ExpressionId>(i), name.place});
+    if (current_ != nothing) calls_.push_back({current_, i, name.place});
     if (problems_.any()) return nothing;
     return add(Expression{.kind = Code::Call,
                           .type = function.type,
-                          .index = static_cast<ExpressionId>(i),
+                          .index = i,
                           .place = name.place,
                           .operands = std::move(operands)});
   }

@@ -1,10 +1,6 @@
 // Tokens, types, and what stands above functions.
 #include "glsl/parser.hpp"
 
-#include <algorithm>
-
-#include "glsl/builtins.hpp"
-#include "glsl/constants.hpp"
 #include "glsl/keywords.hpp"
 #include "glsl/versions.hpp"
 
@@ -68,107 +64,42 @@ bool Parser::goDeeper() {
 }
 
 Tree Parser::parse() {
-  using enum Variable::Kind;
-  struct BuiltInVariable {
-    std::string_view name;
-    Type type;
-    Variable::Kind kind;
-  };
-  for (const auto& [name, type, kind] :
-       {BuiltInVariable{"gl_Position", vectorType(Base::Float, 4), Global},
-        {"gl_PointSize", floatType, Global},
-        {"gl_VertexID", intType, Attribute},
-        {"gl_InstanceID", intType, Attribute},
-        {"gl_FragColor", vectorType(Base::Float, 4), Global},
-        {"gl_FragCoord", vectorType(Base::Float, 4), Fragment}}) {
-    const auto isMeant = [&name = name](const Token& token) { return token.text == name; };
-    if (std::none_of(text_.tokens.begin(), text_.tokens.end(), isMeant)) continue;
-    Token token = end_;
-    token.text = name;
-    addVariable(token, type, kind);
-  }
+  if (text_.version) findStage();
+  declareBuiltIns();
   while (peek().kind != Kind::End) global();
   if (!problems_.any()) refuseRecursion();
+  if (!problems_.any()) refuseMissing();
   return std::move(tree_);
 }
 
 void Parser::global() {
-  if (accept(";")) return;
-  if (accept("precision")) {
-    if (!accept("highp") && !accept("mediump") && !accept("lowp"))
-      fail(peek().place, "a precision is missing, such as highp; " + found());
-    // An image of any kind has one, though it may not be read here.
-    if (peek().text.find("sampler") != std::string_view::npos) {
-      take();
-    } else {
-      type();
-    }
-    expect(";", "a precision");
-    return;
-  }
-  // `invariant gl_Position;` asks the driver for care with what is declared already.
-  if (peek().is("invariant") && (peek(2).is(";") || peek(2).is(","))) {
-    while (peek().kind != Kind::End && !accept(";")) take();
-    return;
-  }
+  // A stray ; behind a function is left alone where no browser is meant to read the text as it is.
+  if (text_.version == 0 && accept(";")) return;
+  if (peek().is("precision")) return precision();
+  if (peek().is("invariant") && peek(2).is(";")) return invariant();
   const Qualifiers given = qualifiers();
-  if (given.any && accept(";")) return;
+  if (given.word(QualifierRole::Storage) == "uniform" && given.isOfBlocks && accept(";")) return;
+  if (given.any() && startsBlock()) return uniformBlock(given);
   const Location place = peek().place;
   const Type base = type();
   if (problems_.any()) return;
-  if (base.isStruct() && accept(";")) return;
+  if (accept(";")) return checkPrecision(given, base);
   const Token& name = peek();
   if (name.kind == Kind::Name && peek(1).is("(")) {
     take();
-    function(base, name);
+    function(given, base, name);
     return;
   }
   if (base == voidType) return fail(place, "a variable cannot be void");
   tree_.globals.push_back(declarations(given, base));
 }
 
-Parser::Qualifiers Parser::qualifiers() {
-  using enum Variable::Kind;
-  Qualifiers found;
-  const auto set = [&](Variable::Kind kind) { found.kind = kind; };
-  for (;; take(), found.any = true) {
-    const Token& token = peek();
-    if (isDeclared(token)) return found;
-    if (token.is("const")) {
-      found.isConst = true;
-    } else if (token.is("uniform")) {
-      set(Uniform);
-    } else if (token.is("attribute") || token.is("in")) {
-      set(Attribute);
-      found.direction = Parameter::Direction::In;
-    } else if (token.is("out") || token.is("varying")) {
-      set(Global);
-      found.direction = Parameter::Direction::Out;
-    } else if (token.is("inout")) {
-      found.direction = Parameter::Direction::InOut;
-    } else if (token.is("layout")) {
-      take();
-      expect("(", "layout");
-      while (!peek().is(")") && peek().kind != Kind::End) take();
-    } else if (!token.is("highp") && !token.is("mediump") && !token.is("lowp") &&
-               !token.is("invariant") && !token.is("flat") && !token.is("smooth") &&
-               !token.is("centroid")) {
-      return found;
-    }
-    requireVersion(token.text, token.place);
-    if (scope_.isGlobal() && token.is("in"))
-      requireVersion("in before a global variable", token.place);
-    if (scope_.isGlobal() && token.is("out"))
-      requireVersion("out before a global variable", token.place);
-  }
-}
-
 bool Parser::isDeclared(const Token& token) const {
   return scope_.find(token.text).kind != Meaning::Kind::None;
 }
 
-bool Parser::startsType() const {
-  const Token& token = peek();
+bool Parser::startsType(std::size_t ahead) const {
+  const Token& token = peek(ahead);
   if (token.kind != Kind::Name) return false;
   if (isDeclared(token)) return scope_.find(token.text).kind == Meaning::Kind::Structure;
   return token.is("struct") || findType(token.text);
@@ -209,7 +140,7 @@ Type Parser::arrayOf(Type element) {
   } else {
     const ExpressionId size = expression();
     if (problems_.any()) return element;
-    const auto length = constantInt(tree_, size);
+    const auto length = constants_.whole(size);
     if (!length || *length < 1 || *length > longestArray) {
       fail(place, "the length of an array must be a constant whole number from 1 to " +
                       std::to_string(longestArray));
@@ -231,21 +162,9 @@ Type Parser::structure() {
   }
   expect("{", "struct");
   while (!peek().is("}") && peek().kind != Kind::End) {
-    qualifiers();
-    const Type base = type();
-    do {
-      const Location place = peek().place;
-      const std::string_view field = takeName("a field");
-      const Type each = peek().is("[") ? arrayOf(base) : base;
-      if (each == voidType || each.length == 0)
-        fail(place, "a field of a structure cannot be " + tree_.types.name(each));
-      if (made.find(field)) fail(place, quoted(field) + " is a field of this structure already");
-      if (problems_.any()) return voidType;
-      made.fields.push_back({field, each, made.size});
-      made.size += tree_.types.size(each);
-      if (made.size > largestValue) fail(place, "this structure is too large");
-    } while (accept(","));
-    expect(";", "a field");
+    const Qualifiers given = qualifiers();
+    allowOnly(given, {QualifierRole::Precision}, "a field of a structure");
+    fields(given, made);
   }
   const Location end = peek().place;
   expect("}", "the fields of a structure");
@@ -258,13 +177,38 @@ Type Parser::structure() {
   return type;
 }
 
+// `float x, y[2];` up to its semicolon.
+void Parser::fields(const Qualifiers& given, Structure& made) {
+  if (peek().is("struct"))
+    return fail(peek().place, "a structure cannot be declared inside another; declare it above");
+  const Type base = type();
+  checkPrecision(given, base);
+  do {
+    const Token name = peek();
+    std::string why = name.kind == Kind::Name ? nameProblem(name.text, text_.version) : "";
+    if (!why.empty()) fail(name.place, std::move(why));
+    const std::string_view field = takeName("a field");
+    if (base.isArray() && peek().is("["))
+      fail(peek().place, "an array of arrays is not in the language");
+    const Type each = peek().is("[") ? arrayOf(base) : base;
+    if (each == voidType || each.length == 0)
+      fail(name.place, "a field cannot be " + tree_.types.name(each));
+    if (made.find(field))
+      fail(name.place, quoted(field) + (made.isBlock ? " is a member of this block already"
+                                                     : " is a field of this structure already"));
+    if (problems_.any()) return;
+    made.add({field, each, made.size});
+    made.size += tree_.types.size(each);
+    if (made.size > largestValue) fail(name.place, "this structure is too large");
+  } while (accept(","));
+  expect(";", "a field");
+}
+
 bool Parser::checkFree(const Token& name) {
   if (name.kind != Kind::Name) {
     fail(name.place, "a name is missing here; " + found());
-  } else if (isKeyword(name.text, text_.version)) {
-    fail(name.place, quoted(name.text) + " cannot be a name: it is a word of the language");
-  } else if (name.text.starts_with("gl_")) {
-    fail(name.place, quoted(name.text) + " cannot be a name: those with gl_ are the language's");
+  } else if (std::string why = nameProblem(name.text, text_.version); !why.empty()) {
+    fail(name.place, std::move(why));
   } else if (!scope_.isFree(name.text)) {
     fail(name.place, quoted(name.text) + " is declared here already");
   }

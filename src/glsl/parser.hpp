@@ -2,11 +2,16 @@
 // first problem every token is the end of the text, so that it comes to an end at once.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "glsl/builtins.hpp"
+#include "glsl/constants.hpp"
 #include "glsl/preprocess.hpp"
+#include "glsl/qualifiers.hpp"
 #include "glsl/scope.hpp"
 #include "glsl/tree.hpp"
 
@@ -26,12 +31,9 @@ class Parser {
   // Numbers of one variable or structure, and of all variables together.
   static constexpr int largestValue = 1 << 16, mostHeld = 1 << 20;
 
-  // What stands before a type.
-  struct Qualifiers {
-    bool isConst = false;
-    Variable::Kind kind = Variable::Kind::Local;
-    Parameter::Direction direction = Parameter::Direction::In;
-    bool any = false;
+  struct GlobalKind {
+    Variable::Kind kind;
+    bool isOutput = false;
   };
 
   // parser.cpp
@@ -46,18 +48,44 @@ class Parser {
   std::string_view takeName(std::string_view what);
   bool goDeeper();
   void global();
-  Qualifiers qualifiers();
   // By the text itself: a word of one language may be a name in the other.
   bool isDeclared(const Token& token) const;
-  bool startsType() const;
+  bool startsType(std::size_t ahead = 0) const;
   Type type();
   Type structure();
+  void fields(const Qualifiers& given, Structure& made);
   Type arrayOf(Type element);
   bool checkFree(const Token& name);
   VariableId addVariable(const Token& name, Type type, Variable::Kind kind);
 
+  // parse_qualifiers.cpp
+  Qualifiers qualifiers();
+  void checkOrder(const Qualifiers::Word& before, const Token& token, QualifierRole role);
+  void layout(Qualifiers& found);
+  void allowOnly(const Qualifiers& given, std::initializer_list<QualifierRole> roles,
+                 std::string_view where);
+  void checkPrecision(const Qualifiers& given, Type type);
+  void checkGlobal(const Qualifiers& given, Type type, Location place);
+  static GlobalKind kindOf(const Qualifiers& given);
+  void precision();
+  void invariant();
+
+  // parse_builtins.cpp
+  void findStage();
+  void declareBuiltIns();
+  VariableId declareBuiltIn(std::string_view name, Type type, Variable::Kind kind);
+  void declareGlobally(VariableId variable, ExpressionId start);
+
+  // parse_blocks.cpp
+  bool startsBlock() const;
+  void uniformBlock(const Qualifiers& given);
+  void declareUniform(const Token& name, Type type);
+  Structure blockMembers(std::string_view name);
+
   // parse_functions.cpp
-  void function(Type result, const Token& name);
+  void function(const Qualifiers& given, Type result, const Token& name);
+  bool redefines(const Function& made) const;
+  void refuseMissing();
   std::vector<Parameter> parameters();
   FunctionId declareFunction(const Function& function);
   void refuseRecursion();
@@ -66,19 +94,28 @@ class Parser {
   StatementId statement(bool opensScope = true);
   StatementId simpleStatement();
   StatementId block();
-  StatementId declarations(Qualifiers qualifiers, Type base);
-  StatementId declaration(Qualifiers qualifiers, Type type, const Token& name);
   StatementId ifStatement();
+  StatementId switchStatement();
+  ExpressionId caseLabel(ExpressionId label, Type wanted, std::set<std::int32_t>& labels,
+                         Location place);
+  StatementId returnStatement();
+  StatementId jump();
+  StatementId add(Statement statement);
+  StatementId makeBlock(Location place, std::vector<StatementId> children);
+
+  // parse_declarations.cpp
+  StatementId declarations(const Qualifiers& given, Type base);
+  StatementId declaration(const Qualifiers& given, Type type, const Token& name);
+  void checkStart(Variable::Kind kind, ExpressionId start, const Token& name);
+
+  // parse_loops.cpp
   StatementId forStatement();
   StatementId whileStatement();
   StatementId doStatement();
-  StatementId switchStatement();
-  StatementId returnStatement();
-  StatementId jump();
   void requireCounting(StatementId start, ExpressionId test, StatementId step, Location place);
   ExpressionId condition(std::string_view after);
-  StatementId add(Statement statement);
-  StatementId makeBlock(Location place, std::vector<StatementId> children);
+  ExpressionId declaredCondition(StatementId& declared);
+  bool startsDeclaration(std::size_t ahead = 0) const;
 
   // parse_expressions.cpp
   ExpressionId expression();
@@ -103,6 +140,7 @@ class Parser {
   ExpressionId element(ExpressionId operand);
   bool isUniform(ExpressionId operand) const;
   std::vector<ExpressionId> arguments();
+  void checkOffset(const BuiltIn& row, ExpressionId offset, Location place);
   ExpressionId callFunction(const Token& name, std::vector<ExpressionId> operands,
                             const std::vector<Type>& types);
   std::string typesOf(const std::vector<Type>& types) const;
@@ -113,14 +151,19 @@ class Parser {
   Preprocessed text_;
   Problems& problems_;
   Tree tree_;
+  Constants constants_{tree_, text_.version};
   Scope scope_;
   Token end_;
   std::size_t at_ = 0;
   int depth_ = 0, loops_ = 0, switches_ = 0;
+  // The stage of a whole shader, which its variables of the language tell.
+  enum class Stage : std::uint8_t { Unknown, Vertex, Fragment } stage_ = Stage::Unknown;
+  bool hasReturn_ = false;  // the function that is being read
   // Numbers of all variables, and of those from outside.
   int held_ = 0, heldOutside_ = 0;
   // Of the loops around this place, as GLSL ES 1.00 counts.
   std::vector<VariableId> counters_;
+  std::map<std::string_view, std::vector<FunctionId>> overloads_;
   // The function that is being read, and who calls whom.
   FunctionId current_ = nothing;
   struct Call {

@@ -1,7 +1,6 @@
 #include "glsl/preprocess.hpp"
 
 #include <algorithm>
-#include <map>
 #include <span>
 
 #include "glsl/condition.hpp"
@@ -21,7 +20,8 @@ class Preprocessor {
     macros_.define("GL_ES", 1);
     macros_.define("GL_FRAGMENT_PRECISION_HIGH", 1);
     macros_.define("__FILE__", 0);
-    macros_.define("__VERSION__", 300);
+    // Browsers take a text without #version as 1.00.
+    macros_.define("__VERSION__", 100);
   }
 
   Preprocessed run() {
@@ -45,6 +45,8 @@ class Preprocessor {
     if (!blocks_.empty()) problems_.add(blocks_.back().place, "this #if has no #endif");
     Token end = tokens_.back();
     end.place.shown = static_cast<std::uint32_t>(end.place.line + lineShift_);
+    for (const Token& token : result_.tokens)
+      if (token.kind == Kind::Other) problems_.add(token.place, problemOf(token));
     result_.tokens.push_back(end);
     return std::move(result_);
   }
@@ -80,9 +82,22 @@ class Preprocessor {
       for (const Token& token : rest) (text += text.empty() ? "" : " ") += token.text;
       return problems_.add(word.place, "#error" + (text.empty() ? "" : ": " + text));
     }
-    // What a host asks of its driver.
-    if (word.is("extension") || word.is("pragma")) return;
-    problems_.add(word.place, "there is no directive #" + std::string(word.text));
+    if (word.is("extension")) return extension(word, rest);
+    if (word.is("pragma")) return pragma(rest);
+    if (word.is("include"))
+      return problems_.add(word.place,
+                           "GLSL has no #include; in the place of an #include, put the text of its "
+                           "file");
+    problems_.add(word.place, word.kind == Kind::Other
+                                  ? problemOf(word)
+                                  : "there is no directive #" + std::string(word.text));
+  }
+
+  void refuseMore(const Token& word, Line rest, std::size_t count) {
+    if (rest.size() > count)
+      problems_.add(rest[count].place, quoted(rest[count].text) + " stands after #" +
+                                           std::string(word.text) +
+                                           "; put it into a comment, or on a line of its own");
   }
 
   void open(const Token& word, Line rest) {
@@ -95,6 +110,7 @@ class Preprocessor {
         problems_.add(word.place, "#" + std::string(word.text) + " needs a name");
       } else {
         holds = macros_.has(rest[0].text) == word.is("ifdef");
+        refuseMore(word, rest, 1);
       }
     }
     blocks_.push_back({word.place, isOuterLive && holds, holds, isOuterLive});
@@ -104,11 +120,16 @@ class Preprocessor {
     if (blocks_.empty())
       return problems_.add(word.place, "#" + std::string(word.text) + " has no #if before it");
     Block& block = blocks_.back();
-    if (word.is("endif")) return blocks_.pop_back();
+    if (word.is("endif")) {
+      refuseMore(word, rest, 0);
+      return blocks_.pop_back();
+    }
+    if (!block.isOuterLive) return;
+    if (word.is("else")) refuseMore(word, rest, 0);
     if (block.hasElse)
       return problems_.add(word.place, "#" + std::string(word.text) + " stands after #else");
     block.hasElse = word.is("else");
-    const bool mayHold = block.isOuterLive && !block.wasLive;
+    const bool mayHold = !block.wasLive;
     block.isLive = mayHold && (block.hasElse || isTrue(word, rest));
     block.wasLive = block.wasLive || block.isLive;
   }
@@ -129,11 +150,50 @@ class Preprocessor {
   }
 
   void renumber(const Token& word, Line rest) {
-    std::vector<Token> tokens;
-    macros_.expand(rest, tokens);
-    if (tokens.empty() || tokens[0].kind != Kind::Int)
-      return problems_.add(word.place, "#line needs the number of a line");
-    lineShift_ = static_cast<std::int64_t>(intValue(tokens[0], problems_)) - word.place.line - 1;
+    const LineNumbers numbers = evaluateLine(word, rest, macros_, problems_);
+    // A directive may go on over several lines.
+    const std::uint32_t last = rest.empty() ? word.place.line : rest.back().place.line;
+    lineShift_ = static_cast<std::int64_t>(numbers.line) - last - 1;
+    if (numbers.file) macros_.define("__FILE__", *numbers.file);
+  }
+
+  // `name : behaviour`: GLSL ES 3.00, section 3.5. What there is, the host asks of its driver.
+  void extension(const Token& word, Line rest) {
+    const bool isName = !rest.empty() && rest[0].kind == Kind::Name;
+    if (!isName || rest.size() < 3 || !rest[1].is(":") || rest.size() > 3)
+      return problems_.add(word.place,
+                           "write it as #extension NAME : enable; instead of enable there may "
+                           "stand require, warn or disable");
+    const Token &name = rest[0], &behavior = rest[2];
+    const bool requires_ = behavior.is("require"), enables = requires_ || behavior.is("enable");
+    if (!enables && !behavior.is("warn") && !behavior.is("disable"))
+      return problems_.add(behavior.place, quoted(behavior.text) +
+                                               " is no behaviour of an extension; write enable, "
+                                               "require, warn or disable");
+    if (name.is("all") && enables)
+      return problems_.add(behavior.place,
+                           "all extensions can only be disabled or warned of; name one to " +
+                               std::string(behavior.text) + " it");
+    if (requires_ && !isExtension(name.text))
+      return problems_.add(name.place, "WebGL has no extension " + quoted(name.text) +
+                                           "; write enable to go on without it");
+    if (result_.version == 300 && !result_.tokens.empty())
+      problems_.add(word.place,
+                    "#extension must come before everything but other directives in "
+                    "#version 300 es; move it up");
+  }
+
+  static bool isExtension(std::string_view name) {
+    for (const std::string_view of : {"GL_OES_", "GL_EXT_", "GL_ARB_", "GL_ANGLE_", "GL_OVR_",
+                                      "GL_KHR_", "GL_NV_", "GL_WEBGL_"})
+      if (name.starts_with(of)) return true;
+    return false;
+  }
+
+  void pragma(Line rest) {
+    const bool isSwitch = rest.size() == 1 && (rest[0].is("optimize") || rest[0].is("debug"));
+    if (isSwitch)
+      problems_.add(rest[0].place, "write #pragma " + std::string(rest[0].text) + "(on) or (off)");
   }
 
   std::vector<Token> tokens_;

@@ -27,6 +27,11 @@ double held(Base base, double value) {
   }
 }
 
+// Leaves an infinite result to the shader, unless an operand was infinite already.
+bool isKept(double result, bool areFinite) {
+  return areFinite ? std::abs(result) <= 3.4028234663852886e38 : !std::isnan(result);
+}
+
 std::uint64_t mixed(std::uint64_t h) {
   h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
   h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
@@ -153,18 +158,20 @@ Id Recorder::apply(Code code, Base base, std::initializer_list<Id> given) {
   std::array<Id, 3> operands{};
   std::array<double, 3> values{};
   std::size_t count = 0;
-  bool areKnown = true;
+  bool areKnown = true, areFinite = true;
   for (const Id operand : given) {
     const Id known = isUndefined(operand) ? constant(this->base(operand), 0) : operand;
     operands[count] = known;
     areKnown = areKnown && isConstant(known);
+    areFinite = areFinite && !std::isinf(value(known));
     values[count++] = value(known);
   }
   if (areKnown)
-    if (const auto result = glsl::fold(code, {values.data(), count}))
-      if (base != Base::Float || std::abs(*result) <= 3.4028234663852886e38)
-        return constant(base, *result);
-  if (count == 2 && isConstant(operands[1])) return tamed(code, base, operands[0], operands[1]);
+    if (const auto result = foldsAll_ ? foldFunction(code, {values.data(), count})
+                                      : glsl::fold(code, {values.data(), count}))
+      if (base != Base::Float || isKept(*result, areFinite)) return constant(base, *result);
+  if (!foldsAll_ && count == 2 && isConstant(operands[1]))
+    return tamed(code, base, operands[0], operands[1]);
   return intern({code, base}, {operands.data(), count});
 }
 

@@ -42,6 +42,10 @@ class Recorder {
   static constexpr std::size_t most = std::size_t{1} << 20;
   static constexpr std::size_t mostLoops = 60'000;
 
+  // `foldsAll` folds functions of known numbers too, whose last bits differ from GPU to GPU.
+  explicit Recorder(bool foldsAll = false) : foldsAll_(foldsAll) {}
+  bool foldsAll() const { return foldsAll_; }
+
   Id constant(Base base, double value);
   // What was never given a value: any will do.
   Id undefined(Base base);
@@ -119,6 +123,7 @@ class Recorder {
   Id intern(Operation operation, std::span<const Id> operands);
   bool isEqual(Id id, const Operation& operation, std::span<const Id> operands) const;
 
+  bool foldsAll_;
   std::vector<Operation> operations_;
   std::vector<Id> operands_;
   std::unordered_multimap<std::uint64_t, Id> known_;

@@ -10,7 +10,7 @@
 namespace warpjet::glsl {
 
 struct Meaning {
-  enum class Kind : std::uint8_t { None, Variable, Structure, Function } kind = Kind::None;
+  enum class Kind : std::uint8_t { None, Variable, Structure, Function, Block } kind = Kind::None;
   // Of a variable or structure; functions have several.
   std::int32_t index = nothing;
 };
@@ -30,33 +30,37 @@ class Scope {
   Meaning find(std::string_view name) const {
     const auto found = meanings_.find(name);
     if (found == meanings_.end() || found->second.empty()) return {};
-    return found->second.back();
+    return found->second.back().meaning;
   }
 
   // Whether the name has no meaning yet in the innermost scope.
   bool isFree(std::string_view name) const {
-    const std::size_t start = marks_.empty() ? 0 : marks_.back();
-    for (std::size_t i = start; i < names_.size(); ++i)
-      if (names_[i] == name) return false;
-    return true;
+    const auto found = meanings_.find(name);
+    return found == meanings_.end() || found->second.empty() ||
+           found->second.back().depth < marks_.size();
   }
 
   void add(std::string_view name, Meaning meaning) {
     names_.push_back(name);
-    meanings_[name].push_back(meaning);
+    meanings_[name].push_back({meaning, marks_.size()});
   }
 
   // All names of a kind that mean something here, to `visit(name)`.
   template <class Visit>
   void each(Meaning::Kind kind, Visit visit) const {
     for (const auto& [name, meanings] : meanings_)
-      if (!meanings.empty() && meanings.back().kind == kind) visit(name);
+      if (!meanings.empty() && meanings.back().meaning.kind == kind) visit(name);
   }
 
  private:
+  struct Entry {
+    Meaning meaning;
+    std::size_t depth;  // of the scope that it is declared in
+  };
+
   std::vector<std::string_view> names_;
   std::vector<std::size_t> marks_;
-  std::map<std::string_view, std::vector<Meaning>> meanings_;
+  std::map<std::string_view, std::vector<Entry>> meanings_;
 };
 
 }  // namespace warpjet::glsl

@@ -32,6 +32,20 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; 
 
 }  // namespace
 
+Lines::Lines(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
+    const char c = text[i] == '\r' ? '\n' : text[i];
+    separate += c;
+    if (c == '\n' && joined.ends_with('\\')) {
+      joined.pop_back();
+      joins.push_back(joined.size());
+    } else {
+      joined += c;
+    }
+  }
+}
+
 std::string quoted(std::string_view piece) {
   std::string text = printable(piece.substr(0, longestPiece));
   while (!text.empty() && piece.size() > longestPiece && continues(piece[text.size()]))

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace warpjet::glsl {
 
@@ -33,6 +34,15 @@ class Problems {
   };
 
   std::optional<Found> found_;
+};
+
+// A text as it is read: its lines end by '\n' alone, and each that ends by a backslash is joined to
+// the next, at the places `joins` of `joined`.
+struct Lines {
+  explicit Lines(std::string_view text);
+
+  std::string separate, joined;
+  std::vector<std::size_t> joins;
 };
 
 // A piece of the text for a sentence: on one line, not too long, without what a terminal obeys.

@@ -34,7 +34,8 @@ std::string noCharacter(std::string_view character) {
 
 class Reader {
  public:
-  Reader(std::string_view source, Problems& problems) : source_(source), problems_(problems) {}
+  Reader(std::string_view source, Problems& problems, std::span<const std::size_t> joins)
+      : source_(source), problems_(problems), joins_(joins) {}
 
   std::vector<Token> read() {
     std::vector<Token> tokens;
@@ -53,13 +54,23 @@ class Reader {
     return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0';
   }
 
-  Location place() const {
+  Location place() {
+    findLine();
     return {line_, static_cast<std::uint32_t>(at_ - lineStart_ + 1), line_};
   }
 
+  void findLine() {
+    for (; !joins_.empty() && joins_[0] <= at_; joins_ = joins_.subspan(1)) {
+      ++line_;
+      lineStart_ = joins_[0];
+    }
+  }
+
+  // Over the end of a line.
   void newLine() {
+    findLine();
     ++line_;
-    lineStart_ = at_;
+    lineStart_ = ++at_;
   }
 
   void skipSpace() {
@@ -67,14 +78,10 @@ class Reader {
       const char c = peek();
       if (at_ >= source_.size()) return;
       if (c == '\n') {
-        ++at_;
         newLine();
         startsLine_ = true;
-      } else if (c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f') {
+      } else if (c == ' ' || c == '\t' || c == '\v' || c == '\f') {
         ++at_;
-      } else if (c == '\\' && (peek(1) == '\n' || (peek(1) == '\r' && peek(2) == '\n'))) {
-        at_ += peek(1) == '\n' ? 2 : 3;
-        newLine();
       } else if (c == '/' && peek(1) == '/') {
         while (at_ < source_.size() && peek() != '\n') ++at_;
       } else if (c == '/' && peek(1) == '*') {
@@ -93,11 +100,13 @@ class Reader {
       at_ = source_.size();
       return;
     }
-    for (; at_ < end + 2; ++at_)
-      if (source_[at_] == '\n') {
-        ++line_;
-        lineStart_ = at_ + 1;
+    while (at_ < end + 2) {
+      if (peek() == '\n') {
+        newLine();
+      } else {
+        ++at_;
       }
+    }
   }
 
   Token token(Token::Kind kind, std::size_t size) {
@@ -119,8 +128,7 @@ class Reader {
     if (single.find(c) != single.npos && c != '\0') return token(Token::Kind::Symbol, 1);
     std::size_t size = 1;
     while ((static_cast<unsigned char>(peek(size)) & 0xC0) == 0x80) ++size;
-    problems_.add(place(), noCharacter(source_.substr(at_, size)));
-    return token(Token::Kind::End, size);
+    return token(Token::Kind::Other, size);
   }
 
   Token number() {
@@ -154,14 +162,12 @@ class Reader {
     }
     const std::size_t end = size;
     while (isLetter(peek(size)) || isDigit(peek(size))) ++size;
-    if (size > end)
-      problems_.add(place(), quoted(source_.substr(at_, size)) +
-                                 " is no number; a number ends before its letters");
-    return token(kind, size);
+    return token(size > end ? Other : kind, size);
   }
 
   std::string_view source_;
   Problems& problems_;
+  std::span<const std::size_t> joins_;
   std::size_t at_ = 0, lineStart_ = 0;
   std::uint32_t line_ = 1;
   bool startsLine_ = true, followsSpace_ = false;
@@ -169,8 +175,15 @@ class Reader {
 
 }  // namespace
 
-std::vector<Token> readTokens(std::string_view source, Problems& problems) {
-  return Reader(source, problems).read();
+std::vector<Token> readTokens(std::string_view source, Problems& problems,
+                              std::span<const std::size_t> joins) {
+  return Reader(source, problems, joins).read();
+}
+
+std::string problemOf(const Token& other) {
+  if (isDigit(other.text[0]) || other.text[0] == '.')
+    return quoted(other.text) + " is no number; a number ends before its letters";
+  return noCharacter(other.text);
 }
 
 std::uint32_t intValue(const Token& token, Problems& problems) {
@@ -196,11 +209,9 @@ std::uint32_t intValue(const Token& token, Problems& problems) {
   return static_cast<std::uint32_t>(value);
 }
 
-double floatValue(const Token& token, Problems& problems) {
-  const double value = std::strtod(std::string(token.text).c_str(), nullptr);
-  if (!(value <= 3.4028234663852886e38))
-    problems.add(token.place, quoted(token.text) + " is more than a float can hold, 3.4e38");
-  return value;
+// Beyond 3.4e38 it is infinite as a float: GLSL ES 3.00, section 4.1.4.
+double floatValue(const Token& token) {
+  return std::strtod(std::string(token.text).c_str(), nullptr);
 }
 
 }  // namespace warpjet::glsl

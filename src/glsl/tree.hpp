@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -94,14 +93,15 @@ struct Variable {
   } kind;
   // Of a constant or a global, the expression that it starts with.
   ExpressionId start = nothing;
-  // Of a constant number.
-  std::optional<double> known{};
+  // Whether the next stage reads this global.
+  bool isOutput = false;
 };
 
 struct Parameter {
   enum class Direction : std::uint8_t { In, Out, InOut } direction = Direction::In;
   VariableId variable = nothing;
   Type type;
+  bool isConst = false;
 };
 
 struct Function {

@@ -73,15 +73,23 @@ std::string Types::name(Type type) const {
 
 std::string Types::withArticle(Type type) const {
   const std::string text = name(type);
-  const bool hasVowel = text[0] == 'a' || text[0] == 'e' || text[0] == 'i' || text[0] == 'o';
-  return (hasVowel ? "an " : "a ") + text;
+  return (std::string_view("aeioAEIO").find(text[0]) == std::string_view::npos ? "a " : "an ") +
+         text;
 }
 
-bool Types::hasSampler(Type type) const {
-  if (type.base == Sampler) return true;
+bool Types::hasSampler(Type type) const { return hasBase(type, Sampler); }
+
+bool Types::hasBase(Type type, Base base) const {
+  if (type.base == base) return true;
   if (type.base != Struct) return false;
   for (const Field& field : structures_[type.structure].fields)
-    if (hasSampler(field.type)) return true;
+    if (hasBase(field.type, base)) return true;
+  return false;
+}
+
+bool Types::hasNested(Type type) const {
+  for (const Field& field : structures_[type.structure].fields)
+    if (field.type.base == Struct) return true;
   return false;
 }
 

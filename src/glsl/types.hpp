@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,14 +65,22 @@ struct Field {
 };
 
 struct Structure {
-  std::string_view name;
-  std::vector<Field> fields;
+  std::string_view name{};
+  std::vector<Field> fields{};
   int size = 0;
+  // A block of uniforms has members, but no value of its own.
+  bool isBlock = false;
+  // Maps name → place in `fields`.
+  std::map<std::string_view, std::size_t> places{};
+
+  void add(Field field) {
+    places.emplace(field.name, fields.size());
+    fields.push_back(field);
+  }
 
   const Field* find(std::string_view field) const {
-    for (const Field& each : fields)
-      if (each.name == field) return &each;
-    return nullptr;
+    const auto place = places.find(field);
+    return place == places.end() ? nullptr : &fields[place->second];
   }
 };
 
@@ -92,6 +101,13 @@ class Types {
   std::string withArticle(Type type) const;
   bool hasSampler(Type type) const;
   bool hasArray(Type type) const;
+  bool hasBase(Type type, Base base) const;
+  // Whether a field of the structure is a structure.
+  bool hasNested(Type type) const;
+  // Whether it is a block of uniforms, or an array of blocks.
+  bool isBlock(Type type) const {
+    return type.base == Base::Struct && structures_[type.structure].isBlock;
+  }
 
  private:
   std::vector<Structure> structures_;

@@ -7,7 +7,8 @@ namespace warpjet::glsl {
 namespace {
 
 bool canCompare(Type type, const Types& types) {
-  return type.base != Base::Void && !types.hasSampler(type) && type.length != 0;
+  return type.base != Base::Void && !types.hasSampler(type) && !types.isBlock(type) &&
+         type.length != 0;
 }
 
 std::optional<Type> arithmetic(Operator op, Type left, Type right) {
@@ -79,6 +80,7 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
     return std::string();
   };
   if (types.hasSampler(type)) return "there is no constructor of " + name;
+  if (type.isArray() && operands.empty()) return name + "() needs a value in its parentheses";
   if (type.isArray())
     return wantsEach(
         type.length ? type.length : operands.size(), [&](std::size_t) { return type.element(); },
@@ -114,10 +116,7 @@ std::string constructorProblem(Type type, std::span<const Type> operands, const 
   if (given < type.components())
     return name + " has " + std::to_string(type.components()) + " components, but only " +
            std::to_string(given) + " came";
-  // Only the last argument of a vector may have more than is needed.
-  if (type.isMatrix() && given != type.components())
-    return name + " has " + std::to_string(type.components()) + " components, but " +
-           std::to_string(given) + " came";
+  // The last argument may have more than is needed.
   return "";
 }
 

@@ -109,14 +109,31 @@ constexpr Row rows[]{
     {"textureLod", 300, "write texture2DLod"},
     {"textureSize", 300, "give the size by a uniform"},
     {"texelFetch", 300, "write texture2D(image, (vec2(ij) + 0.5) / size)"},
+    {"textureProj", 300, "write texture2DProj"},
+    {"textureProjLod", 300, "write texture2DProjLod"},
+    {"textureOffset", 300, "add the offset, divided by the size of the image"},
+    {"textureLodOffset", 300, "add the offset, divided by the size of the image"},
+    {"textureProjOffset", 300, "add the offset, divided by the size of the image"},
+    {"textureProjLodOffset", 300, "add the offset, divided by the size of the image"},
+    {"texelFetchOffset", 300, "write texture2D(image, (vec2(ij) + 0.5) / size)"},
     {"texture2D", 100, "write texture"},
     {"texture2DLod", 100, "write textureLod"},
+    {"texture2DProj", 100, "write textureProj"},
+    {"texture2DProjLod", 100, "write textureProjLod"},
     {"a function with the name of a built-in one", 100, "give it another name"},
 
     // variables of the language
     {"gl_VertexID", 300, "give each vertex an attribute"},
     {"gl_InstanceID", 300, "give each instance an attribute"},
     {"gl_FragColor", 100, "declare an out vec4"},
+    {"gl_FragData", 100, "declare an array of out vec4"},
+    {"gl_FragDepth", 300},
+    {"gl_MaxVaryingVectors", 100, "write gl_MaxVertexOutputVectors"},
+    {"gl_MaxVertexOutputVectors", 300, "write gl_MaxVaryingVectors"},
+    {"gl_MaxFragmentInputVectors", 300, "write gl_MaxVaryingVectors"},
+    {"gl_MinProgramTexelOffset", 300},
+    {"gl_MaxProgramTexelOffset", 300},
+    {"a block of uniforms", 300, "declare them one by one"},
 };
 
 }  // namespace

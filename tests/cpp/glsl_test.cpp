@@ -44,7 +44,7 @@ TEST(GlslTokens, NumbersNamesAndSymbols) {
   ASSERT_EQ(tokens.size(), 6u);
   EXPECT_EQ(tokens[1].text, "<<=");
   EXPECT_EQ(tokens[2].kind, Token::Kind::Float);
-  EXPECT_DOUBLE_EQ(floatValue(tokens[2], problems), 5e-4);
+  EXPECT_DOUBLE_EQ(floatValue(tokens[2]), 5e-4);
   EXPECT_EQ(intValue(tokens[3], problems), 31u);
   EXPECT_EQ(tokens[4].place.line, 2u);
   EXPECT_EQ(tokens[4].place.column, 8u);
@@ -89,6 +89,43 @@ TEST(GlslPreprocessor, ExpandsMacrosOnceEach) {
   EXPECT_EQ(preprocessed("#define F(x) x\nF F(2)"), "F 2");
   EXPECT_EQ(preprocessed("#define EMPTY\nEMPTY x EMPTY"), "x");
   EXPECT_EQ(preprocessed("__LINE__\n#line 9\n__LINE__"), "1 9");
+}
+
+std::string joined(std::string_view text) {
+  const Lines lines(text);
+  Problems problems;
+  const Preprocessed read = preprocess(readTokens(lines.joined, problems, lines.joins), problems);
+  if (problems.any()) return problems.text(lines.separate);
+  std::string all;
+  for (const Token& token : read.tokens)
+    all += std::string(token.text) + '@' + std::to_string(token.place.line) + ':' +
+           std::to_string(token.place.column) + ' ';
+  return all;
+}
+
+TEST(GlslTokens, ABackslashJoinsLines) {
+  EXPECT_EQ(joined("a\\\nb c"), "ab@1:1 c@2:3 @2:4 ");
+  EXPECT_EQ(joined("a // \\\nb\nc"), "a@1:1 c@3:1 @3:2 ");
+  EXPECT_EQ(joined("a\\\r\n\\\r\nb\rc"), "ab@1:1 c@4:1 @4:2 ");
+  EXPECT_EQ(joined("#define A \\\n 1\nA"), "1@3:1 @3:2 ");
+  EXPECT_EQ(joined("/* \\\n \n */ a \\ b"),
+            "line 3, column 7: there is a character here that no shader can hold: \"\\\".\n"
+            "   */ a \\ b\n        ^");
+}
+
+TEST(GlslPreprocessor, NumbersLinesAndFiles) {
+  EXPECT_EQ(preprocessed("#line 5 2\n__LINE__ __FILE__\n__LINE__"), "5 2 6");
+  EXPECT_EQ(preprocessed("#define N 3\n#line (N + 4) N * 2\n__LINE__ __FILE__"), "7 6");
+  EXPECT_EQ(preprocessed("#define F(x) x __LINE__\nF(\n__LINE__\n) __LINE__"), "3 4 4");
+  EXPECT_EQ(preprocessed("#define L __LINE__\n#define F(x) L x\nF(\nL\n)"), "5 4");
+  EXPECT_EQ(preprocessed("__VERSION__"), "100");
+}
+
+TEST(GlslPreprocessor, WhatItSkipsMayBeAnything) {
+  EXPECT_EQ(preprocessed("#if 0\n@ \"a' 1.e 0x #\n#nonsense\n#if\n#else A\n#endif\n#endif\na"),
+            "a");
+  EXPECT_EQ(preprocessed("#define A @\nb"), "b");
+  EXPECT_EQ(preprocessed("#if 0 && A || 1 || B / 0\na\n#endif"), "a");
 }
 
 TEST(GlslPreprocessor, AnExpansionIsCalledByWhatFollows) {

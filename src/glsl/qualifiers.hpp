@@ -1,0 +1,41 @@
+// The qualifiers of a type, as they were read.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "glsl/source.hpp"
+
+namespace warpjet::glsl {
+
+// In the order in which they stand.
+enum class QualifierRole : std::uint8_t {
+  Invariant,
+  Interpolation,
+  Layout,
+  Const,
+  Centroid,
+  Storage,
+  Precision,
+};
+
+struct Qualifiers {
+  struct Word {
+    std::string_view text;
+    QualifierRole role;
+    Location place;
+  };
+
+  std::vector<Word> words{};
+  // Set by layouts.
+  bool hasLocation = false, isOfBlocks = false;
+  // Set by a layout that blocks have, but not their members.
+  bool isWhole = false;
+
+  bool any() const { return !words.empty(); }
+  // The one of a role, or an empty word.
+  std::string_view word(QualifierRole role) const;
+  bool isConst() const { return !word(QualifierRole::Const).empty(); }
+};
+
+}  // namespace warpjet::glsl
