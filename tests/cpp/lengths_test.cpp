@@ -107,7 +107,7 @@ TEST_F(LengthsTest, AChainWithoutNamesIsNoChainOfCalls) {
   lengths.setName(nodes[1], Lengths::name);
   lengths.measure(nodes);
   lengths.setName(nodes[1], Lengths::name + Lengths::member);
-  EXPECT_EQ(lengths.ofOperation(nodes[2], Lengths::deepest), 9);  // `sin(t1.x)`
+  EXPECT_EQ(lengths.ofOperation(nodes[2], Lengths::deepest), 10);  // `sin(t12.x)`
   lengths.removeName(nodes[1]);
   EXPECT_EQ(lengths.ofOperation(nodes[2], Lengths::deepest), 11);  // `sin(sin(x))`
 }
