@@ -60,15 +60,51 @@ Expression sizeOf(const Value& v) { return sum(byComponent(ops::find("abs"), std
 // Squares of smaller numbers, or their cubes, and sums of a few of them fit into float32.
 constexpr double mostSquared = 1e18, mostCubed = 1e12;
 
+// Whether float32 holds all of these at inputs far beyond the usual ones, whose ranges Graph::range
+// takes: sums of a few such numbers are finite then.
+bool areTame(const Graph& graph, std::span<const NodeId> values) {
+  constexpr double farthest = 1e30, mostTame = 1e37;
+  std::vector<Interval> ranges(graph.size());
+  for (const NodeId id : reachable(graph, values)) {
+    Interval& range = ranges[index(id)];
+    range = Interval::anything(true);
+    if (graph.isConstant(id)) range = graph.value(id);
+    if (graph.isInput(id)) range = {-farthest, farthest};
+    if (graph.isResult(id)) range = {-Graph::usualSize, Graph::usualSize};
+    if (!graph.isOperation(id)) continue;
+    Operands<Interval> x;
+    for (int i = 0; i < graph.arity(id); ++i) x[i] = ranges[index(graph.operand(id, i))];
+    range = ops::rangeOf(graph.node(id).op, x);
+  }
+  return std::all_of(values.begin(), values.end(), [&](NodeId id) {
+    const Interval& range = ranges[index(id)];
+    return !range.canBeNaN && -mostTame <= range.low && range.high <= mostTame;
+  });
+}
+
+// How large the components of a vector can be, about, and whether they stay finite in any case.
+struct Size {
+  double most;
+  bool isTame;
+};
+
 // Length 1 in the same direction, or zero for zero and for what is infinite or no number. Scaled
-// before it is squared, unless `most` says that it is small: how large its components are, about.
-Value unit(const Value& v, double most) {
-  if (most <= mostSquared) return normalize(v);
+// before it is squared, unless it is known to be small. Inputs beyond the usual ones may make it
+// infinite nevertheless: then its components are chosen to be zero, for a factor of zero would
+// leave them NaN.
+Value unit(const Value& v, const Size& known) {
+  const auto orZero = [&](Expression condition, const Value& x) {
+    return fill(x.graph(), x.shape(), [&](int i) { return ifElse(condition, x[i], 0.0); });
+  };
+  if (known.most <= mostSquared) {
+    if (known.isTame) return normalize(v);
+    const Expression squared = dot(v, v);
+    return orZero(lt(squared, 1e38), v) * ifElse(gt(squared, 0.0), inversesqrt(squared), 0.0);
+  }
   const Expression size = sizeOf(v);
   const Value scaled = v / size;
-  const Value turned = scaled * inversesqrt(dot(scaled, scaled));
-  const Expression hasDirection = logicalAnd(gt(size, 0.0), lt(size, 1e38));
-  return fill(v.graph(), v.shape(), [&](int i) { return ifElse(hasDirection, turned[i], 0.0); });
+  return orZero(logicalAnd(gt(size, 0.0), lt(size, 1e38)),
+                scaled * inversesqrt(dot(scaled, scaled)));
 }
 
 // M, or the positive multiple of it whose entries add up to `limit`, if M is known to be larger
@@ -151,12 +187,18 @@ Value turnedNormal(const Value& given, const Value& normal) {
   const Value a = cross(m.column(1), m.column(2)), b = cross(m.column(2), m.column(0)),
               c = cross(m.column(0), m.column(1));
   const double most = mostOf(given);
-  return unit(a * normal[0] + b * normal[1] + c * normal[2], most * most);
+  std::vector<NodeId> cofactors;
+  for (const Value& column : {a, b, c}) {
+    const auto nodes = column.nodes();
+    cofactors.insert(cofactors.end(), nodes.begin(), nodes.end());
+  }
+  return unit(a * normal[0] + b * normal[1] + c * normal[2],
+              {most * most, areTame(m.graph(), cofactors)});
 }
 
 Value turnedTangent(const Value& given, const Value& tangent, const Value& normal) {
   const Value m = sized(given, mostSquared), moved = multiply(m, tangent);
-  return unit(moved - normal * dot(normal, moved), mostOf(given));
+  return unit(moved - normal * dot(normal, moved), {mostOf(given), areTame(m.graph(), m.nodes())});
 }
 
 }  // namespace warpjet

@@ -2,7 +2,7 @@
 // never NaN where there is a place to draw it.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
-import { compile, compileWarp } from '../../dist/warpjet.js'
+import { compileWarp } from '../../dist/warpjet.js'
 import { textOf } from '../random/ast.js'
 import { callbackOf } from '../random/check.js'
 import { randomCase, randomOf } from '../random/generate.js'
@@ -11,7 +11,7 @@ const count = 2000
 const pointsOfEach = 32
 // The compiler takes inputs to be no larger than the last of the usual ones (`usualSize` in src/graph/graph.hpp).
 const usual = [0, 1e-30, 1e-19, 1, 1e4]
-const huge = [1e19, 1e30]
+const huge = [1e19, 1e20, 2.5e20, 1e30]
 
 /** What the expressions read, made of the position. */
 const inputs = `
@@ -33,19 +33,11 @@ const offsets = {
   bool: 'glsl.vec3(0, value.ifElse(1, 0), 0)',
 }
 
-/** The warp, and the largest entry of its offset's Jacobian at a point. Of some expressions the compiler sees that no input helps. */
+/** Of some expressions the compiler sees that no input helps. */
 function warpOf(root) {
-  const offset = `const offset = ${offsets[root.shape]}`
-  const body = `${inputs}const value = ${textOf(root)}\n${offset}`
+  const body = `${inputs}const value = ${textOf(root)}\nreturn ${offsets[root.shape]}`
   try {
-    const warp = compileWarp(callbackOf(`({ glsl, position }) => {${body}\nreturn offset }`))
-    const slope = compile(
-      callbackOf(
-        `(glsl) => { const position = glsl.vec3Param('position')\n${body}\nreturn { m: glsl.jacobian(offset, position) } }`,
-      ),
-    )
-    const steepest = (position) => Math.max(...slope.evaluate({ position }).m.map(Math.abs))
-    return { warp, steepest }
+    return compileWarp(callbackOf(`({ glsl, position }) => {${body} }`))
   } catch (error) {
     assert.equal(error.constructor.name, 'WarpError', `${error}`)
   }
@@ -76,14 +68,14 @@ const tripleOf = (array, i) => Array.from(array.subarray(3 * i, 3 * i + 3))
 
 const cases = Array.from({ length: count }, (_, seed) => {
   const { root } = randomCase(seed, undefined, false)
-  return { seed, root, ...warpOf(root) }
+  return { seed, root, warp: warpOf(root) }
 }).filter(({ warp }) => warp)
 
 /** Where there is a position, but neither a normal nor none; of each expression the first. */
-function failuresOf(sizes, t) {
+function failuresOf(sizes, t, zeros = 0.1) {
   const failures = []
   let [seen, zero] = [0, 0]
-  for (const { seed, root, warp, steepest } of cases) {
+  for (const { seed, root, warp } of cases) {
     const vertices = verticesOf(seed, sizes)
     const warped = warp.evaluate(vertices)
     for (let i = 0; i < pointsOfEach; i++) {
@@ -93,32 +85,27 @@ function failuresOf(sizes, t) {
       if (length === 0) zero++
       if (length === 0 || Math.abs(length - 1) < 1e-5) continue
       const position = tripleOf(vertices.positions, i)
-      const text = `${seed} at ${position}: ${tripleOf(warped.normals, i)} of ${textOf(root)}`
-      failures.push({ text, slope: steepest(position) })
+      failures.push(`${seed} at ${position}: ${tripleOf(warped.normals, i)} of ${textOf(root)}`)
       break
     }
   }
   t.diagnostic(`${seen} normals, ${zero} of them zero; ${failures.length} failures`)
-  assert.ok(seen > 0.4 * count * pointsOfEach && zero < seen / 10, 'there is something to see')
+  assert.ok(seen > 0.4 * count * pointsOfEach && zero < zeros * seen, 'there is something to see')
   return failures
 }
 
 test('few expressions are refused', () => assert.ok(cases.length > 0.9 * count, `${cases.length}`))
 
 test('normals have length 1, or are zero', (t) => {
-  const failures = failuresOf(usual, t)
-  assert.deepEqual(
-    failures.map(({ text }) => text),
-    [],
-  )
+  assert.deepEqual(failuresOf(usual, t), [])
 })
 
-// What is left, for scaling every product of slopes that might overflow would cost each warp a dozen operations a vertex.
-test('at far larger positions too, unless products of slopes are too large for float32', (t) => {
-  const failures = failuresOf([...usual, ...huge], t)
-  const others = failures.filter(({ slope }) => !(slope >= 4e9))
-  assert.deepEqual(
-    others.map(({ text }) => text),
-    [],
-  )
-})
+// Where products of slopes are too large for float32 they are zero: scaling each that might overflow would cost each warp a dozen
+// operations a vertex.
+for (const sizes of [
+  [...usual, ...huge],
+  [1e20, 1.5e20, 1],
+])
+  test(`at positions of the sizes ${sizes} too`, (t) => {
+    assert.deepEqual(failuresOf(sizes, t, 0.2), [])
+  })
