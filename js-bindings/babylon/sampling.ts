@@ -2,7 +2,7 @@
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import { Constants } from '@babylonjs/core/Engines/constants.js'
 import { hostWraps, samplingUniforms } from '../expression/texture.js'
-import type { BabylonUniform } from './uniforms.js'
+import type { BabylonUniform } from './uniform.js'
 
 const wrapNumbers: Record<number, number> = {
   [Constants.TEXTURE_CLAMP_ADDRESSMODE]: hostWraps.clamp,

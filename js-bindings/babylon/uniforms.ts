@@ -1,6 +1,7 @@
 // The uniforms of a warp in Babylon.js: the option's values, and those that are set in their place.
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import { samplingOf } from './sampling.js'
+import type { BabylonUniform } from './uniform.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { isCallable } from '../checks/options.js'
 import { type Shape, imageShape } from '../expression/shapes.js'
@@ -13,14 +14,6 @@ import {
   withUniforms,
 } from '../inputs/declared-uniforms.js'
 import type { OffsetFunction } from '../types/types.js'
-
-export interface BabylonUniform {
-  label: string
-  shape: Shape
-  numbers: () => number[]
-  /** If it is one. */
-  image?: () => BaseTexture
-}
 
 const isTexture = (value: unknown): value is BaseTexture =>
   typeof (value as Partial<BaseTexture> | undefined)?.getInternalTexture === 'function'
