@@ -9,7 +9,7 @@ const shapes = {
   torus: 'torus(120, 45, 120, 60)',
 }
 /** Those of the gallery, 200 units at their longest. */
-const models = ['bunny', 'teapot', 'hand', 'airplane', 'spoon']
+export const models = ['bunny', 'teapot', 'hand', 'airplane', 'spoon']
 
 export const builtIn = [...Object.keys(shapes), ...models.map((name) => `${name}.obj`)]
 

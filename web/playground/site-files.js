@@ -1,22 +1,23 @@
-/** Files of the site that a sketch may load: those of the folder `files/`, and of packages. Nothing else of the site's origin. */
+/** Files of the site that a sketch may load: the gallery's models, its font, and a package's shader. Nothing else of the site's origin. */
+import { models } from './offset.js'
 import { remember } from './remember.js'
 
 export const root = new URL('../', location.href).href
 /** The base of a sketch's relative addresses. */
 export const folder = new URL('files/', location.href).href
 
-/** Without `%`: a server might decode `%2f` and leave the folder. */
-const allowed = /^(?:playground\/files|node_modules)\/[\w./-]+$/
-
-/** Is this absolute address that of a file which a sketch may load? */
-export const isSiteFile = (address) =>
-  address.startsWith(root) && allowed.test(address.slice(root.length))
+const files = [
+  ...models.map((name) => `playground/files/${name}.obj`),
+  'playground/files/fredoka.woff',
+  'node_modules/glsl-noise/simplex/3d.glsl',
+]
+const allowed = new Set(files.map((path) => root + path))
 
 /** The file of that name or address as a Blob, or undefined where there is none that a sketch may load. */
 export async function siteFile(name) {
   if (!URL.canParse(name, folder)) return undefined
   const address = new URL(name, folder).href
-  return isSiteFile(address) ? load(address) : undefined
+  return allowed.has(address) ? load(address) : undefined
 }
 
 const load = remember(async (address) => {
