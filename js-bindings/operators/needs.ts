@@ -18,6 +18,10 @@ export function needsOf(tree: Tree, { isHelper = false } = {}): Needs {
   const free = new Set([...references.values()].flat())
   // An offset function may have set a variable of the sketch that a helper reads.
   const mayBeExpression = expressionsIn(tree, isHelper ? [...references.keys()] : [])
+  const setsOthers = hasNode(
+    tree,
+    ({ type, left }) => type === 'AssignmentExpression' && free.has(rootOf(left)),
+  )
   let needs: Needs = 'nothing'
   walk(tree, (node) => {
     if (needs === 'operators') return false
@@ -26,12 +30,21 @@ export function needsOf(tree: Tree, { isHelper = false } = {}): Needs {
       if (conditionsOf(node).some(mayBeExpression)) needs = 'logic'
     } else if (
       (isOperator(node) && childrenOf(node).some(mayBeExpression)) ||
-      isCallToTranslate(node, free, mayBeExpression)
+      isCallToTranslate(node, free, setsOthers ? () => true : mayBeExpression)
     )
       needs = 'operators'
     return true
   })
   return needs
+}
+
+function hasNode(tree: Tree, test: (node: Tree) => boolean): boolean {
+  let found = false
+  walk(tree, (node) => {
+    found ||= test(node)
+    return !found
+  })
+  return found
 }
 
 const isLogic = ({ type, operator }: Tree): boolean =>
@@ -75,7 +88,9 @@ function isCallToTranslate(
   if (root.type === 'ThisExpression') return true
   if (root.type !== 'Identifier' || !free.has(root)) return false
   // A function may make use of an expression that it is not handed.
-  const isHanded = given.some((each: Tree) => mayBeExpression(each) || /Function/.test(each.type))
+  const isHanded =
+    mayBeExpression(callee) ||
+    given.some((each: Tree) => mayBeExpression(each) || /Function/.test(each.type))
   return isHanded && (isBuiltIn(root.name) ? root.name === 'Math' && isKnown(name) : true)
 }
 

@@ -5,7 +5,7 @@ import { isChanging, setsLater } from './changing.js'
 import { binderOf, definitionIn, pathTo } from './definitions.js'
 import { needsOf, returnsArray } from './needs.js'
 import { freeReferences } from './resolve.js'
-import { walk } from './scopes.js'
+import { bound, walk } from './scopes.js'
 import { type Translation, translate, unusedName } from './translate.js'
 import type { Tree } from './tree.js'
 
@@ -35,9 +35,9 @@ export function translateModule(code: string): string | undefined {
   const offsets = offsetsIn(program)
   if (offsets.length === 0) return undefined
   const free = new Set([...freeReferences(program).values()].flat())
-  const ofMath = takenFromMath(program)
   const translation: Translation = {
-    isFree: (node) => free.has(node) || ofMath.has(node.name as string),
+    isFree: (node) => free.has(node),
+    aliases: takenFromMath(program),
     operatorsName: unusedName('warpjetOperators', code),
     readsHelpers: false,
   }
@@ -111,14 +111,12 @@ function importedFrom(program: Tree, from: RegExp): Set<string> {
   return names
 }
 
-/** The names of `const { sin, cos } = Math`. */
+/** The names of `const { sin, cos } = Math` and `const s = Math.sin`. */
 function takenFromMath(program: Tree): Set<string> {
   const names = new Set<string>()
   walk(program, ({ type, id, init }) => {
-    if (type !== 'VariableDeclarator' || init?.name !== 'Math' || id.type !== 'ObjectPattern')
-      return
-    for (const { shorthand, value } of id.properties)
-      if (shorthand && value.name) names.add(value.name)
+    if (type === 'VariableDeclarator' && (init?.name ?? init?.object?.name) === 'Math')
+      for (const name of bound(id)) names.add(name)
   })
   return names
 }

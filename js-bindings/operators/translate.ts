@@ -57,13 +57,15 @@ export interface Translation {
   operatorsName: string
   /** True if other functions are translated when they are called. */
   readsHelpers: boolean
+  /** Variables that hold functions of Math. */
+  aliases?: ReadonlySet<string>
 }
 
 /** The text of `tree`, part of `source`, translated. */
 export function translate(
   source: string,
   tree: Tree,
-  { isFree, operatorsName, readsHelpers }: Translation,
+  { isFree, operatorsName, readsHelpers, aliases }: Translation,
 ): string {
   const op = (name: string, ...operands: string[]) =>
     `${operatorsName}.${name}(${operands.join(', ')})`
@@ -276,7 +278,7 @@ export function translate(
       if (name === 'eval') return undefined
       if (isFree(callee) && (readsHelpers || isKnown(name)))
         return onLines(op('call', `'${name}'`, `() => ${name}`, ...all))
-      return readsHelpers && !isFree(callee) && !functionsHere.has(name)
+      return (readsHelpers || aliases?.has(name)) && !isFree(callee) && !functionsHere.has(name)
         ? onLines(op('invoke', name, 'undefined', ...all))
         : undefined
     }
