@@ -61,10 +61,14 @@ const sharedFiles = [
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
   {
+    // Before the front end, which exactNormals alone needs: it shares files with the addon.
+    name: 'p5-addon',
+    test: /\/js-bindings\/p5\/(?!exact-normals|turned-hooks|modified-shader|unreadable-hooks|strands-wgsl)/,
+  },
+  {
     name: 'front-end',
     test: /\/js-bindings\/(glsl[/.]|wasm\/glsl|p5\/exact-normals|generated\/glsl)/,
   },
-  { name: 'p5-addon', test: /\/js-bindings\/p5\// },
   { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu)/ },
   {
     name: 'operating',
