@@ -92,7 +92,7 @@ async function compare(version, stage, cases, least) {
 
 for (const version of [100, 300]) {
   test(`a text of #version ${version} keeps the rules that a browser keeps`, () =>
-    compare(version, 'VERTEX_SHADER', rules, [2400, 1300]))
+    compare(version, 'VERTEX_SHADER', rules, [2300, 800]))
 
   test(`a fragment shader of #version ${version} does so too`, () =>
     compare(version, 'FRAGMENT_SHADER', rulesOfFragments, [4, 5]))
