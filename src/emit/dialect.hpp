@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "emit/words.hpp"
+#include "emit/word_set.hpp"
 #include "graph/shape.hpp"
 #include "ops/ops.hpp"
 
@@ -27,7 +27,7 @@ struct Dialect {
   bool hasTemplates;              // such as `vec4<f32>(…)`
   std::string_view builtIns;      // variables of the language that an expression may read
   std::string_view otherTypes;    // those of them that are no floats
-  Words keywords;                 // these, and all words reserved for later
+  WordSet keywords;               // these, and all words reserved for later
   std::string_view functions;     // of the language
   std::size_t longestName;
 

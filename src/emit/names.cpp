@@ -31,8 +31,8 @@ constexpr auto listCalled(ops::Language language) {
 constexpr auto called300 = listCalled(ops::Language::Glsl300),
                called100 = listCalled(ops::Language::Glsl100),
                calledWgsl = listCalled(ops::Language::Wgsl);
-constexpr std::array<Words, ops::languageCount> called{called300.data(), called100.data(),
-                                                       calledWgsl.data()};
+constexpr std::array<WordSet, ops::languageCount> called{called300.data(), called100.data(),
+                                                         calledWgsl.data()};
 
 bool isCalledByUs(const Dialect& dialect, std::string_view word) {
   return called[static_cast<std::size_t>(dialect.language)].holds(word);

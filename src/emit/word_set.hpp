@@ -10,16 +10,16 @@
 
 namespace warpjet {
 
-class Words {
+class WordSet {
  public:
   // Separated by spaces, and so few that they leave half of the places empty.
-  constexpr Words(std::string_view list) : list_(list) {
+  constexpr WordSet(std::string_view list) : list_(list) {
     for (std::size_t end = 0, begin; (begin = list.find_first_not_of(' ', end)) != list.npos;) {
       end = std::min(list.find(' ', begin), list.size());
       places_[placeOf(list.substr(begin, end - begin))] = static_cast<std::uint16_t>(begin + 1);
     }
   }
-  constexpr Words(const char* list) : Words(std::string_view(list)) {}
+  constexpr WordSet(const char* list) : WordSet(std::string_view(list)) {}
 
   constexpr bool holds(std::string_view word) const { return places_[placeOf(word)] != 0; }
 
