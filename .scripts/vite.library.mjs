@@ -61,7 +61,11 @@ const sharedFiles = [
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
   {
-    // Before the front end, which exactNormals alone needs: it shares files with the addon.
+    // What exactNormals, which needs the front end, shares with the addon, which does not.
+    name: 'p5-hooks',
+    test: /\/js-bindings\/p5\/(host|settings|struct-hooks|wgsl-hooks|variation-buffers|variation-text)\.ts$/,
+  },
+  {
     name: 'p5-addon',
     test: /\/js-bindings\/p5\/(?!exact-normals|turned-hooks|modified-shader|unreadable-hooks|strands-wgsl)/,
   },

@@ -15,14 +15,14 @@ export const nameIn = (line: string) =>
     .replace(/[?#].*$/, '')
     .replace(/^.*\//, '') || 'the page'
 
-/** How the names of our files begin: the one that this code is in, or all that the package's entries share. Found when it is
- * first needed. */
+/** The prefix that the addresses of our files share: this file's address, or the folder of the files that entries share. Found on
+ * first use. */
 let ours: string | undefined
 
 /** The first line of the stack that is not ours, such as `setup (sketch.js:12:5)`. */
 export function callerOutside(): string {
   const lines = stackLines()
-  ours ??= fileOf(lines[0] ?? '').replace(/(?<=[/\\]shared-)[\w-]+\.js$/, '')
+  ours ??= fileOf(lines[0] ?? '').replace(/(?<=[/\\]shared[/\\])[\w-]+\.js$/, '')
   const line = lines.find((line) => !fileOf(line).startsWith(ours!)) ?? 'an unknown line'
   return (
     'From ' +

@@ -234,9 +234,7 @@ export function withUniforms(
       return expressions(method, session as Session, declared, labelOf)
     }
     // What is no input still says so.
-    return read(
-      lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs,
-    )
+    return read(lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs)
   })
 }
 

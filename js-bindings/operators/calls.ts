@@ -2,10 +2,9 @@
 import { isClass, isExpression } from '../checks/describe.js'
 import { WarpError } from '../checks/errors.js'
 import { guardedKey, isOwnFunction } from '../checks/operators.js'
-import { type Glsl, isKnown, ofExpressions, ofNumbers } from './functions.js'
+import { isKnown, ofExpressions, ofNumbers } from './functions.js'
 import { inHelper, isOfOperator } from './messages.js'
-import type { Operators, ReadHelper } from './runtime.js'
-import { holdsExpression, isSketch, isWarped, p5Prototype, wholeOf } from './values.js'
+import { type Glsl, holdsExpression, isSketch, isWarped, p5Prototype, wholeOf } from './values.js'
 
 export type Translated = (...x: never[]) => unknown
 
@@ -46,9 +45,15 @@ const vectorFunctions: Record<string, string> = {
 /** p5 has these, and they take anything. */
 const takesAnything = new Set(['print', 'createWarp', 'describe'])
 
+/** `make` translates a function for the operators of runtime.ts; `refuse` gives the message that says why it cannot. */
+export type Read = { make(operators: object): Translated } | { refuse: () => string }
+
+/** Reads a helper function of the sketch, which is called with expressions. */
+export type ReadHelper = (helper: Function, name: string) => Read | undefined
+
 export function callsOf(
   glsl: Glsl,
-  makeWith: (make: (operators: Operators) => Translated) => Translated,
+  makeWith: (make: (operators: object) => Translated) => Translated,
   read?: ReadHelper,
 ) {
   const made = new Map<Function, Function>()
@@ -60,7 +65,7 @@ export function callsOf(
       const reading = read?.(helper, helper.name || name)
       result =
         reading && 'make' in reading
-          ? makeWith(reading.make)
+          ? makeWith((operators) => reading.make(operators))
           : inHelper(helper, reading && reading.refuse)
       if (isBaseClass(helper) && result !== helper)
         Object.setPrototypeOf(result.prototype, helper.prototype as object)

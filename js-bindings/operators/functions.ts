@@ -1,9 +1,7 @@
 // The functions of Math, p5 and p5.strands that translated text may call with expressions.
 import { WarpError } from '../checks/errors.js'
 import { noteOnce } from './messages.js'
-import { isVectorLike, wholeOf } from './values.js'
-
-export type Glsl = Record<string, (...operands: unknown[]) => unknown>
+import { type Glsl, isVectorLike, wholeOf } from './values.js'
 
 /** A function of expressions; `known` is the page's own function of that name, if it has one. */
 type Formula = (glsl: Glsl, x: unknown[], known?: Known) => unknown

@@ -1,4 +1,5 @@
 // Reads a function's text and makes it anew, with operators that work on expressions.
+import type { Read } from './calls.js'
 import { isCallable } from '../checks/options.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { type ReadOptions, isOwnFunction } from '../checks/operators.js'
@@ -11,7 +12,6 @@ import { parseFunction } from './parse.js'
 import { type References, freeReferences } from './resolve.js'
 import {
   type Operators,
-  type Read,
   asVector,
   glslOf,
   operatorsOf,
@@ -180,7 +180,8 @@ function readText(
   }
   noteChanging(references, values, surroundings, method)
   return {
-    make: (operators) => factory(operators, ...names.map((name) => values.get(name)!(operators))),
+    make: (operators: Operators) =>
+      factory(operators, ...names.map((name) => values.get(name)!(operators))),
   }
 }
 

@@ -3,10 +3,16 @@
 import { isExpression } from '../checks/describe.js'
 import { WarpError } from '../checks/errors.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
-import { type Translated, callsOf } from './calls.js'
-import { type Glsl } from './functions.js'
+import { type ReadHelper, callsOf } from './calls.js'
 import { noteOnce, noteReadOnce, sayingSo } from './messages.js'
-import { decidesByVertex, isCondition, isWarped, useCondition, wholeOf } from './values.js'
+import {
+  type Glsl,
+  decidesByVertex,
+  isCondition,
+  isWarped,
+  useCondition,
+  wholeOf,
+} from './values.js'
 
 type Thunk = () => unknown
 
@@ -201,12 +207,6 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
 
 /** Functions that need no translation any more. */
 export const translated = new WeakSet<object>()
-
-/** A translated function for given operators, or the message that says why there is none. */
-export type Read = { make: (operators: Operators) => Translated } | { refuse: () => string }
-
-/** Reads a helper function of the sketch, which is called with expressions. */
-export type ReadHelper = (helper: Function, name: string) => Read | undefined
 
 interface RunOptions {
   /** Reads helper functions; at build time they are translated beside the offset function. */

@@ -1,6 +1,7 @@
 // The kinds of values that operators and functions distinguish.
 import { isExpression } from '../checks/describe.js'
-import type { Glsl } from './functions.js'
+
+export type Glsl = Record<string, (...operands: unknown[]) => unknown>
 
 /** The part of an expression's session that is used here. */
 interface Session {

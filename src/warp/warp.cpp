@@ -100,7 +100,7 @@ Value unit(const Value& v, const Size& known) {
   if (known.most <= mostSquared) {
     if (known.isTame) return normalize(v);
     const Expression squared = dot(v, v);
-    return orZero(lt(squared, 1e38), v) * ifElse(gt(squared, 0.0), inversesqrt(squared), 0.0);
+    return orZero(logicalAnd(gt(squared, 0.0), lt(squared, 1e38)), v * inversesqrt(squared));
   }
   const Expression size = sizeOf(v);
   const Value scaled = v / size;

@@ -9,8 +9,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(0.0, position.y * t4 - position.z * t3 - position.y, position.y * t3 + position.z * t4 - position.z);
   float t6 = dot(t5, t5);
   float t7 = inversesqrt(t6);
-  float t8 = t6 > 0.0 ? t7 : 0.0;
-  bool t9 = t6 < 1e38;
-  warpedNormal = (t9 ? t5 : vec3(0.0)) * t8;
+  warpedNormal = t5 * (t6 > 0.0 ? t7 : 0.0);
   warpedPosition = position + offset;
 }

@@ -9,12 +9,10 @@ vec3 offset, warpedPosition, warpedNormal;
   float t6 = t1 * (t3 * 0.05) * 14.0;
   float t7 = (t1 * (t3 * 0.03) + t2 * 0.005882353) * 14.0;
   vec3 t8 = vec3(t5 * normal.x - t6 * t5 * normal.z, normal.y - t4 * normal.x + (t6 * t4 - t7) * normal.z, t5 * normal.z);
-  float t9 = dot(t8, t8);
-  float t10 = t1 * t1 * -50.0;
-  offset = vec3(t10, t10 / 5.0, t2 * t1 * 14.0);
-  float t11 = inversesqrt(t9);
-  float t12 = t9 > 0.0 ? t11 : 0.0;
-  bool t13 = t9 < 1e38;
-  warpedNormal = (t13 ? t8 : vec3(0.0)) * t12;
+  float t9 = t1 * t1 * -50.0;
+  offset = vec3(t9, t9 / 5.0, t2 * t1 * 14.0);
+  float t10 = dot(t8, t8);
+  vec3 t11 = t8 * inversesqrt(t10);
+  warpedNormal = t10 > 0.0 && t10 < 1e38 ? t11 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -25,8 +25,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(t13 * t9, 0.0, t14 * t9);
   float t22 = dot(t21, t21);
   float t23 = inversesqrt(t22);
-  float t24 = t22 > 0.0 ? t23 : 0.0;
-  bool t25 = t22 < 1e38;
-  warpedNormal = (t25 ? t21 : vec3(0.0)) * t24;
+  warpedNormal = t21 * (t22 > 0.0 ? t23 : 0.0);
   warpedPosition = position + offset;
 }

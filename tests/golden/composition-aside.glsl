@@ -14,8 +14,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(t4 * t10 + position.z * t3, 0.0, position.z * t10 - t4 * t3);
   float t11 = dot(t9, t9);
   float t12 = inversesqrt(t11);
-  float t13 = t11 > 0.0 ? t12 : 0.0;
-  bool t14 = t11 < 1e38;
-  warpedNormal = (t14 ? t9 : vec3(0.0)) * t13;
+  warpedNormal = t9 * (t11 > 0.0 ? t12 : 0.0);
   warpedPosition = position + offset;
 }

@@ -62,8 +62,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(-(t58 - position.x * t29 + position.x), t57 + position.x * t28 - position.y, 0.0);
   float t59 = dot(t56, t56);
   float t60 = inversesqrt(t59);
-  float t61 = t59 > 0.0 ? t60 : 0.0;
-  bool t62 = t59 < 1e38;
-  warpedNormal = (t62 ? t56 : vec3(0.0)) * t61;
+  warpedNormal = t56 * (t59 > 0.0 ? t60 : 0.0);
   warpedPosition = position + offset;
 }

@@ -85,9 +85,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t81 = -position.z * t71 - t79;
   vec3 t82 = normal * mat3(t60 * t63, -(t63 * t11), t11 * t81 - t77 * t60, t81 * t64 - t80 * t63, t63 * t75 - t64 * t77, t77 * t80 - t75 * t81, -(t60 * t64), t64 * t11, t75 * t60 - t11 * t80);
   float t83 = dot(t82, t82);
-  float t84 = inversesqrt(t83);
-  float t85 = t83 > 0.0 ? t84 : 0.0;
-  bool t86 = t83 < 1e38;
-  warpedNormal = (t86 ? t82 : vec3(0.0)) * t85;
+  vec3 t84 = t82 * inversesqrt(t83);
+  warpedNormal = t83 > 0.0 && t83 < 1e38 ? t84 : vec3(0.0);
   warpedPosition = position + offset;
 }

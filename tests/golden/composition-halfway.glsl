@@ -77,8 +77,6 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t73 = normal * mat3(t62 * t70, -(t70 * t68), t68 * t64 - t71 * t62, t64 * t72 - t63 * t70, t70 * t69 - t72 * t71, t71 * t63 - t69 * t64, -(t62 * t72), t72 * t68, t69 * t62 - t68 * t63);
   float t74 = dot(t73, t73);
   float t75 = inversesqrt(t74);
-  float t76 = t74 > 0.0 ? t75 : 0.0;
-  bool t77 = t74 < 1e38;
-  warpedNormal = (t77 ? t73 : vec3(0.0)) * t76;
+  warpedNormal = t73 * (t74 > 0.0 ? t75 : 0.0);
   warpedPosition = position + offset;
 }

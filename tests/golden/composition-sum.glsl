@@ -73,8 +73,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(position.x * t69 + position.z * t61 - (t59 - position.x * t13 + position.x), t58 + position.x * t12 - position.y, position.z * t69 - position.x * t61);
   float t70 = dot(t68, t68);
   float t71 = inversesqrt(t70);
-  float t72 = t70 > 0.0 ? t71 : 0.0;
-  bool t73 = t70 < 1e38;
-  warpedNormal = (t73 ? t68 : vec3(0.0)) * t72;
+  warpedNormal = t68 * (t70 > 0.0 ? t71 : 0.0);
   warpedPosition = position + offset;
 }

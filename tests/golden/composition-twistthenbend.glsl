@@ -80,8 +80,6 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t76 = normal * mat3(t69 * t36 - t60 * t75, -t31, t72 * t60 + t37 * t69, t60 * t73 - t67 * t36, t36 * t74 + t73 * t37, -t37 * t67 - t74 * t60, t67 * t75 - t69 * t73, t73 * t72 - t75 * t74, t74 * t69 - t72 * t67);
   float t77 = dot(t76, t76);
   float t78 = inversesqrt(t77);
-  float t79 = t77 > 0.0 ? t78 : 0.0;
-  bool t80 = t77 < 1e38;
-  warpedNormal = (t80 ? t76 : vec3(0.0)) * t79;
+  warpedNormal = t76 * (t77 > 0.0 ? t78 : 0.0);
   warpedPosition = position + offset;
 }

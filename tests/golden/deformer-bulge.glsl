@@ -11,9 +11,7 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t8 = vec3(t7 * t7 * normal.x - t7 * (position.y * t5) * normal.y - position.z * t5 * t7 * normal.z, t7 * normal.y, t7 * normal.z);
   offset = vec3(0.0, position.y * t6, position.z * t6);
   float t9 = dot(t8, t8);
-  float t10 = inversesqrt(t9);
-  float t11 = t9 > 0.0 ? t10 : 0.0;
-  bool t12 = t9 < 1e38;
-  warpedNormal = (t12 ? t8 : vec3(0.0)) * t11;
+  vec3 t10 = t8 * inversesqrt(t9);
+  warpedNormal = t9 > 0.0 && t9 < 1e38 ? t10 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -8,8 +8,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(position.x * t4, (position.y - 100.0) * (t0 - 1.0), position.z * t4);
   float t5 = dot(t3, t3);
   float t6 = inversesqrt(t5);
-  float t7 = t5 > 0.0 ? t6 : 0.0;
-  bool t8 = t5 < 1e38;
-  warpedNormal = (t8 ? t3 : vec3(0.0)) * t7;
+  warpedNormal = t3 * (t5 > 0.0 ? t6 : 0.0);
   warpedPosition = position + offset;
 }

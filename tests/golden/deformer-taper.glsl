@@ -9,9 +9,7 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t6 = vec3(t5 * normal.x, t5 * t5 * normal.y - position.x * t3 * t5 * normal.x - t5 * (position.z * t3) * normal.z, t5 * normal.z);
   offset = vec3(position.x * t4, 0.0, position.z * t4);
   float t7 = dot(t6, t6);
-  float t8 = inversesqrt(t7);
-  float t9 = t7 > 0.0 ? t8 : 0.0;
-  bool t10 = t7 < 1e38;
-  warpedNormal = (t10 ? t6 : vec3(0.0)) * t9;
+  vec3 t8 = t6 * inversesqrt(t7);
+  warpedNormal = t7 > 0.0 && t7 < 1e38 ? t8 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -13,8 +13,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(position.x * t9 + position.z * t3, 0.0, position.z * t9 - position.x * t3);
   float t10 = dot(t8, t8);
   float t11 = inversesqrt(t10);
-  float t12 = t10 > 0.0 ? t11 : 0.0;
-  bool t13 = t10 < 1e38;
-  warpedNormal = (t13 ? t8 : vec3(0.0)) * t12;
+  warpedNormal = t8 * (t10 > 0.0 ? t11 : 0.0);
   warpedPosition = position + offset;
 }

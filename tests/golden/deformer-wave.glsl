@@ -7,8 +7,6 @@ vec3 offset, warpedPosition, warpedNormal;
   float t3 = normal.z - t1 * 0.2722436 * normal.y;
   float t4 = t2 * t2 + normal.y * normal.y + t3 * t3;
   float t5 = inversesqrt(t4);
-  float t6 = t4 > 0.0 ? t5 : 0.0;
-  bool t7 = t4 < 1e38;
-  warpedNormal = (t7 ? vec3(t2, normal.y, t3) : vec3(0.0)) * t6;
+  warpedNormal = vec3(t2, normal.y, t3) * (t4 > 0.0 ? t5 : 0.0);
   warpedPosition = position + offset;
 }

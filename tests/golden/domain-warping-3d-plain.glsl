@@ -15,9 +15,7 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t11 = (t4.zxy * t7.yzx - t4 * t7) * normal.z;
   vec3 t12 = t9 + t10 + t11;
   float t13 = dot(t12, t12);
-  float t14 = inversesqrt(t13);
-  float t15 = t13 > 0.0 ? t14 : 0.0;
-  bool t16 = t13 < 1e38;
-  warpedNormal = (t16 ? t12 : vec3(0.0)) * t15;
+  vec3 t14 = t12 * inversesqrt(t13);
+  warpedNormal = t13 > 0.0 && t13 < 1e38 ? t14 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -18,9 +18,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t14 = position.z * t6;
   vec3 t15 = vec3(t12 * normal.x - t11 * t9 * normal.y - t9 * t14 * normal.z, t11 * t11 * normal.y - t13 * t11 * normal.x + t11 * t14 * normal.z, (t12 - t9 * t13) * normal.z);
   float t16 = dot(t15, t15);
-  float t17 = inversesqrt(t16);
-  float t18 = t16 > 0.0 ? t17 : 0.0;
-  bool t19 = t16 < 1e38;
-  warpedNormal = (t19 ? t15 : vec3(0.0)) * t18;
+  vec3 t17 = t15 * inversesqrt(t16);
+  warpedNormal = t16 > 0.0 && t16 < 1e38 ? t17 : vec3(0.0);
   warpedPosition = position + offset;
 }

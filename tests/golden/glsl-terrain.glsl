@@ -67,9 +67,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t47 = normal.y - t13 * 0.11 * normal.z;
   offset = vec3(0.0, 0.0, t2 * 0.11);
   float t48 = t46 * t46 + t47 * t47 + normal.z * normal.z;
-  float t49 = inversesqrt(t48);
-  float t50 = t48 > 0.0 ? t49 : 0.0;
-  bool t51 = t48 < 1e38;
-  warpedNormal = (t51 ? vec3(t46, t47, normal.z) : vec3(0.0)) * t50;
+  vec3 t49 = vec3(t46, t47, normal.z) * inversesqrt(t48);
+  warpedNormal = t48 > 0.0 && t48 < 1e38 ? t49 : vec3(0.0);
   warpedPosition = position + offset;
 }

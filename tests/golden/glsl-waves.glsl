@@ -72,9 +72,7 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t59 = vec3(t58 * normal.x - t53 * normal.y + (t53 * t56 - t54 * t58) * normal.z, t57 * normal.y - t55 * normal.x + (t54 * t55 - t57 * t56) * normal.z, (t57 * t58 - t53 * t55) * normal.z);
   offset = vec3(t3, t4, t5) / 10.0;
   float t60 = dot(t59, t59);
-  float t61 = inversesqrt(t60);
-  float t62 = t60 > 0.0 ? t61 : 0.0;
-  bool t63 = t60 < 1e38;
-  warpedNormal = (t63 ? t59 : vec3(0.0)) * t62;
+  vec3 t61 = t59 * inversesqrt(t60);
+  warpedNormal = t60 > 0.0 && t60 < 1e38 ? t61 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -27,9 +27,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t23 = normal.z * 0.2 * t8 - t10;
   vec3 t24 = normal * mat3(t18 * t3 + t19 * t11, -t11 * t23 - t3 * t21, t21 * t19 - t23 * t18, t19 * t10 - t20 * t3, t3 * t22 - t10 * t23, t23 * t20 - t22 * t19, -t20 * t11 - t18 * t10, t10 * t21 + t11 * t22, t22 * t18 - t21 * t20);
   float t25 = dot(t24, t24);
-  float t26 = inversesqrt(t25);
-  float t27 = t25 > 0.0 ? t26 : 0.0;
-  bool t28 = t25 < 1e38;
-  warpedNormal = (t28 ? t24 : vec3(0.0)) * t27;
+  vec3 t26 = t24 * inversesqrt(t25);
+  warpedNormal = t25 > 0.0 && t25 < 1e38 ? t26 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -29,9 +29,7 @@ var warpedNormal: vec3f;
   let t23 = normal.z * 0.2f * t8 - t10;
   let t24 = normal * mat3x3f(t18 * t3 + t19 * t11, -t11 * t23 - t3 * t21, t21 * t19 - t23 * t18, t19 * t10 - t20 * t3, t3 * t22 - t10 * t23, t23 * t20 - t22 * t19, -t20 * t11 - t18 * t10, t10 * t21 + t11 * t22, t22 * t18 - t21 * t20);
   let t25 = dot(t24, t24);
-  let t26 = inverseSqrt(t25);
-  let t27 = select(0.0f, t26, t25 > 0.0f);
-  let t28 = t25 < 1e38f;
-  warpedNormal = select(vec3f(0.0f), t24, t28) * t27;
+  let t26 = t24 * inverseSqrt(t25);
+  warpedNormal = select(vec3f(0.0f), t26, t25 > 0.0f && t25 < 1e38f);
   warpedPosition = position + offset;
 }

@@ -7,8 +7,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = vec3(t1 * 0.4, 0.0, t2 * 0.4);
   float t4 = normal.x * normal.x + t3 * t3 + normal.z * normal.z;
   float t5 = inversesqrt(t4);
-  float t6 = t4 > 0.0 ? t5 : 0.0;
-  bool t7 = t4 < 1e38;
-  warpedNormal = (t7 ? vec3(normal.x, t3, normal.z) : vec3(0.0)) * t6;
+  warpedNormal = vec3(normal.x, t3, normal.z) * (t4 > 0.0 ? t5 : 0.0);
   warpedPosition = position + offset;
 }

@@ -7,8 +7,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = sin(t1) * 22.0;
   float t4 = dot(t3, t3);
   float t5 = inversesqrt(t4);
-  float t6 = t4 > 0.0 ? t5 : 0.0;
-  bool t7 = t4 < 1e38;
-  warpedNormal = (t7 ? t3 : vec3(0.0)) * t6;
+  warpedNormal = t3 * (t4 > 0.0 ? t5 : 0.0);
   warpedPosition = position + offset;
 }

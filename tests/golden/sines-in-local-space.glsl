@@ -8,8 +8,6 @@ vec3 offset, warpedPosition, warpedNormal;
   offset = sin(t0) * 0.05;
   float t5 = dot(t4, t4);
   float t6 = inversesqrt(t5);
-  float t7 = t5 > 0.0 ? t6 : 0.0;
-  bool t8 = t5 < 1e38;
-  warpedNormal = (t8 ? t4 : vec3(0.0)) * t7;
+  warpedNormal = t4 * (t5 > 0.0 ? t6 : 0.0);
   warpedPosition = position + offset;
 }

@@ -23,8 +23,6 @@ vec3 offset, warpedPosition, warpedNormal;
   vec3 t19 = vec3(t7 * normal.x - t18 * normal.y, t6 * normal.x + t17 * normal.y, (t17 * t7 + t18 * t6) * normal.z);
   float t20 = dot(t19, t19);
   float t21 = inversesqrt(t20);
-  float t22 = t20 > 0.0 ? t21 : 0.0;
-  bool t23 = t20 < 1e38;
-  warpedNormal = (t23 ? t19 : vec3(0.0)) * t22;
+  warpedNormal = t19 * (t20 > 0.0 ? t21 : 0.0);
   warpedPosition = position + offset;
 }

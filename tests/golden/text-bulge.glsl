@@ -19,9 +19,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t15 = t0 * t9 * 0.6;
   vec3 t16 = vec3(t14 * normal.x - t12 * normal.y + (t12 * t11 - t10 * t14) * normal.z, t13 * normal.y - t15 * normal.x + (t10 * t15 - t13 * t11) * normal.z, (t13 * t14 - t12 * t15) * normal.z);
   float t17 = dot(t16, t16);
-  float t18 = inversesqrt(t17);
-  float t19 = t17 > 0.0 ? t18 : 0.0;
-  bool t20 = t17 < 1e38;
-  warpedNormal = (t20 ? t16 : vec3(0.0)) * t19;
+  vec3 t18 = t16 * inversesqrt(t17);
+  warpedNormal = t17 > 0.0 && t17 < 1e38 ? t18 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -39,9 +39,7 @@ vec3 offset, warpedPosition, warpedNormal;
   float t35 = t31.y + t30.x * t26;
   vec3 t36 = normal * mat3(t34 * t32.y - t35 * t32.x, t32.x * t33.y - t32.y * t33.x, t33.x * t35 - t33.y * t34, -(t4 * t32.y), t32.y, t33.y * t4 - t35, t4 * t32.x, -t32.x, t34 - t33.x * t4);
   float t37 = dot(t36, t36);
-  float t38 = inversesqrt(t37);
-  float t39 = t37 > 0.0 ? t38 : 0.0;
-  bool t40 = t37 < 1e38;
-  warpedNormal = (t40 ? t36 : vec3(0.0)) * t39;
+  vec3 t38 = t36 * inversesqrt(t37);
+  warpedNormal = t37 > 0.0 && t37 < 1e38 ? t38 : vec3(0.0);
   warpedPosition = position + offset;
 }

@@ -109,7 +109,7 @@ test('most blocks of JavaScript run, and those that do not are known', () => {
   // uptime.md has is run by lost-context.test.js.
   assert.deepEqual(still, [
     ...['babylon.md', 'babylon.md', 'babylon.md'],
-    ...['how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'operators.md'],
+    ...['how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'mesh.md', 'operators.md'],
     ...['three.md', 'three.md', 'three.md', 'three.md', 'uptime.md'],
   ])
 })

@@ -102,8 +102,10 @@ export function randomCase(seed, allowed = () => true, isTame = true) {
     const wanted = [...row.arguments]
     if (chained) while (wanted.length < 4 && random() < 0.2) wanted.push(wanted.at(-1))
     const main = Math.floor(random() * wanted.length)
+    // Several numbers after a vector are its components, as in v.sub(x, y, z).
+    const areComponents = wanted.length > 2 && /^(add|sub|mult|div)$/.test(op)
     const args = wanted.map(({ shape, domain }, i) => {
-      const isNumber = broadcasts && i !== main && random() < 0.4
+      const isNumber = broadcasts && i !== main && random() < 0.4 && !areComponents
       const argument = grow(
         isNumber ? 'float' : shape,
         i === main ? depth - 1 : sideDepth(depth - 1),

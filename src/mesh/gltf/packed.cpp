@@ -101,9 +101,8 @@ bool isOptional(const Gltf& gltf, const PackedPlace& part) {
   return hasAll;
 }
 
-const std::string& extensionOf(const Gltf& gltf, const PackedPlace& part) {
-  static const std::string draco = dracoExtension;
-  return part.view < 0 ? draco : gltf.extensions.meshoptViews.at(part.view).extension;
+std::string extensionOf(const Gltf& gltf, const PackedPlace& part) {
+  return part.view < 0 ? dracoExtension : gltf.extensions.meshoptViews.at(part.view).extension;
 }
 
 // Vectors only: what a Draco attribute becomes.
