@@ -53,25 +53,29 @@ async function run(scripts, sketch) {
   return { image, messages }
 }
 
+/** Draws the twins by methods, and the sphere without a warp as `plain`, on one page → pictures by name. */
+function drawTwins(p5) {
+  const twins = Object.entries(sketches).filter(([, { twin }]) => twin)
+  const draw = (call) => `lights(); noStroke(); fill('coral'); ${call} sphere(40)`
+  const warpOf = (name) => `warps[${JSON.stringify(name)}]`
+  return drawScenes(browser, server, [p5, warpjet], {
+    size: 100,
+    setup: [
+      clock,
+      ...twins.map(([name, { twin }]) => `${warpOf(name)} = createWarp(${twin})`),
+    ].join('\n'),
+    scenes: {
+      plain: draw(''),
+      ...Object.fromEntries(twins.map(([name]) => [name, draw(`${warpOf(name)}();`)])),
+    },
+  })
+}
+
 test('there are sixty of them', () => assert.ok(Object.keys(sketches).length >= 60))
 
 for (const [version, p5] of p5InThisRun)
   test(`p5 ${version}: the picture of the twin, or a message`, async () => {
-    const twins = Object.entries(sketches).filter(([, { twin }]) => twin)
-    const pictures = await drawScenes(browser, server, [p5, warpjet], {
-      size: 100,
-      setup: `${clock}
-${twins.map(([name, { twin }]) => `warps[${JSON.stringify(name)}] = createWarp(${twin})`).join('\n')}`,
-      scenes: {
-        plain: `lights(); noStroke(); fill('coral'); sphere(40)`,
-        ...Object.fromEntries(
-          twins.map(([name]) => [
-            name,
-            `lights(); noStroke(); fill('coral'); warps[${JSON.stringify(name)}](); sphere(40)`,
-          ]),
-        ),
-      },
-    })
+    const pictures = await drawTwins(p5)
     const problems = []
     for (const [name, sketch] of Object.entries(sketches)) {
       const { image, messages } = await run([p5, warpjet, operators], sketch)
@@ -93,6 +97,24 @@ ${twins.map(([name, { twin }]) => `warps[${JSON.stringify(name)}] = createWarp($
         problems.push(
           `${name}: ${differing} pixels differ, ${moved} of the shape itself, ${lit} are lit`,
         )
+    }
+    assert.deepEqual(problems, [])
+  })
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version} without that script: the same picture, or a message of ours`, async () => {
+    const pictures = await drawTwins(p5)
+    const problems = []
+    for (const [name, sketch] of Object.entries(sketches)) {
+      const { image, messages } = await run([p5, warpjet], sketch)
+      if (messages.some((each) => /WarpError|warpjet|createWarp: /.test(each))) continue
+      if (messages.length) problems.push(`${name}: it printed ${JSON.stringify(messages)}`)
+      else if (!sketch.twin)
+        problems.push(`${name}: it says nothing, and no twin judges its picture`)
+      else {
+        const differing = image ? differingPixels(image, pictures[name], 4) : 'all'
+        if (!(differing < 5)) problems.push(`${name}: ${differing} pixels differ`)
+      }
     }
     assert.deepEqual(problems, [])
   })
