@@ -9,7 +9,7 @@ import { allowNonFinite } from '../inputs/vertices.js'
 
 const method = 'refresh'
 
-/** As far as a box reaches that has no end. */
+/** The half size of an infinite bounding box. */
 const farthest = 1e30
 
 /** Where Babylon.js keeps what bones and morph targets have moved, for picking. */
@@ -52,7 +52,7 @@ function put(mesh: AbstractMesh, numbers: ArrayLike<number>) {
     min.minimizeInPlace(point)
     max.maximizeInPlace(point)
   }
-  // What is infinite, or nowhere a number, is around everything, so that it is drawn. Babylon.js wants finite numbers.
+  // A box that is infinite or NaN becomes one around everything, so that the mesh is drawn. Babylon.js needs finite numbers.
   for (const axis of ['x', 'y', 'z'] as const) {
     if (!Number.isFinite(min[axis])) min[axis] = -farthest
     if (!Number.isFinite(max[axis])) max[axis] = farthest

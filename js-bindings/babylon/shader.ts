@@ -17,7 +17,7 @@ const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat
 
 const sentName = (label: string) => `${label}Sent`
 
-/** For a plugin's `getUniforms`; `mirrors`: the warp may mirror all of space, which both stages know by a uniform. */
+/** The uniforms for a plugin's `getUniforms`. If the warp may mirror all of space (`mirrors`), one of them says so to both stages. */
 export function declarationsOf(uniforms: readonly Labelled[], isWGSL: boolean, mirrors: boolean) {
   const orientation = { name: orientationName, type: 'float' }
   const numbers = [
@@ -68,8 +68,8 @@ const widened = (n: number[]) => [
 ]
 
 /**
- * For a plugin's `getCustomCode`: the outer side of a triangle is the one that the engine takes for the back where the warp
- * mirrors all of space. Names that begin with `!` are regular expressions for Babylon.js.
+ * The fragment code for a plugin's `getCustomCode`. If the warp mirrors all of space, the outer side of a triangle is the one
+ * that the engine takes for the back. Babylon.js reads names that begin with `!` as regular expressions.
  */
 export const fragmentCode = (isWGSL: boolean): Record<string, string> =>
   isWGSL

@@ -33,10 +33,10 @@ export interface EvaluationOptions {
 
 export interface EvaluateOptions extends EvaluationOptions {
   /**
-   * Arrays of yours that the results go into, at least as long as they are, and which come back, in this object if it holds
-   * just them; what is not given is made. They may be arrays that came in, or share memory with them, but not with each other:
-   * that throws a `WarpError`. Where the same arrays come again and again, nothing is left for the garbage collector, unless a
-   * uniform's function makes something, or a result lies in front of an input that has yet to be read, which is copied then.
+   * Arrays of yours that receive the results. Each must be at least as long as its result; missing ones are created. The same
+   * arrays are returned, in this object if it holds no others. They may be inputs or share memory with inputs, but two results
+   * that share memory throw a `WarpError`. Calls that reuse the arrays create no garbage, unless a uniform's function does, or a
+   * result would overwrite an input that has yet to be read, which is copied first.
    */
   out?: Partial<WarpedVertices> | undefined
 }
@@ -68,7 +68,7 @@ export interface WarpInverse {
   isFolded: boolean
 }
 
-/** Of x, y and z, around every value that is a number; `min` is above `max` where none is. */
+/** Bounds of x, y and z, without NaN. `min` is above `max` for a coordinate that is NaN everywhere. */
 export interface Bounds {
   min: number[]
   max: number[]
@@ -103,15 +103,15 @@ export interface CpuWarp {
    * from a tenth of a millisecond to some tens, for warps that are hard to bound. Where the offset depends on them, normals count as any numbers from -1 to 1, colors from 0 to 1, and texture coordinates from 0 to 1
    * unless `box.uvs` says otherwise. A side is infinite if the offset may be.
    *
-   * Each coordinate's bounds hold every value of it that is a number. NaN has no place between two numbers and is left out: of
-   * sqrt(x) for x from -1 to 1, which is NaN on one half, they are 0 and 1. So finite bounds do not promise that each vertex
-   * has a finite place. Where a coordinate is NaN everywhere, its `min` is Infinity and its `max` -Infinity, as of an empty box.
+   * The bounds of each coordinate contain all of its values except NaN: for sqrt(x) with x from -1 to 1, which is NaN on one
+   * half, they are 0 and 1. So finite bounds do not guarantee that each vertex has a finite position. If a coordinate is NaN
+   * everywhere, its `min` is Infinity and its `max` is -Infinity, as for an empty box.
    */
   bounds(box: Box, options?: EvaluationOptions): Bounds
   /**
    * Where the warp brings a point from, such as what of a calm sea is under a boat: evaluateAt of `position` is the point, up
-   * to float32. In double, the warp brings `position` to within 1e-9 of the point's distance from the origin, and 1e-10 more
-   * at most, for rounding. It is one place, and says whether that is in a fold; `undefined` if the search meets none, which proves
+   * to float32. In double, the warp moves `position` to within 1e-9 of the point's distance from the origin, plus at most 1e-10
+   * for rounding. It is one place, and says whether that is in a fold; `undefined` if the search meets none, which proves
    * nothing of places that it does not come near. In double, by Newton's method with the exact Jacobian, each
    * step halved until it leads closer, and the way to the point taken in pieces where that fails. Normals and the like
    * count as constant. A warp compiled with `normals: false` has no Jacobian, and throws.

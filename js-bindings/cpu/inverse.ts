@@ -41,14 +41,14 @@ const mostHalvings = 8
 const mostPieces = 16
 /** After so many evaluations a search gives up: some milliseconds for a small warp. */
 const mostEvaluations = 1000
-/** The same for the way from `near`, and for each of the other ways: many short ones find more than a few long ones. */
+/** Maximum evaluations from `near`, and from each other start: many short searches find more than a few long ones. */
 const maxFromNear = 500
 const maxFromElsewhere = 40
-/** A share of the size of numbers: what doubles leave of a warp of some hundred operations. */
+/** Relative rounding error of a warp of a few hundred operations in double. */
 const precision = 1e-14
-/** A share of the size of the goal: what counts as reached where rounding or a fold stops the way. */
+/** Tolerance relative to the size of the goal, for a search that rounding or a fold stops. */
 const reached = 1e-9
-/** Rounding counts as at a place of at most this size: otherwise any goal would count as reached from far away. */
+/** Maximum size of a place in the rounding tolerance: without it, any goal would count as reached from far away. */
 const roundingSize = 1e4
 
 const sizeOf = (a: Triple) => Math.hypot(...a)
@@ -59,7 +59,7 @@ interface Place {
   to: Moved
 }
 
-/** How near to `goal` the warp must bring a place: a share of the goal's size, and what rounding leaves. */
+/** The accepted distance from `goal`: a share of the goal's size plus the rounding error. */
 const tolerance = (share: number, { from }: Place, goal: Triple) =>
   share * sizeOf(goal) + precision * Math.min(sizeOf(from), roundingSize)
 
@@ -81,7 +81,7 @@ class InverseSearch {
     return this.evaluations >= this.limit
   }
 
-  /** As `from`, by a few evaluations. */
+  /** Like `from`, but limited to `maxFromElsewhere` evaluations. */
   fromElsewhere(start: Triple): Place | undefined {
     this.limit = this.evaluations + maxFromElsewhere
     return this.from(start)
@@ -137,7 +137,7 @@ const around = [-1, 0, 1]
   .flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z): Triple => [x, y, z])))
   .filter((direction) => direction.some(Boolean))
 
-/** Where else to start: what comes to the target mostly lies about as far from it as the offset there is long. */
+/** Further starts. A place that the warp moves to the target is mostly about one offset length away from it. */
 function* startsAround(warp: (from: Triple) => Moved, target: Triple, near: Triple) {
   const offset = distance(warp(target).position, target)
   const reach = (Number.isFinite(offset) && offset) || distance(target, near) || 1
@@ -146,7 +146,7 @@ function* startsAround(warp: (from: Triple) => Moved, target: Triple, near: Trip
     for (const way of around) yield along(target, share * reach, way)
 }
 
-/** The place that the way from `near` leads to, or else another one. The warp brings it to the target, to the tolerance above. */
+/** Finds the place that the search from `near` leads to, or else another one. The warp moves it to the target, within the tolerance above. */
 export function inverse(warp: (from: Triple) => Moved, target: Triple, near: Triple) {
   const search = new InverseSearch(warp, target)
   let found = search.from(near)

@@ -10,7 +10,10 @@ export interface WarpedVertices {
   positions: Float32Array
   /** Three numbers a vertex, of length 1, or 0 where the warp collapses the surface; if normals came. */
   normals?: Float32Array
-  /** Four numbers a vertex, the last one as it came, or with the other sign where the warp mirrors all of space; if normals and tangents came. */
+  /**
+   * Present if normals and tangents were passed: 4 floats per vertex. The last one is that of the input, or its negative if
+   * the warp mirrors all of space.
+   */
   tangents?: Float32Array
 }
 

@@ -14,7 +14,7 @@ export interface WarpProgram {
   program: () => Program | undefined
   /** Its results are the position and what the tangent's direction becomes. */
   directionProgram: () => Program | undefined
-  /** Its result is 1, or -1 where the warp mirrors all of space; it reads no vertex. */
+  /** Its result is -1 if the warp mirrors all of space, otherwise 1. It reads no vertex. */
   orientationProgram: () => Program
   hasNormals: boolean
   /** Whether the turn depends on how normal and uv vary over the surface. */
@@ -25,11 +25,11 @@ export interface WarpProgram {
   inputs: Record<string, number>
 }
 
-/** The same once it runs. */
+/** A `WarpProgram` that is running. */
 export interface RunningProgram extends WarpProgram {
-  /** Whether the warp mirrors all of space, so that triangles turn their other side out. */
+  /** Returns whether the warp mirrors all of space, so that the back of each triangle is the outer side. */
   isMirrored: (method: string, uniforms: Uniforms | undefined) => boolean
-  /** The same where it is known at once; `undefined` if it depends on uniforms. */
+  /** Like `isMirrored`, but without uniforms: `undefined` if it depends on them. */
   mirrors: () => boolean | undefined
 }
 

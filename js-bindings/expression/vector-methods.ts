@@ -58,7 +58,8 @@ export const vectorMethods: Readonly<
     checkCount('limit', given, [1])
     checkVector(v, 'limit', allSizes)
     const most = operandOf(v, 'limit', given[0])
-    return v.mult!(most.div!(most.max!(v.length!())))
+    // A limit of 0 makes 0 of a zero vector, too.
+    return v.mult!(most.div!(methodsOf(most.max!(v.length!())).max!(1e-30)))
   },
   setMag(v, ...given) {
     checkCount('setMag', given, [1])

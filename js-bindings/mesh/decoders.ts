@@ -16,7 +16,7 @@ export interface MeshoptDecoder {
   ): void
 }
 
-/** What `createDecoderModule` of the package draco3dgltf resolves to. */
+/** The module that `createDecoderModule` of the package draco3dgltf resolves to. */
 export interface DracoDecoderModule {
   Decoder: unknown
   DecoderBuffer: unknown
@@ -24,8 +24,8 @@ export interface DracoDecoderModule {
 }
 
 /**
- * Decoders of compressed glTF files. Each may be missing: then the page's global `MeshoptDecoder` or `DracoDecoderModule` is taken,
- * or the installed package.
+ * Decoders of compressed glTF files. The default of each is the page's global `MeshoptDecoder` or `DracoDecoderModule`, or the
+ * installed package.
  */
 export interface Decoders {
   /** For `EXT_meshopt_compression` and `KHR_meshopt_compression`: `MeshoptDecoder` of the package meshoptimizer. */
@@ -47,7 +47,7 @@ interface Kind {
   global: string
   package: string
   find(): Promise<unknown>
-  /** A decoder that is ready, of whatever the caller gave; `undefined` if it is none. */
+  /** Resolves to a ready decoder made from the caller's value; `undefined` if that is no decoder. */
   prepare(given: unknown): Promise<unknown>
 }
 
@@ -114,7 +114,7 @@ export async function findDecoder(
   return undefined
 }
 
-/** A sentence's end: how to get a decoder. */
+/** The end of a message: how to get a decoder. */
 export const adviceFor = (codec: Codec) => {
   const { global, package: name } = kinds[codec]
   return `install the package ${name}, hand its decoder over as loadMesh(model, { decoders: { ${codec}: … } }), or add its script, which defines ${global}`

@@ -1,6 +1,6 @@
 // Draco's module of C++ classes, as far as it is needed to decode a primitive of a glTF.
 
-/** What of a primitive is wanted: `componentType` is glTF's, `width` how many numbers a vertex has. */
+/** The attributes of a primitive to decode. `componentType` is glTF's; `width` is the number of components per vertex. */
 export interface DracoPlan {
   attributes: { id: number; componentType: number; width: number }[]
 }
@@ -45,7 +45,7 @@ export interface DracoModule {
   destroy(object: object): void
 }
 
-/** glTF's number of a component type → Draco's name of it, and its bytes. */
+/** Maps glTF's number of a component type to Draco's name of it and its size in bytes. */
 const componentTypes: Record<number, [name: string, bytes: number]> = {
   5120: ['DT_INT8', 1],
   5121: ['DT_UINT8', 1],
@@ -55,10 +55,10 @@ const componentTypes: Record<number, [name: string, bytes: number]> = {
   5126: ['DT_FLOAT32', 4],
 }
 
-/** As many as a mesh may have here (files.hpp). */
+/** The maximum size of a mesh, as in files.hpp. */
 const mostBytes = 2 ** 30
 
-/** The indices, and then the numbers of each attribute. Throws an Error for what it cannot decode. */
+/** Returns the indices, then the values of each attribute. Throws an Error for what it cannot decode. */
 export function decodeDraco(
   module: DracoModule,
   { attributes }: DracoPlan,
@@ -107,7 +107,7 @@ export function decodeDraco(
   }
 }
 
-/** What `write` writes into so many bytes of the module's memory. */
+/** Returns a copy of the `length` bytes that `write` writes into the module's memory. */
 function read(module: DracoModule, length: number, write: (address: number) => boolean) {
   if (length > mostBytes) throw new Error('it is too large')
   const address = module._malloc(length)

@@ -17,9 +17,9 @@ import {
 } from './sources.js'
 
 export interface LoadOptions {
-  /** Gives the further files that a .gltf, .obj or .mtl names; where the model has a URL they are taken from beside it. */
+  /** Loads the further files that a .gltf, .obj or .mtl names. Default: those beside the model, if it has a URL. */
   resolve?: Resolve
-  /** For compressed glTF files. Those of the packages meshoptimizer and draco3dgltf are found where they are installed. */
+  /** Decoders for compressed glTF files. Default: those of the packages meshoptimizer and draco3dgltf, if they are installed. */
   decoders?: Decoders
 }
 
@@ -31,9 +31,10 @@ export interface LoadAsOptions<Geometry> extends LoadOptions {
 type FurtherFiles = Map<string, Uint8Array>
 
 /**
- * Reads a model: .glb and .gltf (2.0), .obj with its .mtl, and .stl. All triangles of its scene become one mesh, each where its
- * nodes, instances and bones place it, in the shape of its morph weights; missing normals are computed, colours outside 0 to 1 clamped to it (whole numbers to 255 in an .obj scaled),
- * normals of other lengths scaled to 1; what is left out, such as animations, or put right stands in `warnings`. `source` is
+ * Reads a model: .glb and .gltf (2.0), .obj with its .mtl, and .stl. All triangles of its scene become one mesh, with the
+ * transforms of nodes, instances and bones and the weights of morph targets applied. Missing normals are computed, other
+ * normals scaled to length 1, and colours clamped to 0 to 1 (in an .obj, whole numbers up to 255 are scaled). `warnings` lists
+ * what is left out, such as animations, and what is corrected. `source` is
  * bytes, a Blob or File, or a URL, which in Node may be a path. Throws a `WarpError` for a file that cannot be read, or is broken
  * or too large.
  */
@@ -56,7 +57,7 @@ export async function loadMesh(
   return geometryAs(as, (await readModel(source, options)).mesh)
 }
 
-/** A mesh, and which of its vertices a material of an .obj gives a colour: 1 or 0 for each, or none. */
+/** A mesh. `painted` is 1 for each vertex that a material of an .obj gives a colour, otherwise 0; empty if none does. */
 export interface LoadedModel {
   mesh: Mesh
   painted: Uint8Array
@@ -124,7 +125,7 @@ function load(job: Job): LoadedModel {
   return { mesh: warnings.length ? { ...mesh, warnings } : mesh, painted: job.bytes('painted') }
 }
 
-/** Adds those of the files that there are; what is missing, the loader says. */
+/** Adds those of the files that exist. The loader reports the missing ones. */
 async function gather(uris: readonly string[], resolve: Resolve, files: FurtherFiles) {
   for (const uri of uris) {
     const contents: Bytes | undefined = await resolve(uri)

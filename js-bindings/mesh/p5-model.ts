@@ -106,8 +106,8 @@ function putVertices(model: WarpModel, { Vector }: Makers, mesh: Mesh, flipY: bo
 }
 
 /**
- * Vertex colours times the material's; none if all is white, so that `fill` decides. Where a material of an .obj gives only some
- * vertices their colour, p5 takes -1 as the others' and draws them as `fill` says, as its own `loadModel` does.
+ * Vertex colours times the material's; empty if all are white, so that `fill` applies. If the materials of an .obj colour only
+ * some vertices, the others get -1, which p5 draws in its fill colour, as with its own `loadModel`.
  */
 function colorsOf({ positions, colors, material }: Mesh, painted: Uint8Array): number[] {
   const base = material?.baseColor ?? [1, 1, 1, 1]
@@ -119,7 +119,7 @@ function colorsOf({ positions, colors, material }: Mesh, painted: Uint8Array): n
   })
 }
 
-/** Whether the vertex has a colour of its own, behind its position. */
+/** Returns whether the vertex has a colour other than white. */
 const isTinted = (colors: Float32Array | undefined, vertex: number) =>
   !!colors && [0, 1, 2].some((k) => colors[4 * vertex + k] !== 1)
 

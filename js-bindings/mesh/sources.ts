@@ -156,9 +156,9 @@ async function staysIn(folder: string, url: URL): Promise<boolean> {
 }
 
 /**
- * The further files of a model where it lies itself: only those beside or below it, so that a file from a stranger reads
- * nothing else. Nothing for those that are not there, since a model can do without its pictures; with `canDoWithout`
- * nothing for those that cannot be loaded for whatever reason, either.
+ * Resolves the further files of a model: only those beside or below it, so that an untrusted model reads nothing else. The
+ * result is empty for a file that does not exist, since a model can do without its pictures; with `canDoWithout` also for one
+ * that cannot be loaded for any other reason.
  */
 export function resolveBeside(model: URL, method: string, canDoWithout = false): Resolve {
   // A data: or blob: URL has nothing beside it.

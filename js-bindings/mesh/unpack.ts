@@ -1,19 +1,19 @@
-// Compressed parts of a glTF, from the bytes of the file to those that it stands for.
+// Decodes the compressed parts of a glTF.
 import { WarpError, shorten } from '../checks/errors.js'
 import { type Codec, type MeshoptDecoder, adviceFor } from './decoders.js'
 import { type DracoModule, type DracoPlan, decodeDraco } from './draco.js'
 import type { Job } from '../wasm/mesh.js'
 
-/** By codec: the decoder, or `undefined` where it was looked for and not found. */
+/** Maps a codec to its decoder, or to `undefined` if none was found. */
 export type FoundDecoders = Map<Codec, unknown>
 
-/** What gltf/packed_part.hpp says of a part. */
+/** The plan of a part, as documented in gltf/packed_part.hpp. */
 type Plan = { extension: string; isOptional: boolean } & (
   | { codec: 'meshopt'; count: number; byteStride: number; mode: string; filter: string }
   | ({ codec: 'draco' } & DracoPlan)
 )
 
-/** Decodes all compressed parts of the job's file, or answers which decoders have not been looked for. */
+/** Decodes all compressed parts of the job's file, or returns the codecs whose decoders have not been searched for yet. */
 export function unpackParts(job: Job, found: FoundDecoders): Codec[] {
   job.act('findPacked')
   const plans = job.texts().map((text) => JSON.parse(text) as Plan)

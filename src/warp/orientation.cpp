@@ -29,8 +29,10 @@ Flags uniformNodes(Expression x, std::span<const NodeId> vertexInputs) {
   for (const NodeId id : reachable(graph, std::array{x.id})) {
     // A function of the host may read what it likes.
     bool all = !graph.isCall(id) || graph.isOurCall(id);
+    // The CPU, which computes the sign too, reads no images.
     if (graph.isInput(id))
-      all = std::find(vertexInputs.begin(), vertexInputs.end(), id) == vertexInputs.end();
+      all = graph.input(graph.node(id).operands[0]).shape != oneImage &&
+            std::find(vertexInputs.begin(), vertexInputs.end(), id) == vertexInputs.end();
     for (int i = 0; i < graph.arity(id); ++i) all &= isUniform[index(graph.operand(id, i))] != 0;
     isUniform[index(id)] = all;
   }

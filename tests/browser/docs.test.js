@@ -10,7 +10,7 @@ import { linkTo } from '../../web/site/runnable.js'
 import { desktop, path } from './support/bench.js'
 import { launchBrowser, openPage } from './support/browser.js'
 import { coarse, keepFrames, rough } from './support/frames.js'
-import { settled, shown, text } from './support/playground.js'
+import { canvasPixels, settled, shown, text } from './support/playground.js'
 import { serveSite, withoutWorker } from './support/site.js'
 
 const patience = { timeout: 120_000 }
@@ -50,14 +50,10 @@ after(async () => {
 })
 
 /** How many colours the picture has. */
-const colours = async () =>
-  (await shown(page)).evaluate(() => {
-    const image = window.playground.canvas()
-    const copy = new OffscreenCanvas(image.width, image.height).getContext('2d')
-    copy.drawImage(image, 0, 0)
-    const { data } = copy.getImageData(0, 0, image.width, image.height)
-    return new Set(new Uint32Array(data.buffer)).size
-  })
+async function colours() {
+  const { data } = await canvasPixels(page)
+  return new Set(new Uint32Array(Uint8Array.from(data).buffer)).size
+}
 
 for (const { place, sketch } of blocks)
   test(place, async () => {

@@ -83,9 +83,9 @@ test('the option uniforms, also on the CPU', async () => {
   const evaluate = (count) =>
     warps.get(count).evaluateAt([0, 0, 0], { uniforms: { ...uniforms(count), first: 0 } })
   await isLinear(evaluate)
-  // It was 0.4 s.
+  // It was 0.4 s. The engine compiles what is run in the first calls.
   warps.set(10_000, make(10_000))
-  const milliseconds = (await timeOf(evaluate, 10_000, 5)) / 1000
+  const milliseconds = (await timeOf(evaluate, 10_000, 20)) / 1000
   assert.ok(milliseconds < 50, `${milliseconds} ms`)
 })
 

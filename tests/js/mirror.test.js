@@ -427,3 +427,11 @@ describe('rays of three.js', () => {
     }
   })
 })
+
+test('an image read at one place for all vertices decides no side, since the CPU cannot read it', () => {
+  const offset = ({ glsl, position, uniforms }) =>
+    position.mult(glsl.texture(uniforms.map, glsl.vec2(0.5, 0.5)).x())
+  const mesh = new THREE.Mesh(new THREE.SphereGeometry(1, 8, 6), new THREE.MeshBasicMaterial())
+  const texture = new THREE.DataTexture(new Uint8Array([255, 0, 0, 255]), 1, 1)
+  assert.doesNotThrow(() => warpObject(mesh, offset, { uniforms: { map: texture } }))
+})

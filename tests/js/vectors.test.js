@@ -185,3 +185,17 @@ test('a copy that a sketch means to change is noted, once a place', (t) => {
   })()
   assert.deepEqual(said(), [])
 })
+
+test('limit(0) is 0, of a zero vector too', () => {
+  const { evaluateAt } = compileWarp(({ position, uniforms }) => position.limit(uniforms.most), {
+    uniforms: { most: 1 },
+  })
+  for (const [place, most, moved] of [
+    [[0, 0, 0], 0, [0, 0, 0]],
+    [[3, 0, 4], 0, [3, 0, 4]],
+    [[3, 0, 4], 1, [3.6, 0, 4.8]],
+  ]) {
+    const { position } = evaluateAt(place, { uniforms: { most } })
+    position.forEach((x, i) => assert.ok(Math.abs(x - moved[i]) < 1e-6, `${position}`))
+  }
+})

@@ -29,7 +29,7 @@ const libraries = [
   'dist/mesh.js',
   'dist/deformers.js',
   'dist/glsl.js',
-  ...['basics', 'compiler', 'evaluation', 'front-end', 'meshes', 'three-warp'].map(
+  ...['basics', 'compiler', 'evaluation', 'front-end', 'meshes', 'p5-hooks', 'three-warp'].map(
     (name) => `dist/shared/${name}.js`,
   ),
   ...['three.module.js', 'three.core.js'].map((name) => `node_modules/three/build/${name}`),
