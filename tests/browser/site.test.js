@@ -25,7 +25,9 @@ before(async () => {
   url = server.resolvedUrls.local[0]
   const files = walk(folder, /\.html$/).map((file) => file.slice(folder.length + 1))
   // Those that a frame shows are sketches and nothing else.
-  pages = files.filter((file) => !/^(?:examples|bench\/(?:driven|p5-sketch))/.test(file))
+  pages = files.filter(
+    (file) => !/^(?:examples|playground\/host|bench\/(?:driven|p5-sketch))/.test(file),
+  )
 })
 after(async () => {
   await browser.close()
