@@ -51,7 +51,7 @@ after(async () => {
 
 /** How many colours the picture has. */
 async function colours() {
-  const { data } = await canvasPixels(page)
+  const data = await canvasPixels(page)
   return new Set(new Uint32Array(Uint8Array.from(data).buffer)).size
 }
 
