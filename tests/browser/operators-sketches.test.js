@@ -107,7 +107,7 @@ for (const [version, p5] of p5InThisRun)
     const problems = []
     for (const [name, sketch] of Object.entries(sketches)) {
       const { image, messages } = await run([p5, warpjet], sketch)
-      if (messages.some((each) => /WarpError|warpjet|createWarp: /.test(each))) continue
+      if (messages.some((each) => /WarpError|warpjet|createWarp: |; write /.test(each))) continue
       if (messages.length) problems.push(`${name}: it printed ${JSON.stringify(messages)}`)
       else if (!sketch.twin)
         problems.push(`${name}: it says nothing, and no twin judges its picture`)
