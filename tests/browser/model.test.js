@@ -162,7 +162,9 @@ for (const [version, p5] of p5InThisRun) {
         const ours = await loadWarpModel(base + '${name}', { normalize: false, flipY: false })
         const corner = ({ vertices, vertexColors, vertexNormals }, i) => ({
           position: vertices[i].array(),
-          color: [...vertexColors.slice(4 * i, 4 * i + 4)].map((part) => +part.toFixed(5)),
+          // p5 1.11 writes three numbers for a colour where it reads four: its colours judge nothing.
+          color: ${version !== '1.11'} &&
+            [...vertexColors.slice(4 * i, 4 * i + 4)].map((part) => +part.toFixed(5)),
           normal: ${name.endsWith('stl')} && vertexNormals[i].array().map((x) => +x.toFixed(5)),
         })
         window.reports = [own, ours].map((model) =>
@@ -325,7 +327,7 @@ for (const [version, p5] of p5InThisRun) {
           'loadWarpModel: the address of a model such as "bunny.glb" was expected, but the number 42 came.',
           `loadWarpModel: ${url}/none.glb cannot be loaded; the server answered 404.`,
           errors[3][1],
-          'loadWarpModel: there is no option "size"; there are normalize, flipY.',
+          'loadWarpModel: there is no option "size"; there are normalize, flipY, decoders.',
           'loadWarpModel: the options must be an object, but are the boolean true.',
         ],
       )
