@@ -61,7 +61,7 @@ const sharedFiles = [
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
   { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
   {
-    // What exactNormals, which needs the front end, shares with the addon, which does not.
+    // The addon and exactNormals share these modules; only exactNormals needs the front end.
     name: 'p5-hooks',
     test: /\/js-bindings\/p5\/(host|settings|struct-hooks|wgsl-hooks|variation-buffers|variation-text)\.ts$/,
   },

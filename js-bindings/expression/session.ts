@@ -142,7 +142,7 @@ export class Session {
     return this.conditions.has(handle)
   }
 
-  /** The same expression, for a sketch that means to change it as it would a p5.Vector. */
+  /** Copies the handle, so that a later call on the copy whose result is unused can be noted, as for a p5.Vector. */
   copyOf({ handle }: Expression): Expression {
     const copy = new Expression(this, handle)
     this.copies ??= new WeakSet()

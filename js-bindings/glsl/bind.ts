@@ -80,7 +80,7 @@ export function bindExternals(
     if (!value) made.set(place, (value = find(externals[place]!)))
     return value
   }
-  // Those that nothing depends on, since their values cancel out, are known to the warp nevertheless: they may be given.
+  // A uniform whose value cancels out is read too, so that `evaluate` accepts a value for it.
   for (const [place, { name, type, isAttribute }] of externals.entries())
     if (!isAttribute && isParameter(type) && !isDeclared(name) && !Object.hasOwn(inputSizes, name))
       external(place)

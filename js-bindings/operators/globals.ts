@@ -32,7 +32,7 @@ function isOfHost(name: string): boolean {
 }
 
 /**
- * Whether a name that nothing in the function binds is surely a global. `height` and `key` may as well be a parameter of the
+ * Returns true if a name that the function does not bind is surely a global. `height` and `key` may as well be a parameter of the
  * function around it, which then would be lost; `sin`, `PI` and `mouseX` are hardly ever one.
  */
 export function isSurelyGlobal(name: string, isCalled: boolean): boolean {
