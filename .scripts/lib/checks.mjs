@@ -2,7 +2,6 @@
 import { availableParallelism } from 'node:os'
 import { pathToFileURL } from 'node:url'
 import { fuzzRepeatably } from '../fuzz.mjs'
-import { staleFiles } from '../reference.mjs'
 import { installEnvironments } from './environments.mjs'
 import { withBrowsers } from './browsers.mjs'
 import { path, walk } from './files.mjs'
@@ -40,6 +39,8 @@ async function checkFormat() {
 }
 
 async function checkReference() {
+  // The reference uses packages, which the set-up installs after this file has been loaded.
+  const { staleFiles } = await import('../reference.mjs')
   const stale = (await staleFiles()).map(({ file }) => file)
   if (stale.length)
     throw new Stop(`Stale: ${stale.join(', ')}; \`npm run reference\` puts this right.`)
