@@ -1,4 +1,5 @@
-# WebAssembly build: for each module NAME.wasm, which .scripts/build.mjs inlines, and for the mesh's mesh.mjs, a factory.
+# WebAssembly build: for each module NAME.wasm, which .scripts/build.mjs inlines, and NAME.mjs, Emscripten's factory of instances. Each is
+# bound by embind in js-bindings/wasm/NAME.cpp.
 #   core        the compiler; no SIMD, so that it runs wherever WebAssembly does
 #   evaluation  programs over many vertices
 #   mesh        files of meshes, and what is done to meshes
@@ -21,15 +22,67 @@ set_source_files_properties(
   src/eval/blocks.cpp src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
 
-# emcc renamed the setting in 3.1.25. No function calls itself over nodes, so the stack can be small.
+# emcc renamed the setting in 3.1.25.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)
   set(stack_setting TOTAL_STACK)
 else()
   set(stack_setting STACK_SIZE)
 endif()
 
-# warpjet_module(NAME SUFFIX SOURCE): what all of them have in common.
-function(warpjet_module name suffix source)
+# Replacements for two parts of embind's JavaScript; each file says why.
+set(embind_libraries ${PROJECT_SOURCE_DIR}/.cmake/embind-invoker.js ${PROJECT_SOURCE_DIR}/.cmake/embind-text.js)
+
+# warpjet_module(NAME STACK LIBRARY…): links js-bindings/wasm/NAME.cpp.
+function(warpjet_module name stack)
+  set(target warpjet_${name}_wasm)
+  add_executable(${target} js-bindings/wasm/${name}.cpp)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} SUFFIX .mjs LINK_DEPENDS "${embind_libraries}")
+  target_link_libraries(${target} PRIVATE ${ARGN})
+  # Types need no names at run time, since all that cross are bound.
+  target_compile_options(${target} PRIVATE -fno-rtti -DEMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
+  foreach(library ${embind_libraries})
+    target_link_options(${target} PRIVATE "SHELL:--js-library ${library}")
+  endforeach()
+  target_link_options(${target} PRIVATE
+    -flto                                 # see CMakeLists.txt
+    --no-entry                            # a library: there is no main()
+    -lembind
+    -fno-rtti                             # chooses the variant of embind's library
+    -sMODULARIZE                          # a factory: nothing happens at import, nothing global
+    -sEXPORT_ES6                          # `export default factory`, for the bundler
+    -sENVIRONMENT=web                     # the glue for Node does not run as an ES module in 3.1.6; with the bytes handed in, this one runs in both
+    -sWASM_ASYNC_COMPILATION=0            # the factory returns the module itself, no promise
+    -sDYNAMIC_EXECUTION=0                 # no `new Function`: pages with a strict Content-Security-Policy work
+    -sINCOMING_MODULE_JS_API=wasmBinary   # the only option that we pass; the code for the others goes away
+    -sTEXTDECODER=2                       # every browser has one
+    -sASSERTIONS=0
+    -sALLOW_MEMORY_GROWTH                 # graphs and meshes of any size
+    -sSUPPORT_ERRNO=0                     # nothing reads it
+    -sFILESYSTEM=0                        # nothing reads files
+    -s${stack_setting}=${stack})
+endfunction()
+
+# No exception crosses the border of these: a throw that is left in the code does not link. Where memory ends, malloc stops the
+# instance, since embind does not check what it allocates.
+function(warpjet_module_without_exceptions name)
+  warpjet_module(${name} ${ARGN})
+  target_compile_options(warpjet_${name}_wasm PRIVATE -fno-exceptions)
+  target_link_options(warpjet_${name}_wasm PRIVATE
+    -fno-exceptions
+    -sMALLOC=emmalloc                     # the smallest allocator that frees
+    -sABORTING_MALLOC=1
+    -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
+    -sJS_MATH)                            # C's mathematics, from JavaScript: 20 KB less than musl's, tables that do not pack
+endfunction()
+
+# Not simd128: it does not link if it got in.
+set(without_simd
+  "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong")
+
+# No function of the core calls itself over nodes, so the stack can be small.
+warpjet_module_without_exceptions(core 262144 warpjet_core)
+# warpjet_plain_module(NAME SUFFIX SOURCE): what all of them have in common.
+function(warpjet_plain_module name suffix source)
   set(target warpjet_${name}_wasm)
   add_executable(${target} ${source})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} SUFFIX ${suffix})
@@ -41,28 +94,15 @@ function(warpjet_module name suffix source)
     -sFILESYSTEM=0)                       # nothing reads files
 endfunction()
 
-# Two that need none of Emscripten's JavaScript: js-bindings/wasm/start.ts has the little that they import. No exception crosses
-# the border: a throw that is left in the code does not link.
-warpjet_module(core .wasm js-bindings/wasm/core.cpp)
-warpjet_module(evaluation .wasm js-bindings/wasm/evaluation.cpp)
-foreach(target warpjet_core_wasm warpjet_evaluation_wasm)
-  target_link_libraries(${target} PRIVATE warpjet_core)
-  target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
-  target_link_options(${target} PRIVATE
-    -fno-exceptions
-    -sMALLOC=emmalloc                     # the smallest allocator that frees
-    -sINITIAL_MEMORY=2MB                  # a page that warps one mesh needs no more
-    -s${stack_setting}=262144
-    -sJS_MATH                             # C's mathematics, from JavaScript: 20 KB less than musl's, tables that do not pack
-    -sWARN_ON_UNDEFINED_SYMBOLS=0         # which that leaves
-    -sERROR_ON_UNDEFINED_SYMBOLS=0)
-endforeach()
+warpjet_plain_module(evaluation .wasm js-bindings/wasm/evaluation.cpp)
+target_link_libraries(warpjet_evaluation_wasm PRIVATE warpjet_core)
+target_compile_options(warpjet_evaluation_wasm PRIVATE -fno-exceptions -fno-rtti)
+target_link_options(warpjet_evaluation_wasm PRIVATE -fno-exceptions -sMALLOC=emmalloc -sINITIAL_MEMORY=2MB -s${stack_setting}=262144 -sJS_MATH -sWARN_ON_UNDEFINED_SYMBOLS=0 -sERROR_ON_UNDEFINED_SYMBOLS=0)
 target_compile_options(warpjet_core PRIVATE -fno-rtti)
-target_link_options(warpjet_core_wasm PRIVATE
-  "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong")  # not simd128: it does not link if it got in
+target_link_options(warpjet_core_wasm PRIVATE ${without_simd})
 
 # A text nests as deep as the parser lets it, and each level takes less than 1 KB.
-warpjet_module(glsl .wasm js-bindings/wasm/glsl.cpp)
+warpjet_plain_module(glsl .wasm js-bindings/wasm/glsl.cpp)
 target_link_libraries(warpjet_glsl_wasm PRIVATE warpjet_glsl)
 target_compile_options(warpjet_glsl_wasm PRIVATE -fno-exceptions -fno-rtti)
 target_link_options(warpjet_glsl_wasm PRIVATE
@@ -78,7 +118,7 @@ target_link_options(warpjet_glsl_wasm PRIVATE
 
 # A file that lies may ask for any amount of memory and nest as deep as it likes. tinygltf and its JSON parser throw;
 # js-bindings/wasm/mesh.cpp catches everything.
-warpjet_module(mesh .mjs js-bindings/wasm/mesh.cpp)
+warpjet_plain_module(mesh .mjs js-bindings/wasm/mesh.cpp)
 target_link_libraries(warpjet_mesh_wasm PRIVATE warpjet_mesh warpjet_core)
 set_target_properties(warpjet_mesh_wasm PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/mesh.js)
 target_compile_options(warpjet_mesh_wasm PRIVATE -fwasm-exceptions)

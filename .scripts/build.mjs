@@ -2,6 +2,7 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { declarations, declareTypes } from './lib/declarations.mjs'
+import { embindTypes } from './lib/embind-types.mjs'
 import { path, step, walk } from './lib/files.mjs'
 import { inline } from './lib/inline.mjs'
 import { locked } from './lib/lock.mjs'
@@ -18,9 +19,11 @@ const sources = (pattern) =>
 
 // Of .cmake/wasm.cmake.
 const inlined = ['core', 'evaluation', 'mesh', 'glsl']
-const compiled = ['mesh.mjs', ...inlined.map((name) => `${name}.wasm`)].map(
-  (name) => `.build/wasm/${name}`,
-)
+const glued = ['core', 'mesh']
+const compiled = [
+  ...glued.map((name) => `${name}.mjs`),
+  ...inlined.map((name) => `${name}.wasm`),
+].map((name) => `.build/wasm/${name}`)
 
 const operators = ['operators', 'operators-runtime', 'operators-plugin']
 const shared = [
@@ -66,6 +69,8 @@ async function buildAll() {
       'CMakePresets.json',
       '.cmake/wasm.cmake',
       '.cmake/mesh.js',
+      '.cmake/embind-invoker.js',
+      '.cmake/embind-text.js',
       'src',
       ...sources(/\.[ch]pp$/),
     ],
@@ -75,9 +80,12 @@ async function buildAll() {
 
   await step('WebAssembly as JavaScript', {
     inputs: [...scripts, 'package.json', ...compiled],
-    outputs: ['mesh.js', ...inlined.map((name) => `${name}-wasm.js`), 'version.ts'].map(
-      (name) => `${generated}/${name}`,
-    ),
+    outputs: [
+      'core-bindings.ts',
+      ...glued.map((name) => `${name}.js`),
+      ...inlined.map((name) => `${name}-wasm.js`),
+      'version.ts',
+    ].map((name) => `${generated}/${name}`),
     work: generateModules,
   })
 
@@ -103,8 +111,17 @@ async function buildAll() {
 function generateModules() {
   mkdirSync(path(generated), { recursive: true })
   // Any bundler takes it: the wasm is handed in, so its address never matters.
-  const glue = readFileSync(path('.build/wasm/mesh.mjs'), 'utf8')
-  writeGenerated('mesh.js', glue.replaceAll('import.meta.url', '"file:///"'))
+  for (const name of glued) {
+    const glue = readFileSync(path(`.build/wasm/${name}.mjs`), 'utf8')
+    writeGenerated(`${name}.js`, glue.replaceAll('import.meta.url', '"file:///"'))
+    if (name === 'mesh') continue
+    const wasm = readFileSync(path(`.build/wasm/${name}.wasm`))
+    writeGenerated(`${name}-bindings.ts`, embindTypes(glue, wasm))
+    writeGenerated(
+      `${name}.d.ts`,
+      'export default function factory(options: { wasmBinary: Uint8Array }): unknown\n',
+    )
+  }
   writeGenerated(
     'mesh.d.ts',
     'export default function instantiate<Module>(options: { wasmBinary: Uint8Array }): Module\n',
@@ -114,7 +131,7 @@ function generateModules() {
     writeGenerated(`${name}-wasm.js`, `export default ${text}\n`)
     writeGenerated(
       `${name}-wasm.d.ts`,
-      "declare const inlined: import('../wasm/start.js').Inlined\nexport default inlined\n",
+      "declare const inlined: import('../wasm/inlined.js').Inlined\nexport default inlined\n",
     )
   }
   const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))

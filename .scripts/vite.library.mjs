@@ -55,7 +55,7 @@ const withoutWasmInMaps = {
 const sharedFiles = [
   {
     name: 'basics',
-    test: /\/js-bindings\/(checks\/.*|inputs\/.*|cpu\/warp-program|expression\/(?:shapes|source-lines)|wasm\/start|wasm\/tables|generated\/version)\.ts$/,
+    test: /\/js-bindings\/(checks\/.*|inputs\/.*|cpu\/warp-program|expression\/(?:shapes|source-lines)|wasm\/inlined|wasm\/instance|wasm\/tables|generated\/version)\.ts$/,
   },
   { name: 'compiler', test: /\/js-bindings\/compile\/(compile|compile-warp-text)\.ts$/ },
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },

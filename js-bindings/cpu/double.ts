@@ -45,23 +45,8 @@ const numbersOf = (input: Variable, given: Readonly<Record<string, Numbers>>): n
 }
 
 /** The first results of a program, from the numbers of its inputs. */
-export function runInDouble(
+export const runInDouble = (
   { words, instructions }: Program,
-  inputs: number[],
+  inputs: readonly number[],
   resultCount: number,
-): number[] {
-  const core = getCore()
-  const numbers = core._allocate(8 * (inputs.length + resultCount) + 4 * words.length)
-  if (!numbers)
-    throw new WarpError('evaluate: there is not enough memory to compute so many numbers.')
-  try {
-    const results = numbers + 8 * inputs.length
-    const code = results + 8 * resultCount
-    core.HEAPF64.set(inputs, numbers / 8)
-    core.HEAPU32.set(words, code / 4)
-    core._run(code, words.length, instructions, numbers, inputs.length, results, resultCount)
-    return [...core.HEAPF64.subarray(results / 8, results / 8 + resultCount)]
-  } finally {
-    if (!core.isBroken) core._release(numbers)
-  }
-}
+): number[] => [...getCore().evaluate(words, instructions, inputs, resultCount)]

@@ -34,13 +34,7 @@ let operations: Operation[] | undefined
 function getOperations(): Operation[] {
   return (operations ??= getCore()
     .operationNames()
-    .split(' ')
-    .map((name, number) => ({
-      name: name.replace(/[+-]/, ''),
-      number,
-      isMethod: !/[+-]/.test(name),
-      isListed: name[0] !== '-',
-    })))
+    .map((operation, number) => ({ ...operation, number })))
 }
 
 /** The number of the operation of that name. */

@@ -1,6 +1,6 @@
 // One run of a sketch's function: the session in the wasm, which holds all that the sketch built so far. It is closed when
 // the callback is over, whatever happened.
-import { type Core, type SessionHandle, getCore, laid } from '../wasm/core.js'
+import { type Core, type Session as CoreSession, core as instance } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
 import { Expression, toExpression } from './expression.js'
 import type { KeptModule, Target } from '../module/kept-module.js'
@@ -46,9 +46,11 @@ export class Session {
   readonly inputNames = new Map<string, string>()
   /** The functions of the host, by their number. */
   readonly functions: HostFunction[] = []
-  private readonly core: Core = getCore()
+  private readonly core: Core = instance.get()
   private readonly recorded = new Map<Recorded, number>()
-  private id: SessionHandle | 0
+  private session: CoreSession | undefined
+  /** Of `session`, for plain exports. */
+  private readonly address: number
   /** Maps the handle of an unused expression to its note for the console. */
   private readonly idle = new Map<number, () => void>()
   /** Results of `copy()`, and of methods called on them. */
@@ -63,59 +65,66 @@ export class Session {
     readonly target: Target,
     private readonly recording: Recording = {},
   ) {
-    this.id = this.core._openSession()
+    this.session = new this.core.Session()
+    this.address = this.session.address()
   }
 
   close() {
-    if (this.id && !this.core.isBroken) this.core._closeSession(this.id)
-    this.id = 0
+    if (instance.isAlive(this.core)) this.session?.delete()
+    this.session = undefined
   }
 
-  private open(method: string): SessionHandle {
-    if (!this.id)
+  private open(method: string): CoreSession {
+    if (!this.session)
       throw new WarpError(
         `${method}: the function that made this expression is over; use expressions only inside it.`,
       )
-    if (this.core.isBroken)
+    if (!instance.isAlive(this.core))
       throw new WarpError(
         `${method}: the compiler ran out of memory, and this warp was lost with it; make it again.`,
       )
-    return this.id
+    return this.session
+  }
+
+  /** The address of the open session. */
+  private at(method: string): number {
+    this.open(method)
+    return this.address
   }
 
   private refuse(): never {
-    throw new WarpError(this.core.problem(this.open('problem')))
+    throw new WarpError(this.open('problem').problem())
   }
 
   private expression(handle: number): Expression {
     if (handle === failed) this.refuse()
-    if (this.recording.debug) this.core.comment(this.open('debug'), callerOutside())
+    if (this.recording.debug) this.open('debug').comment(callerOutside())
     return new Expression(this, handle)
   }
 
   shapeOf(value: Expression): Shape {
-    const shape = this.core._shapeOf(this.open('shape'), value.handle)
+    const shape = this.core._shapeOf(this.at('shape'), value.handle)
     return [shape >> 4, shape & 15]
   }
 
   /** The number of an input in the module. */
   numberOf(input: Expression): number {
-    return this.core._inputOf(this.open('number'), input.handle)
+    return this.open('number').inputOf(input.handle)
   }
 
   /** A number that float32 can hold; see `toExpression`. */
   constant(value: number, method: string): Expression {
-    return this.expression(this.core._constant(this.open(method), value))
+    return this.expression(this.core._constant(this.at(method), value))
   }
 
   /** A variable of the host, by the expression that reads it there. */
   input(label: unknown, [columns, rows]: Shape, method: string): Expression {
-    const id = this.open(method)
+    const session = this.open(method)
     if (typeof label !== 'string')
       throw new WarpError(
         `${method}: the name of a shader variable was expected, but ${describe(label)} came.`,
       )
-    return this.expression(this.core.input(id, method, label, columns, rows))
+    return this.expression(session.input(method, label, columns, rows))
   }
 
   /** A variable of the host that has another type than floats. */
@@ -125,9 +134,9 @@ export class Session {
     return input
   }
 
-  private push(id: SessionHandle, operands: readonly Expression[]) {
+  private push(operands: readonly Expression[]) {
     for (const operand of operands) {
-      this.core._push(id, operand.handle)
+      this.core._push(this.address, operand.handle)
       this.use(operand)
     }
   }
@@ -166,13 +175,13 @@ export class Session {
 
   /** An operation by its number; a method's first operand is what it is called on. */
   call(operation: number, method: string, operands: readonly Expression[], isMethod = false) {
-    const id = this.open(method)
+    const at = this.at(method)
     const few = operands.length <= 3 ? operands.length : 0
     const handle = (i: number) => (i < few ? operands[i]!.handle : 0)
     for (;;) {
-      if (few < operands.length) this.push(id, operands)
+      if (few < operands.length) this.push(operands)
       else if (this.idle.size) operands.forEach((operand) => this.use(operand))
-      const result = this.core._call(id, operation, isMethod, few, handle(0), handle(1), handle(2))
+      const result = this.core._call(at, operation, +isMethod, few, handle(0), handle(1), handle(2))
       if (result !== needsPartials) {
         if (conditions.has(method)) {
           this.watch(result)
@@ -180,48 +189,43 @@ export class Session {
         }
         return this.expression(result)
       }
-      this.givePartials(id)
+      this.givePartials()
     }
   }
 
   swizzle(name: string, value: Expression, indices: readonly number[]): Expression {
-    const id = this.open(name)
+    const session = this.open(name)
     this.use(value)
     const packed = indices.reduce((bits, index, i) => bits | (index << (2 * i)), 0)
-    const result = this.core._swizzle(id, value.handle, indices.length, packed)
-    if (result === failed) throw new WarpError(`${name}: ${this.core.problem(id)}`)
+    const result = this.core._swizzle(this.address, value.handle, indices.length, packed)
+    if (result === failed) throw new WarpError(`${name}: ${session.problem()}`)
     return this.expression(result)
   }
 
   /** With its text in each language that there is one in. */
   addFunction(hostFunction: HostFunction, sources: ReadonlyMap<string, string>): number {
     const { name, arity } = hostFunction
-    const id = this.open('fn')
-    for (const [language, text] of sources) this.core.addSource(id, language, text)
-    const number = this.core.addFunction(id, name, arity)
+    const number = this.open('fn').addFunction(name, [...sources], arity)
     if (number === failed) this.refuse()
     this.functions[number] = hostFunction
     return number
   }
 
   callFunction(number: number, name: string, operands: readonly Expression[]): Expression {
-    const id = this.open(name)
-    this.push(id, operands)
-    return this.expression(this.core._callFunction(id, number))
+    const at = this.at(name)
+    this.push(operands)
+    return this.expression(this.core._callFunction(at, number))
   }
 
   /** Functions that a front end recorded; no sketch writes them. */
   callRecorded(recorded: Recorded, operands: readonly Expression[]): Expression[] {
     const { name, variables, results, module } = recorded
-    const { core } = this
-    const id = this.open(name)
+    const session = this.open(name)
     let number = this.recorded.get(recorded)
-    if (number === undefined) {
-      const add = (at: number) => core.addRecorded(id, name, variables, at, module.length)
-      this.recorded.set(recorded, (number = laid(core, module, add)))
-    }
-    this.push(id, operands)
-    const first = core._callRecorded(id, number)
+    if (number === undefined)
+      this.recorded.set(recorded, (number = session.addRecorded(name, variables, module)))
+    this.push(operands)
+    const first = session.callRecorded(number)
     return Array.from({ length: results }, (_, i) => this.expression(first + i))
   }
 
@@ -234,9 +238,9 @@ export class Session {
     operands: readonly Expression[],
     isMethod: boolean,
   ): Expression {
-    const id = this.open(name)
-    this.push(id, operands)
-    return this.expression(this.core._callNoise(id, kind, base, octaves, isMethod))
+    const at = this.at(name)
+    this.push(operands)
+    return this.expression(this.core._callNoise(at, kind, base, octaves, +isMethod))
   }
 
   /** A loop: what its states are in the end, from what `body` makes of them in one step. */
@@ -246,11 +250,11 @@ export class Session {
     body: (states: Expression[], step: Expression) => readonly Expression[],
     names: readonly string[],
   ): Expression[] {
-    const id = this.open('repeat')
+    const session = this.open('repeat')
     const statesFrom = (handle: number) =>
       starts.map((_, i) => this.expression(handle === failed ? failed : handle + i))
-    this.push(id, starts)
-    const step = this.core._openRepeat(id, count)
+    this.push(starts)
+    const step = session.openRepeat(count)
     const states = statesFrom(step === failed ? failed : step + 1)
     let isOpen = true
     try {
@@ -263,36 +267,35 @@ export class Session {
           )
       })
       isOpen = false
-      this.push(id, nexts)
-      return statesFrom(this.core._closeRepeat(id))
+      this.push(nexts)
+      return statesFrom(session.closeRepeat())
     } finally {
-      if (isOpen && !this.core.isBroken) this.core._dropRepeat(id)
+      if (isOpen && instance.isAlive(this.core)) session.dropRepeat()
     }
   }
 
-  /** The host's image of that name at a vec2, with filter and wrap by number; `settings` is a vec3 that these may read. */
+  /** The host's image of that name at a vec2; `settings` is a vec3 that filter and wrap may read. */
   callTexture(
     image: string,
     uv: Expression,
-    filter: number,
-    wrap: number,
+    filter: keyof Core['Filter'],
+    wrap: keyof Core['Wrap'],
     settings?: Expression,
   ): Expression {
-    const id = this.open('texture')
-    this.push(id, settings ? [uv, settings] : [uv])
-    return this.expression(this.core.callTexture(id, image, filter, wrap))
+    const { Filter, Wrap } = this.core
+    const session = this.open('texture')
+    this.push(settings ? [uv, settings] : [uv])
+    return this.expression(session.callTexture(image, Filter[filter], Wrap[wrap]))
   }
 
   /** A derivative meets calls of the host's functions: the sketch says what their partial derivatives are there. */
-  private givePartials(id: SessionHandle) {
-    const calls = Array.from({ length: this.core._pendingCount(id) }, (_, place) =>
-      this.core._pendingCall(id, place),
-    )
-    for (const call of calls) this.givePartialsOf(id, call)
+  private givePartials() {
+    for (const call of this.open('derivative').pendingCalls()) this.givePartialsOf(call)
   }
 
-  private givePartialsOf(id: SessionHandle, call: number) {
-    const { name, arity, derivatives } = this.functions[this.core._functionOfCall(id, call)]!
+  private givePartialsOf(call: number) {
+    const session = this.open('derivative')
+    const { name, arity, derivatives } = this.functions[session.functionOfCall(call)]!
     if (!derivatives)
       throw new WarpError(
         `${name}: its derivatives are needed here; give glsl.fn the option "derivatives", one for each argument.`,
@@ -303,7 +306,7 @@ export class Session {
       )
     const operands = Array.from(
       { length: arity },
-      (_, i) => new Expression(this, this.core._argumentOfCall(id, call, i)),
+      (_, i) => new Expression(this, session.argumentOfCall(call, i)),
     )
     const partialOf = (given: unknown, i: number) =>
       toExpression(
@@ -319,8 +322,8 @@ export class Session {
     } finally {
       this.nesting--
     }
-    this.push(id, partials)
-    if (!this.core._setPartials(id, call)) this.refuse()
+    this.push(partials)
+    if (!session.setPartials(call)) this.refuse()
   }
 
   /** Asks for a result by the method of an expression. */
@@ -335,28 +338,26 @@ export class Session {
   /** Adds a result under a name. */
   output(name: unknown, value: Expression, method: string) {
     this.use(value)
-    this.core.output(this.open(method), method, resultName(name, method), value.handle)
+    this.open(method).output(method, resultName(name, method), value.handle)
   }
 
   /** Asks for all results of a warp, from its offset and what src/warp calls its inputs. */
   warp(method: string, operands: readonly Expression[], turns: boolean, isFlat: boolean) {
-    const id = this.open(method)
+    const session = this.open(method)
     for (;;) {
-      this.push(id, operands)
-      const result = this.core.warp(id, method, turns, isFlat)
+      this.push(operands)
+      const result = session.warp(method, turns, isFlat)
       if (result === failed) this.refuse()
       if (result !== needsPartials) return { varies: !!result }
-      this.givePartials(id)
+      this.givePartials()
     }
   }
 
   /** All that was built, as plain words. */
   finish(): KeptModule {
-    const id = this.open('finish')
-    if (!this.core._finish(id)) this.refuse()
+    const words = this.open('finish').finish()
+    if (!words.length) this.refuse()
     for (const note of this.idle.values()) note()
-    const at = this.core._keptWords(id) / 4
-    const words = this.core.HEAPU32.slice(at, at + this.core._keptSize(id))
     return Object.assign(words as KeptModule, { others: this.others })
   }
 }

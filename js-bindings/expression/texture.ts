@@ -22,10 +22,15 @@ export const hostWraps = { clamp: 0, repeat: 1, mirror: 2 } as const
 
 const isForUsers = (name: string) => name !== 'host'
 
-/** Reads the option; without it, `otherwise`. The result is its number in the wasm. */
-function readChoice(option: string, names: readonly string[], given: unknown, otherwise: string) {
-  const number = names.indexOf((given ?? otherwise) as string)
-  if (number >= 0 && (given === undefined || isForUsers(given as string))) return number
+/** Reads the option. Default: `otherwise`. */
+function readChoice<Name extends string>(
+  option: string,
+  names: readonly Name[],
+  given: unknown,
+  otherwise: Name,
+): Name {
+  const name = (given ?? otherwise) as Name
+  if (names.includes(name) && (given === undefined || isForUsers(given as string))) return name
   throw new WarpError(
     `texture: the option "${option}" must be one of ${names.filter(isForUsers).join(', ')}, but is ${describe(given)}.`,
   )

@@ -1,6 +1,6 @@
 // What is kept of a sketch's function when it is over: the words of a module (src/module), outside of the wasm. Texts and
 // programs are made of them as often as need be.
-import { type Core, type Reading, getCore, laid } from '../wasm/core.js'
+import { type Module, type Naming, core } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
 import type { ReadAsFloats, Variable } from '../expression/shapes.js'
 import { languages } from '../wasm/tables.js'
@@ -33,9 +33,9 @@ export interface Program {
 
 /** What the host calls inputs and results, by number. */
 export interface Names {
-  inputs?: readonly (readonly [number: number, name: string])[]
+  inputs?: readonly Naming[]
   /** All results under their own names, unless given. */
-  results?: readonly (readonly [number: number, name: string])[]
+  results?: readonly Naming[]
   /** What the host computes with once a frame; see compile/frame.ts. */
   known?: Known | undefined
 }
@@ -44,30 +44,25 @@ export interface Names {
 export type Known = (variable: Variable) => boolean
 
 /** Tells it of those, and gives how many vec4s it computes of them once a frame. */
-function separate(core: Core, open: Reading, isKnown: Known | undefined): number {
+function separate(module: Module, isKnown: Known | undefined): number {
   if (!isKnown) return 0
-  for (const variable of readLines(core.allInputLines(open)))
-    if (isKnown(variable)) core._knowInput(open, variable.number)
-  return core._separate(open)
+  const known = module.inputs().filter(isKnown)
+  return module.separate(known.map(({ number }) => number))
 }
 
 /** Makes the program that computes those vec4s; `isRead` says which inputs it reads. `undefined` if there are none. */
-export const makeFrame = (module: KeptModule, isKnown: Known) =>
-  reading(module, (core, open) => {
-    const count = separate(core, open, isKnown)
+export const makeFrame = (kept: KeptModule, isKnown: Known) =>
+  reading(kept, (module) => {
+    const count = separate(module, isKnown)
     if (count === 0) return undefined
-    const program = programOf(core, module, open, [readLines(core.outputLines(open)).length - 1])
-    return program && { program, count, isRead: inputsRead(core, open, program) }
+    const program = programOf(kept, module, [module.results().length - 1])
+    return program && { program, count, isRead: inputsRead(program) }
   })
 
-/** Finds which of its inputs the program reads that was just made. */
-function inputsRead(core: Core, open: Reading, { inputs }: Program): boolean[] {
-  let first = 0
-  return inputs.map(({ shape: [columns, rows] }) => {
-    const count = columns * rows
-    first += count
-    return core._programReads(open, first - count, count) !== 0
-  })
+/** Finds which of its inputs the program reads. */
+function inputsRead({ words, instructions, inputs }: Program): boolean[] {
+  const sizes = inputs.map(({ shape: [columns, rows] }) => columns * rows)
+  return Array.from(core.get().inputsRead(words, instructions, sizes), Boolean)
 }
 
 export interface Text {
@@ -80,88 +75,63 @@ export interface Text {
 
 /** A `maxDepth` makes temporaries by depth, and not by how much an expression reads. */
 export const writeText = (
-  module: KeptModule,
+  kept: KeptModule,
   target: Target,
   { inputs = [], results = [], known }: Names = {},
   maxDepth = 0,
 ): Text =>
-  reading(module, (core, open) => {
-    separate(core, open, known)
-    for (const [number, { texts }] of module.others) core.nameInput(open, number, texts[target]!)
-    for (const [number, name] of inputs) core.nameInput(open, number, name)
-    for (const [number, name] of results) core.nameResult(open, number, name)
-    if (!core.writeText(open, target, Math.min(maxDepth, 2 ** 30)))
-      throw new WarpError(core.readingProblem(open))
-    return {
-      code: core.code(open),
-      declarations: core.declarations(open),
-      inputs: readLines(core.inputLines(open), module),
-      stats: {
-        nodes: core._nodeCount(open),
-        operations: core._operationCount(open),
-        temporaries: core._temporaryCount(open),
-        vectors: core._vectorCount(open),
-      },
-    }
+  reading(kept, (module) => {
+    separate(module, known)
+    const others = Array.from(kept.others, ([number, { texts }]): Naming => [
+      number,
+      texts[target]!,
+    ])
+    const written = module.write(
+      target,
+      [...others, ...inputs],
+      results,
+      Math.min(maxDepth, 2 ** 30),
+    )
+    const { problem, ...text } = written
+    if (problem) throw new WarpError(problem)
+    return { ...text, inputs: withReads(kept, text.inputs) }
   })
 
 /** All inputs, read or not. */
-export const inputsOf = (module: KeptModule): Variable[] =>
-  reading(module, (core, open) => readLines(core.allInputLines(open), module))
+export const inputsOf = (kept: KeptModule): Variable[] =>
+  reading(kept, (module) => withReads(kept, module.inputs()))
 
 /** The results, in their order. */
-export const resultsOf = (module: KeptModule): Variable[] =>
-  reading(module, (core, open) => readLines(core.outputLines(open)))
+export const resultsOf = (kept: KeptModule): Variable[] =>
+  reading(kept, (module) => module.results())
 
 /** For the CPU, of results by number; nothing if it would call a function of the host. With `known` it reads vec4s of the frame. */
 export const makeProgram = (
-  module: KeptModule,
+  kept: KeptModule,
   results: readonly number[],
   known?: Known,
 ): Program | undefined =>
-  reading(module, (core, open) => {
-    separate(core, open, known)
-    return programOf(core, module, open, results)
+  reading(kept, (module) => {
+    separate(module, known)
+    return programOf(kept, module, results)
   })
 
 function programOf(
-  core: Core,
-  module: KeptModule,
-  open: Reading,
+  kept: KeptModule,
+  module: Module,
   results: readonly number[],
 ): Program | undefined {
-  for (const number of results) core._wantResult(open, number)
-  if (!core._makeProgram(open)) {
-    const problem = core.readingProblem(open)
-    if (problem) throw new WarpError(problem)
-    return undefined
-  }
-  const at = core._programWords(open) / 4
-  return {
-    words: core.HEAPU32.slice(at, at + core._programSize(open)),
-    instructions: core._instructionCount(open),
-    inputs: readLines(core.allInputLines(open), module),
-  }
+  const { problem, words, instructions, inputs } = module.program(results)
+  if (problem) throw new WarpError(problem)
+  return words.length ? { words, instructions, inputs: withReads(kept, inputs) } : undefined
 }
 
-function reading<Result>(module: KeptModule, work: (core: Core, open: Reading) => Result): Result {
-  const core = getCore()
-  const open = laid(core, module, (memory) => core._openReading(memory, module.length))
-  try {
-    return work(core, open)
-  } finally {
-    if (!core.isBroken) core._closeReading(open)
-  }
-}
+const reading = <Result>(kept: KeptModule, work: (module: Module) => Result): Result =>
+  core.use(({ Module }) => new Module(kept), work)
 
-/** Results or, of a `module`, inputs. */
-const readLines = (lines: string, module?: KeptModule): Variable[] =>
-  lines
-    .split('\n')
-    .slice(0, -1)
-    .map((line) => {
-      const [columns, rows, number] = line.split(' ', 3).map(Number)
-      const read = module?.others.get(number!)
-      const name = read?.name ?? line.replace(/^\d+ \d+ \d+ /, '')
-      return { name, shape: [columns!, rows!], number: number!, ...(read && { read }) }
-    })
+/** Inputs, each with how it is read if it is no float of the host. */
+const withReads = ({ others }: KeptModule, inputs: readonly Variable[]): Variable[] =>
+  inputs.map((input) => {
+    const read = others.get(input.number)
+    return read ? { ...input, name: read.name ?? input.name, read } : input
+  })

@@ -1,0 +1,137 @@
+// The life of a wasm module that embind binds: it starts when it is first used, and is replaced once it has failed.
+import { WarpError } from '../checks/errors.js'
+import { type Inlined, withBytes } from './inlined.js'
+
+/** What every module has besides its bindings. The arrays are views of its memory, which are new whenever that has grown. */
+export interface Emscripten {
+  _malloc(bytes: number): number
+  _free(address: number): void
+  readonly HEAPU8: Uint8Array
+  readonly HEAPU32: Uint32Array
+  readonly HEAPF32: Float32Array
+  readonly HEAPF64: Float64Array
+  /** The exports as they are named in `asm`. */
+  readonly asm: WebAssembly.Exports
+}
+
+/** An object of C++. */
+interface Handle {
+  delete(): void
+}
+
+type Factory = (options: { wasmBinary: Uint8Array; printErr: () => void }) => unknown
+
+interface Options {
+  factory: Factory
+  inlined: Inlined
+  /** Makes the error to throw when the instance has failed while it held so many megabytes. */
+  fail: (cause: unknown, megabytes: number) => unknown
+  /** Makes the error to throw if the module does not start, and another one does not say why. */
+  explainStart?: (cause: unknown) => unknown
+  /** Memory only grows: an instance that holds more after its use is replaced. */
+  maxKeptBytes?: number
+}
+
+export class WasmInstance<Bound extends Emscripten> {
+  private present: Bound | undefined
+  private readonly failed = new WeakSet<Bound>()
+
+  constructor(private readonly options: Options) {}
+
+  get(): Bound {
+    return (this.present ??= this.start())
+  }
+
+  /** Returns whether `bound` has not failed. What has failed holds memory in any state, and must not run again. */
+  isAlive(bound: Bound): boolean {
+    return !this.failed.has(bound)
+  }
+
+  /** Does `work` with an object of C++, and deletes it whatever happens. */
+  use<Owned extends Handle, Result>(
+    make: (bound: Bound) => Owned,
+    work: (owned: Owned, bound: Bound) => Result,
+  ): Result {
+    const bound = this.get()
+    let owned: Owned | undefined
+    try {
+      owned = make(bound)
+      return work(owned, bound)
+    } finally {
+      if (this.isAlive(bound)) owned?.delete()
+      if (bound.HEAPU8.length > (this.options.maxKeptBytes ?? Infinity)) this.drop(bound)
+    }
+  }
+
+  private drop(bound: Bound) {
+    if (this.present === bound) this.present = undefined
+  }
+
+  private start(): Bound {
+    const { factory, inlined, explainStart } = this.options
+    try {
+      const bound = withBytes(inlined, (wasmBinary) => factory({ wasmBinary, printErr() {} }))
+      this.guardAll(bound as Bound, bound as Bound)
+      return bound as Bound
+    } catch (cause) {
+      throw cause instanceof WarpError ? cause : (explainStart?.(cause) ?? cause)
+    }
+  }
+
+  /** Guards the functions of C++ in `record`, and the methods of its classes. */
+  private guardAll(bound: Bound, record: object) {
+    for (const [name, call] of Object.entries(record))
+      if (typeof call === 'function' && !isEmscriptens(name) && !('values' in call)) {
+        if (call.prototype && 'delete' in call.prototype) this.guardAll(bound, call.prototype)
+        Reflect.set(
+          record,
+          name,
+          name[0] === '_' ? this.guardPlain(bound, call) : this.guard(bound, call),
+        )
+      }
+  }
+
+  /** A function with what becomes of a failure in it. Seven places are enough for plain exports, and take half the time of a list. */
+  guardPlain<Call extends (...given: never[]) => unknown>(bound: Bound, call: Call): Call {
+    const fail = (error: unknown) => this.failure(bound, error)
+    const plain = call as unknown as (...given: unknown[]) => unknown
+    const guarded: typeof plain = (a, b, c, d, e, f, g) => {
+      try {
+        return plain(a, b, c, d, e, f, g)
+      } catch (error) {
+        throw fail(error)
+      }
+    }
+    return guarded as unknown as Call
+  }
+
+  /** The same of embind's functions, which count what they are given, and of classes. */
+  private guard(bound: Bound, call: Function) {
+    const fail = (error: unknown) => this.failure(bound, error)
+    return function (this: unknown, ...given: unknown[]): unknown {
+      try {
+        return new.target ? Reflect.construct(call, given) : call.apply(this, given)
+      } catch (error) {
+        throw fail(error)
+      }
+    }
+  }
+
+  /** Returns what to throw for an error of `bound`, which has failed if it is a trap. */
+  private failure(bound: Bound, error: unknown): unknown {
+    if (!isTrap(error)) return error
+    this.failed.add(bound)
+    this.drop(bound)
+    return this.options.fail(error, Math.ceil(bound.HEAPU8.length / 2 ** 20))
+  }
+}
+
+/** What stops an instance: a trap, no more stack, no more memory, or an exception of C++ that nothing caught. */
+const isTrap = (error: unknown) =>
+  error instanceof WebAssembly.RuntimeError ||
+  error instanceof RangeError ||
+  (typeof WebAssembly.Exception === 'function' && error instanceof WebAssembly.Exception)
+
+/** Functions that Emscripten adds: none of ours is named like them. */
+const isEmscriptens = (name: string) =>
+  /^__|Error$|^(run|constructor|isDeleted|isAliasOf)$/.test(name)
