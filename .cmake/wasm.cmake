@@ -29,8 +29,9 @@ else()
   set(stack_setting STACK_SIZE)
 endif()
 
-# Replacements for two parts of embind's JavaScript; each file says why.
-set(embind_libraries ${PROJECT_SOURCE_DIR}/.cmake/embind-invoker.js ${PROJECT_SOURCE_DIR}/.cmake/embind-text.js)
+# Parts of embind's JavaScript that are ours; each file says why.
+set(embind_libraries ${PROJECT_SOURCE_DIR}/.cmake/embind-array.js ${PROJECT_SOURCE_DIR}/.cmake/embind-invoker.js
+                     ${PROJECT_SOURCE_DIR}/.cmake/embind-text.js)
 
 # warpjet_module(NAME STACK LIBRARY…): links js-bindings/wasm/NAME.cpp.
 function(warpjet_module name stack)

@@ -69,6 +69,7 @@ async function buildAll() {
       'CMakePresets.json',
       '.cmake/wasm.cmake',
       '.cmake/mesh.js',
+      '.cmake/embind-array.js',
       '.cmake/embind-invoker.js',
       '.cmake/embind-text.js',
       'src',

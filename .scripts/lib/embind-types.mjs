@@ -22,13 +22,14 @@ function registrations(glue, module) {
   const importNames = pairs(glue.match(/asmLibraryArg=\{(.*?)\}/s)[1], /"([^"]+)":(\w+)/g)
   const found = {
     types: new Map(),
+    arrays: new Map(),
     enums: new Map(),
     objects: new Map(),
     classes: new Map(),
     functions: [],
     constants: [],
   }
-  const { types, enums, objects, classes, functions, constants } = found
+  const { types, arrays, enums, objects, classes, functions, constants } = found
   let memory
   const text = (at) => {
     const bytes = new Uint8Array(memory.buffer)
@@ -43,6 +44,7 @@ function registrations(glue, module) {
     float: (type) => name(type, 'number'),
     std_string: (type) => name(type, 'string'),
     emval: (type, at) => name(type, text(at).replace('emscripten::val', 'unknown')),
+    array: (type, item, kind) => arrays.set(type, { item, kind }),
     memory_view: (type, kind) => name(type, typedArrays[kind]),
     enum(type, at) {
       name(type, text(at))
@@ -94,11 +96,13 @@ const parameters = (types) =>
 
 /** Returns the declarations of what `glue`, Emscripten's JavaScript, makes of `wasm`, the bytes. */
 export function embindTypes(glue, wasm) {
-  const { types, enums, objects, classes, functions, constants } = registrations(
+  const { types, arrays, enums, objects, classes, functions, constants } = registrations(
     glue,
     new WebAssembly.Module(wasm),
   )
   const spell = (type) => {
+    const array = arrays.get(type)
+    if (array) return typedArrays[array.kind] ?? `${spell(array.item)}[]`
     if (types.has(type)) return types.get(type)
     throw new Error(`A binding has a type that is not registered`)
   }

@@ -227,13 +227,13 @@ void bindEnum(const char* name, const std::array<std::string_view, count>& names
 EMSCRIPTEN_BINDINGS(core) {
   using namespace emscripten;
 
-  registerArray<std::uint8_t>("Uint8Array");
-  registerArray<std::uint32_t>("Uint32Array");
-  registerArray<double>("Float64Array");
-  registerArray<OperationName>("OperationName[]");
-  registerArray<HostText>("HostText[]");
-  registerArray<Naming>("Naming[]");
-  registerArray<Variable>("Variable[]");
+  registerArray<std::uint8_t>();
+  registerArray<std::uint32_t>();
+  registerArray<double>();
+  registerArray<OperationName>();
+  registerArray<HostText>();
+  registerArray<Naming>();
+  registerArray<Variable>();
 
   bindEnum<Filter>("Filter", filterNames);
   bindEnum<Wrap>("Wrap", wrapNames);

@@ -1,42 +1,47 @@
 // What embind lacks: vectors that cross as JavaScript arrays, and string_view parameters.
-//
-// A vector of numbers crosses as a typed array, another one as an Array; both are copies, so that
-// nobody has to delete them. (Embind's register_vector gives objects with size(), get(i) and
-// delete().)
 #pragma once
 
 #include <emscripten/bind.h>
 
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
+extern "C" void _embind_register_array(emscripten::internal::TYPEID array,
+                                       emscripten::internal::TYPEID item, int kind);
+
 namespace emscripten::internal {
 
+// Crosses as a copy, which .cmake/embind-array.js makes and reads. (Embind's register_vector gives
+// objects with size(), get(i) and delete().)
 template <typename T>
 struct BindingType<std::vector<T>> {
-  using WireType = BindingType<val>::WireType;
+  using Item = typename BindingType<T>::WireType;
+  struct Items {
+    std::uint32_t length;
+    alignas(8) Item items[1];
+  };
+  using WireType = Items*;
 
   static WireType toWireType(const std::vector<T>& values) {
-    if constexpr (std::is_arithmetic_v<T>) {
-      const val view(typed_memory_view(values.size(), values.data()));
-      return BindingType<val>::toWireType(view.call<val>("slice"));
-    } else {
-      const val array = val::array();
-      for (const T& value : values) array.call<void>("push", value);
-      return BindingType<val>::toWireType(array);
-    }
+    const auto wire =
+        static_cast<WireType>(std::malloc(sizeof(Items) + values.size() * sizeof(Item)));
+    wire->length = static_cast<std::uint32_t>(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      wire->items[i] = BindingType<T>::toWireType(values[i]);
+    return wire;
   }
 
   static std::vector<T> fromWireType(WireType wire) {
-    const val array = BindingType<val>::fromWireType(wire);
-    if constexpr (std::is_arithmetic_v<T>) {
-      return convertJSArrayToNumberVector<T>(array);
-    } else {
-      return vecFromJSArray<T>(array);
-    }
+    std::vector<T> values;
+    values.reserve(wire->length);
+    for (std::uint32_t i = 0; i < wire->length; ++i)
+      values.push_back(BindingType<T>::fromWireType(wire->items[i]));
+    return values;
   }
 };
 
@@ -66,11 +71,23 @@ struct TypeID<std::string_view> {
 
 namespace warpjet {
 
-// Registers std::vector<T> under its name in TypeScript, such as "Uint32Array" or "Variable[]".
+// The number of a typed array, in the order of embind's memory views; -1 for what is no number.
 template <typename T>
-void registerArray(const char* name) {
-  using namespace emscripten::internal;
-  _embind_register_emval(TypeID<std::vector<T>>::get(), name);
+constexpr int typedArrayOf() {
+  if constexpr (std::is_floating_point_v<T>) {
+    return sizeof(T) == 4 ? 6 : 7;
+  } else if constexpr (std::is_integral_v<T>) {
+    return (sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 2 : 4) + std::is_unsigned_v<T>;
+  } else {
+    return -1;
+  }
+}
+
+// Registers std::vector<T>.
+template <typename T>
+void registerArray() {
+  using emscripten::internal::TypeID;
+  _embind_register_array(TypeID<std::vector<T>>::get(), TypeID<T>::get(), typedArrayOf<T>());
 }
 
 }  // namespace warpjet
