@@ -103,19 +103,8 @@ target_compile_options(warpjet_core PRIVATE -fno-rtti)
 target_link_options(warpjet_core_wasm PRIVATE ${without_simd})
 
 # A text nests as deep as the parser lets it, and each level takes less than 1 KB.
-warpjet_plain_module(glsl .wasm js-bindings/wasm/glsl.cpp)
-target_link_libraries(warpjet_glsl_wasm PRIVATE warpjet_glsl)
-target_compile_options(warpjet_glsl_wasm PRIVATE -fno-exceptions -fno-rtti)
-target_link_options(warpjet_glsl_wasm PRIVATE
-  -fno-exceptions
-  -sMALLOC=emmalloc
-  -sINITIAL_MEMORY=2MB
-  -s${stack_setting}=1048576
-  -Wl,--stack-first
-  "SHELL:-Xlinker --features=mutable-globals,sign-ext,bulk-memory,bulk-memory-opt,multivalue,reference-types,nontrapping-fptoint,call-indirect-overlong"
-  -sJS_MATH
-  -sWARN_ON_UNDEFINED_SYMBOLS=0
-  -sERROR_ON_UNDEFINED_SYMBOLS=0)
+warpjet_module_without_exceptions(glsl 1048576 warpjet_glsl)
+target_link_options(warpjet_glsl_wasm PRIVATE ${without_simd} -Wl,--stack-first)
 
 # A file that lies may ask for any amount of memory and nest as deep as it likes. tinygltf and its JSON parser throw;
 # js-bindings/wasm/mesh.cpp catches everything.

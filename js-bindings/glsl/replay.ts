@@ -2,7 +2,7 @@
 // used, so that nothing of the compiler is in this file's bundle.
 import type { Builder } from '../expression/builder.js'
 import type { Expression } from '../expression/expression.js'
-import { getGlsl } from '../wasm/glsl.js'
+import { glsl as wasm } from '../wasm/glsl.js'
 import { Columns, type Given as Value, Halves, halfOf, halvesOf, wholeOf } from './halves.js'
 import type { Listing } from './listing.js'
 import { type Routine, record } from './record.js'
@@ -23,7 +23,7 @@ export interface Given {
 
 /** The numbers that the function gives. */
 export function replay(glsl: Builder, listing: Listing, given: Given): Expression[] {
-  operations ??= getGlsl().codes().split(' ')
+  operations ??= wasm.get().codes()
   const { words, constants } = listing
   const routines: Routine[] = []
   let at = 0

@@ -1,96 +1,76 @@
-// The border of the front end for shader text: plain C. A source is read once, and its functions
-// are listed in words that JavaScript replays.
+// The border to JavaScript of the front end for shader source. A source is read once, and its
+// functions are listed in words that JavaScript replays.
 #include "glsl/glsl.hpp"
 
-#include <emscripten.h>
+#include <emscripten/emmalloc.h>
 
-#include <cstdlib>
+#include <array>
+#include <cstdint>
+#include <iterator>
 #include <string>
-#include <utility>
+#include <string_view>
+#include <vector>
+
+#include "embind.hpp"
 
 using namespace warpjet::glsl;
 
 namespace {
 
-struct Reading {
-  Source source;
-  Listing listing;
-};
+// The builder's name of each code; empty where it is none of its operations.
+std::vector<std::string> codes() { return {std::begin(codeNames), std::end(codeNames)}; }
 
-// Whoever asked releases it.
-const std::string* told(std::string text) { return new std::string(std::move(text)); }
+Source* openSource(std::string_view text) { return new Source(text); }
+
+std::uint32_t memoryInUse() {
+  return emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory();
+}
 
 }  // namespace
 
-extern "C" {
+EMSCRIPTEN_BINDINGS(glsl) {
+  using namespace emscripten;
+  using warpjet::registerArray;
 
-EMSCRIPTEN_KEEPALIVE std::string* makeText(int size) {
-  return new std::string(static_cast<std::size_t>(size), '\0');
+  registerArray<std::uint32_t>();
+  registerArray<double>();
+  registerArray<std::string>();
+  registerArray<HeadParameter>();
+  registerArray<FunctionHead>();
+  registerArray<HostName>();
+
+  using ColumnsAndRows = std::array<std::uint32_t, 2>;
+  value_array<ColumnsAndRows>("Shape")
+      .element(emscripten::index<0>())
+      .element(emscripten::index<1>());
+  value_object<HeadParameter>("Parameter")
+      .field("type", &HeadParameter::type)
+      .field("name", &HeadParameter::name)
+      .field("isOut", &HeadParameter::isOut);
+  value_object<FunctionHead>("FunctionHead")
+      .field("number", &FunctionHead::number)
+      .field("type", &FunctionHead::type)
+      .field("name", &FunctionHead::name)
+      .field("parameters", &FunctionHead::parameters);
+  value_object<HostName>("HostName")
+      .field("name", &HostName::name)
+      .field("type", &HostName::type)
+      .field("isAttribute", &HostName::isAttribute)
+      .field("isRead", &HostName::isRead)
+      .field("shape", &HostName::shape);
+  value_object<Listing>("Listing")
+      .field("words", &Listing::words)
+      .field("constants", &Listing::constants)
+      .field("results", &Listing::results)
+      .field("externals", &Listing::names)
+      .field("routines", &Listing::routines);
+
+  class_<Source>("Source")
+      .constructor(&openSource, allow_raw_pointers())
+      .function("problem", &Source::problem)
+      .function("functions", &Source::functions)
+      .function("lower", &Source::lower);
+
+  function("codes", &codes);
+  function("memoryInUse", &memoryInUse);
 }
-
-EMSCRIPTEN_KEEPALIVE const char* textAddress(const std::string* text) { return text->data(); }
-
-EMSCRIPTEN_KEEPALIVE int textSize(const std::string* text) {
-  return static_cast<int>(text->size());
-}
-
-EMSCRIPTEN_KEEPALIVE void releaseText(const std::string* text) { delete text; }
-
-// The builder's name of each code, empty where it is none of its operations.
-EMSCRIPTEN_KEEPALIVE const std::string* codes() {
-  std::string names;
-  for (const char* name : codeNames) (names += name) += ' ';
-  return told(names);
-}
-
-EMSCRIPTEN_KEEPALIVE Reading* openSource(const std::string* text) {
-  return new Reading{Source(*text), {}};
-}
-
-EMSCRIPTEN_KEEPALIVE void closeSource(Reading* reading) { delete reading; }
-
-EMSCRIPTEN_KEEPALIVE const std::string* sourceProblem(Reading* reading) {
-  return told(reading->source.problem());
-}
-
-EMSCRIPTEN_KEEPALIVE const std::string* functionLines(Reading* reading) {
-  return told(reading->source.functions());
-}
-
-EMSCRIPTEN_KEEPALIVE void lower(Reading* reading, int function, int maxIterations) {
-  reading->listing = reading->source.lower(function, maxIterations);
-}
-
-EMSCRIPTEN_KEEPALIVE const std::uint32_t* words(Reading* reading) {
-  return reading->listing.words.data();
-}
-
-EMSCRIPTEN_KEEPALIVE int wordCount(Reading* reading) {
-  return static_cast<int>(reading->listing.words.size());
-}
-
-EMSCRIPTEN_KEEPALIVE const double* constants(Reading* reading) {
-  return reading->listing.constants.data();
-}
-
-EMSCRIPTEN_KEEPALIVE int constantCount(Reading* reading) {
-  return static_cast<int>(reading->listing.constants.size());
-}
-
-EMSCRIPTEN_KEEPALIVE const std::uint32_t* results(Reading* reading) {
-  return reading->listing.results.data();
-}
-
-EMSCRIPTEN_KEEPALIVE int resultCount(Reading* reading) {
-  return static_cast<int>(reading->listing.results.size());
-}
-
-EMSCRIPTEN_KEEPALIVE const std::string* routineLines(Reading* reading) {
-  return told(reading->listing.routines);
-}
-
-EMSCRIPTEN_KEEPALIVE const std::string* nameLines(Reading* reading) {
-  return told(reading->listing.names);
-}
-
-}  // extern "C"

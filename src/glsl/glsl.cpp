@@ -11,23 +11,22 @@ Source::Source(std::string_view text) : text_(text) {
   if (!problems_.any()) tree_ = Parser(std::move(read), problems_).parse();
 }
 
-std::string Source::functions() const {
-  std::string lines;
-  if (problems_.any()) return lines;
-  for (std::size_t i = 0; i < tree_.functions.size(); ++i) {
+std::vector<FunctionHead> Source::functions() const {
+  std::vector<FunctionHead> heads;
+  if (problems_.any()) return heads;
+  for (std::uint32_t i = 0; i < tree_.functions.size(); ++i) {
     const Function& function = tree_.functions[i];
     if (function.body == nothing) continue;
-    lines += std::to_string(i) + ' ' + tree_.types.name(function.type) + ' ' +
-             std::string(function.name);
+    FunctionHead head{i, tree_.types.name(function.type), std::string(function.name), {}};
     for (const Parameter& parameter : function.parameters) {
-      const bool isIn = parameter.direction == Parameter::Direction::In;
       const std::string_view name = tree_.variables[parameter.variable].name;
-      lines += ' ' + tree_.types.name(parameter.type) + (isIn ? ' ' : '&') +
-               (name.empty() ? "?" : std::string(name));
+      head.parameters.push_back({tree_.types.name(parameter.type),
+                                 name.empty() ? "?" : std::string(name),
+                                 parameter.direction != Parameter::Direction::In});
     }
-    lines += '\n';
+    heads.push_back(std::move(head));
   }
-  return lines;
+  return heads;
 }
 
 Listing Source::lower(int function, int maxIterations) {

@@ -2,6 +2,7 @@
 // that whoever has a builder makes again, from the first to the last. It is read once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -12,6 +13,26 @@
 #include "glsl/tree.hpp"
 
 namespace warpjet::glsl {
+
+// What the host gives: a uniform or an attribute of the text.
+struct HostName {
+  std::string name, type;
+  bool isAttribute;
+  bool isRead;                         // by the function
+  std::array<std::uint32_t, 2> shape;  // columns and rows
+};
+
+struct HeadParameter {
+  std::string type, name;  // "?" without a name
+  bool isOut;
+};
+
+// A function with a body.
+struct FunctionHead {
+  std::uint32_t number;
+  std::string type, name;
+  std::vector<HeadParameter> parameters;
+};
 
 // Each operation is its code, then:
 //   Constant     the number of its value; of an int or uint that is Whole
@@ -38,10 +59,8 @@ struct Listing {
   std::vector<std::uint32_t> words;
   std::vector<double> constants;
   std::vector<std::uint32_t> results;
-  // Of what the host gives, a line each: kind, columns, rows, type and name.
-  std::string names;
-  // Of functions that stay functions, a line each.
-  std::string routines;
+  std::vector<HostName> names;
+  std::vector<std::string> routines;  // the names of functions that stay functions
 };
 
 class Source {
@@ -51,8 +70,7 @@ class Source {
   // The sentence with its place; empty where there is none.
   std::string problem() const { return problems_.any() ? problems_.text(text_.separate) : ""; }
 
-  // A line for each function with a body: the number, the type and the name, then the parameters.
-  std::string functions() const;
+  std::vector<FunctionHead> functions() const;
 
   // Nothing but a problem where the function cannot be lowered.
   Listing lower(int function, int maxIterations);

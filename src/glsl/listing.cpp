@@ -95,7 +95,7 @@ class Lister {
     say(Code::Define);
     say(place);
     say(use.variables);
-    listing_.routines += routine.name + '\n';
+    listing_.routines.push_back(routine.name);
     routine_ = &routine;
     next_ = 0;
     sayNeeded(use.needed);
@@ -281,9 +281,8 @@ Listing list(const Lowered& lowered, const Types& types) {
   lister.list(lowered.results);
   for (std::size_t i = 0; i < lowered.externals.size(); ++i) {
     const auto& [name, type, isAttribute] = lowered.externals[i];
-    listing.names += std::string(lister.isNamed[i] ? "" : "-") +
-                     (isAttribute ? "in " : "uniform ") + std::to_string(type.columns) + ' ' +
-                     std::to_string(type.rows) + ' ' + types.name(type) + ' ' + name + '\n';
+    listing.names.push_back(
+        {name, types.name(type), isAttribute, lister.isNamed[i], {type.columns, type.rows}});
   }
   return listing;
 }

@@ -206,7 +206,7 @@ TEST(GlslDefine, WhatIsCalledOftenIsDefinedOnce) {
   const Ran run(listing, {0.3, -0.7});
   EXPECT_EQ(run.defined, 1);
   EXPECT_EQ(run.called, 3);
-  EXPECT_EQ(listing.routines, "wave\n");
+  EXPECT_EQ(listing.routines, std::vector<std::string>{"wave"});
   const double expected =
       waveAt(0.3, -0.7, 0.5) + waveAt(-0.7, 0.3 * 0.3, 0.5) * waveAt(1.3, 2, 0.5);
   EXPECT_NEAR(run.results.at(0), expected, 1e-12);
@@ -354,7 +354,13 @@ TEST(GlslListing, WholeNumbersFromOutsideComeInHalves) {
     halves += listing.words[i] == static_cast<std::uint32_t>(Code::Uniform) &&
               (listing.words[i + 3] & Recorder::highHalf) != 0;
   EXPECT_EQ(halves, 1);
-  EXPECT_NE(listing.names.find("uniform 1 1 int n"), std::string::npos);
+  ASSERT_EQ(listing.names.size(), 1u);
+  const auto& [name, type, isAttribute, isRead, shape] = listing.names[0];
+  EXPECT_EQ(name, "n");
+  EXPECT_EQ(type, "int");
+  EXPECT_FALSE(isAttribute);
+  EXPECT_TRUE(isRead);
+  EXPECT_EQ(shape, (std::array<std::uint32_t, 2>{1, 1}));
 }
 
 }  // namespace

@@ -139,12 +139,10 @@ class Order {
 void check(std::string text) {
   Source source(std::move(text));
   if (!source.problem().empty()) return requireSentence(source.problem());
-  const std::string lines = source.functions();
+  const std::vector<FunctionHead> functions = source.functions();
+  if (functions.empty()) return;
   // The last one, as calls it all the others.
-  if (lines.empty()) return;
-  const auto start = lines.rfind('\n', lines.size() - 2);
-  const int last = std::atoi(lines.c_str() + (start == lines.npos ? 0 : start + 1));
-  const Listing listing = source.lower(last, 3);
+  const Listing listing = source.lower(static_cast<int>(functions.back().number), 3);
   if (!source.problem().empty()) return requireSentence(source.problem());
   Order{listing};
 }
