@@ -95,10 +95,7 @@ function(warpjet_plain_module name suffix source)
     -sFILESYSTEM=0)                       # nothing reads files
 endfunction()
 
-warpjet_plain_module(evaluation .wasm js-bindings/wasm/evaluation.cpp)
-target_link_libraries(warpjet_evaluation_wasm PRIVATE warpjet_core)
-target_compile_options(warpjet_evaluation_wasm PRIVATE -fno-exceptions -fno-rtti)
-target_link_options(warpjet_evaluation_wasm PRIVATE -fno-exceptions -sMALLOC=emmalloc -sINITIAL_MEMORY=2MB -s${stack_setting}=262144 -sJS_MATH -sWARN_ON_UNDEFINED_SYMBOLS=0 -sERROR_ON_UNDEFINED_SYMBOLS=0)
+warpjet_module_without_exceptions(evaluation 262144 warpjet_core)
 target_compile_options(warpjet_core PRIVATE -fno-rtti)
 target_link_options(warpjet_core_wasm PRIVATE ${without_simd})
 

@@ -19,7 +19,7 @@ const sources = (pattern) =>
 
 // Of .cmake/wasm.cmake.
 const inlined = ['core', 'evaluation', 'mesh', 'glsl']
-const glued = ['core', 'glsl', 'mesh']
+const glued = ['core', 'evaluation', 'glsl', 'mesh']
 const compiled = [
   ...glued.map((name) => `${name}.mjs`),
   ...inlined.map((name) => `${name}.wasm`),

@@ -1,8 +1,8 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
 import { WarpError } from '../checks/errors.js'
-import { boundProgram, inputsRead } from '../wasm/evaluation.js'
-import type { Sink } from '../wasm/machine-code.js'
-import { runProgram } from '../wasm/run-program.js'
+import { boundProgram, inputsRead } from './analyse-program.js'
+import type { Sink } from './machine-code.js'
+import { runProgram } from './run-program.js'
 import { type VertexInput, variationInputs, vertexInputs } from '../inputs/inputs.js'
 import type { Program } from '../module/kept-module.js'
 import { lazily } from '../module/lazily.js'

@@ -14,8 +14,8 @@ import {
 import { type VertexInput, vertexInputs } from '../inputs/inputs.js'
 import { type Uniforms, checkUniforms } from '../inputs/vertices.js'
 import type { Program } from '../module/kept-module.js'
-import { inputsRead } from '../wasm/evaluation.js'
-import type { Stream } from '../wasm/machine-code.js'
+import { inputsRead } from './analyse-program.js'
+import type { Stream } from './machine-code.js'
 import type { WarpProgram } from './warp-program.js'
 
 /** A program's input, under the warp's name for it. */

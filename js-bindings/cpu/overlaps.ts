@@ -1,6 +1,6 @@
 // Checks how results and inputs of `evaluate` share memory.
 import { WarpError } from '../checks/errors.js'
-import type { Sink, Stream } from '../wasm/machine-code.js'
+import type { Sink, Stream } from './machine-code.js'
 
 /** Throws if two results share memory. `names` are the keys of the option `out`. */
 export function rejectShared(names: readonly string[], sinks: readonly Sink[], vertices: number) {

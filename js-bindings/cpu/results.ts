@@ -1,7 +1,7 @@
 // The results of a warp on the CPU: which numbers of the program they are, and the arrays that they go into.
 import { WarpError, describe } from '../checks/errors.js'
 import { noteChecked } from '../inputs/vertices.js'
-import type { Sink } from '../wasm/machine-code.js'
+import type { Sink } from './machine-code.js'
 import { rejectShared } from './overlaps.js'
 
 /** Flat arrays in the order of the vertices that came. */

@@ -1,9 +1,8 @@
 // The compiler (core.cpp). It starts with the first warp.
-import { WarpError } from '../checks/errors.js'
 import factory from '../generated/core.js'
 import type { Bound } from '../generated/core-bindings.js'
 import inlined from '../generated/core-wasm.js'
-import { type Emscripten, WasmInstance } from './instance.js'
+import { type Emscripten, WasmInstance, outOfMemory } from './instance.js'
 
 export type { Module, Naming, Session } from '../generated/core-bindings.js'
 
@@ -16,13 +15,10 @@ export type Core = Bound & Emscripten
 export const core = new WasmInstance<Core>({
   factory,
   inlined,
-  fail(cause, megabytes) {
-    // No more stack: the user's function calls itself without end, which JavaScript says better.
-    if (cause instanceof RangeError) return cause
-    return new WarpError(
+  fail: outOfMemory(
+    (megabytes) =>
       `There is not enough memory for so large a warp: the compiler already holds ${megabytes} MB.`,
-    )
-  },
+  ),
 })
 
 export const getCore = () => core.get()

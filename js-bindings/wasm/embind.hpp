@@ -1,4 +1,5 @@
-// What embind lacks: vectors that cross as JavaScript arrays, and string_view parameters.
+// What embind lacks: vectors that cross as JavaScript arrays, typed views of memory, and
+// string_view parameters.
 #pragma once
 
 #include <emscripten/bind.h>
@@ -10,6 +11,19 @@
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+namespace warpjet {
+
+// Numbers in memory, which JavaScript sees as a typed array, until the memory grows.
+template <typename T>
+struct View {
+  std::size_t size;
+  const T* data;
+
+  explicit View(const std::vector<T>& numbers) : size(numbers.size()), data(numbers.data()) {}
+};
+
+}  // namespace warpjet
 
 extern "C" void _embind_register_array(emscripten::internal::TYPEID array,
                                        emscripten::internal::TYPEID item, int kind);
@@ -56,6 +70,15 @@ struct TypeID<T, std::enable_if_t<IsVector<typename Canonicalized<T>::type>::val
   static constexpr TYPEID get() { return LightTypeID<typename Canonicalized<T>::type>::get(); }
 };
 
+// A result only.
+template <typename T>
+struct BindingType<warpjet::View<T>> {
+  using WireType = BindingType<val>::WireType;
+  static WireType toWireType(const warpjet::View<T>& view) {
+    return BindingType<val>::toWireType(val(typed_memory_view(view.size, view.data)));
+  }
+};
+
 // A parameter only: the characters are released after the call.
 template <>
 struct BindingType<std::string_view> {
@@ -81,6 +104,15 @@ constexpr int typedArrayOf() {
   } else {
     return -1;
   }
+}
+
+// Registers View<T>.
+template <typename T>
+void registerView() {
+  constexpr const char* names[] = {"Int8Array",  "Uint8Array",  "Int16Array",   "Uint16Array",
+                                   "Int32Array", "Uint32Array", "Float32Array", "Float64Array"};
+  using namespace emscripten::internal;
+  _embind_register_emval(TypeID<View<T>>::get(), names[typedArrayOf<T>()]);
 }
 
 // Registers std::vector<T>.

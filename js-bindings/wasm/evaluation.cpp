@@ -1,14 +1,14 @@
-// The border to JavaScript of what runs programs on many vertices: plain C, since a call has
-// numbers and addresses only. The caller lays programs and arrays into memory that it allocates
-// here.
+// The border to JavaScript of what runs programs on many vertices. Vertices cross by views of
+// arrays here; machine code has arrays of its own in memory that JavaScript allocates.
 #include <emscripten.h>
 #include <emscripten/emmalloc.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <cstdlib>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "embind.hpp"
 #include "eval/blocks.hpp"
 #include "eval/bounds.hpp"
 #include "eval/each_lane.hpp"
@@ -18,134 +18,141 @@ using namespace warpjet;
 
 namespace {
 
-// An array in memory: its address, its numbers a vertex, and for an input whether all vertices
-// share them.
-struct Array {
-  float* values;
+using Words = std::vector<std::uint32_t>;
+
+// The numbers of an input, `size` a vertex or, if it is uniform, `size` in all.
+struct InputArray {
   std::uint32_t size;
-  std::uint32_t isUniform;
-};
+  bool isUniform;
 
-std::vector<Stream> streams(const Array* arrays, int count) {
-  std::vector<Stream> all;
-  for (int i = 0; i < count; ++i)
-    all.push_back({arrays[i].values, arrays[i].size, arrays[i].isUniform != 0});
-  return all;
-}
-
-std::vector<Sink> sinks(const Array* arrays, int count) {
-  std::vector<Sink> all;
-  for (int i = 0; i < count; ++i) all.push_back({arrays[i].values, arrays[i].size});
-  return all;
-}
-
-// Their addresses are offsets.
-std::vector<Placement> placements(const Array* arrays, int count) {
-  std::vector<Placement> all;
-  for (int i = 0; i < count; ++i)
-    all.push_back({static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(arrays[i].values)),
-                   arrays[i].size, arrays[i].isUniform != 0});
-  return all;
-}
-
-// What JavaScript reads of it stands first.
-struct MadeCode {
-  const std::uint8_t* module = nullptr;
-  std::uint32_t moduleSize = 0;
-  const std::uint32_t* shared = nullptr;
-  std::uint32_t sharedCount = 0;
-  std::uint32_t sharedAt = 0;
-  MachineCode code;
-
-  explicit MadeCode(MachineCode made) : code(std::move(made)) {
-    module = code.module.data();
-    moduleSize = static_cast<std::uint32_t>(code.module.size());
-    shared = code.shared.data();
-    sharedCount = static_cast<std::uint32_t>(code.shared.size());
-    sharedAt = code.sharedAt;
+  std::size_t length(std::uint32_t vertices) const {
+    return std::size_t{size} * (isUniform ? 1 : vertices);
   }
 };
 
-std::span<const std::uint32_t> words(const std::uint32_t* first, int count) {
-  return {first, static_cast<std::size_t>(count)};
+// The words and instructions of warpjet::Program.
+class CpuProgram {
+ public:
+  CpuProgram(Words words, std::uint32_t instructions)
+      : words_(std::move(words)), instructions_(instructions) {}
+
+  // Whether the wanted results depend on each input, which have so many numbers.
+  std::vector<std::uint8_t> inputsRead(const Words& wanted, const Words& sizes) const {
+    std::vector<std::uint8_t> isRead;
+    std::vector<std::size_t> inputOf;  // by number
+    for (const std::uint32_t size : sizes) {
+      inputOf.insert(inputOf.end(), size, isRead.size());
+      isRead.push_back(0);
+    }
+    const RegisterProgram program = allocate(wanted, std::vector<bool>(inputOf.size()));
+    for (const RegisterInstruction& instruction : program.body)
+      if (instruction.op == inputOp) isRead[inputOf[instruction.input]] = 1;
+    return isRead;
+  }
+
+  // Pairs of a low and a high number: of each number of the inputs, and of each result.
+  std::vector<double> bounds(const std::vector<double>& ranges, const Words& wanted) const {
+    std::vector<Range> given;
+    for (std::size_t i = 0; i + 1 < ranges.size(); i += 2)
+      given.push_back({ranges[i], ranges[i + 1]});
+    std::vector<double> found;
+    for (const auto& [low, high] : warpjet::bounds(words_, instructions_, given, wanted))
+      found.insert(found.end(), {low, high});
+    return found;
+  }
+
+  bool isTooLongForMachineCode() const { return instructions_ > mostInstructions; }
+
+  RegisterProgram allocate(const Words& wanted, const std::vector<InputArray>& inputs) const {
+    std::vector<bool> isUniform;
+    for (const InputArray& input : inputs)
+      isUniform.resize(isUniform.size() + input.size, input.isUniform);
+    return allocate(wanted, isUniform);
+  }
+
+ private:
+  RegisterProgram allocate(const Words& wanted, const std::vector<bool>& isUniform) const {
+    return allocateRegisters(words_, instructions_, wanted, isUniform);
+  }
+
+  Words words_;
+  std::uint32_t instructions_;
+};
+
+// Interprets a program for the wanted ones of its results, a batch of at most so many vertices at a
+// time. The caller fills the inputs, uniform ones before the first run.
+class Evaluator {
+ public:
+  Evaluator(const CpuProgram& program, const Words& wanted, const std::vector<InputArray>& inputs,
+            const Words& resultSizes, std::uint32_t vertices)
+      : program_(program.allocate(wanted, inputs)) {
+    for (const InputArray& input : inputs) {
+      inputs_.emplace_back(input.length(vertices));
+      streams_.push_back({inputs_.back().data(), input.size, input.isUniform});
+    }
+    for (const std::uint32_t size : resultSizes) {
+      results_.emplace_back(std::size_t{size} * vertices);
+      sinks_.push_back({results_.back().data(), size});
+    }
+  }
+
+  View<float> input(std::uint32_t i) { return View(inputs_[i]); }
+  View<float> result(std::uint32_t i) { return View(results_[i]); }
+
+  void run(std::uint32_t vertices) {
+    if (!evaluator_) evaluator_.emplace(std::move(program_), streams_);
+    evaluator_->run(vertices, streams_, sinks_);
+  }
+
+ private:
+  RegisterProgram program_;
+  std::vector<std::vector<float>> inputs_, results_;
+  std::vector<Stream> streams_;
+  std::vector<Sink> sinks_;
+  std::optional<BlockEvaluator> evaluator_;
+};
+
+// A wasm module of its own, for which the caller allocates memory: offsets are in that.
+struct Code {
+  std::vector<std::uint8_t> module;  // empty if the program is too long
+  Words inputsAt = {}, resultsAt = {};
+  // Bits of floats that must be at this offset before `start`: the last that the memory must have.
+  Words shared = {};
+  std::uint32_t sharedAt = 0;
+};
+
+Code makeCode(const CpuProgram& program, const Words& wanted, const std::vector<InputArray>& inputs,
+              const Words& resultSizes, std::uint32_t vertices) {
+  if (program.isTooLongForMachineCode()) return {};
+  std::uint32_t end = 0;
+  const auto place = [&](std::size_t numbers) {
+    return std::exchange(end, end + static_cast<std::uint32_t>(sizeof(float) * numbers));
+  };
+  Code code{};
+  std::vector<Placement> from, to;
+  for (const InputArray& input : inputs) {
+    code.inputsAt.push_back(place(input.length(vertices)));
+    from.push_back({code.inputsAt.back(), input.size, input.isUniform});
+  }
+  for (const std::uint32_t size : resultSizes) {
+    code.resultsAt.push_back(place(std::size_t{size} * vertices));
+    to.push_back({code.resultsAt.back(), size});
+  }
+  MachineCode made = machineCode(program.allocate(wanted, inputs), from, to, end);
+  code.module = std::move(made.module);
+  code.shared = std::move(made.shared);
+  code.sharedAt = made.sharedAt;
+  return code;
+}
+
+std::uint32_t memoryInUse() {
+  return emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory();
 }
 
 }  // namespace
 
-extern "C" {
-
-// Readies a program of so many instructions for the wanted ones of its results.
-EMSCRIPTEN_KEEPALIVE BlockEvaluator* openEvaluator(const std::uint32_t* program, int size,
-                                                   int instructions, const std::uint32_t* wanted,
-                                                   int wantedCount, const Array* inputs,
-                                                   int inputCount) {
-  const std::vector<Stream> given = streams(inputs, inputCount);
-  std::vector<bool> isUniform;
-  for (const Stream& stream : given)
-    isUniform.resize(isUniform.size() + stream.size, stream.isUniform);
-  return new BlockEvaluator(
-      allocateRegisters(words(program, size), static_cast<std::uint32_t>(instructions),
-                        words(wanted, wantedCount), isUniform),
-      given);
-}
-
-// Marks the inputs, number by number, that the wanted results depend on.
-EMSCRIPTEN_KEEPALIVE void markInputs(const std::uint32_t* program, int size, int instructions,
-                                     const std::uint32_t* wanted, int wantedCount,
-                                     std::uint32_t* marks, int inputNumbers) {
-  const RegisterProgram made = allocateRegisters(
-      words(program, size), static_cast<std::uint32_t>(instructions), words(wanted, wantedCount),
-      std::vector<bool>(static_cast<std::size_t>(inputNumbers)));
-  for (const RegisterInstruction& instruction : made.body) {
-    if (instruction.op == inputOp) marks[instruction.input] = 1;
-  }
-}
-
-EMSCRIPTEN_KEEPALIVE void runEvaluator(BlockEvaluator* evaluator, int vertices, const Array* inputs,
-                                       int inputCount, const Array* results, int resultCount) {
-  evaluator->run(static_cast<std::size_t>(vertices), streams(inputs, inputCount),
-                 sinks(results, resultCount));
-}
-
-// Ranges are pairs of a low and a high number: of each number of the inputs, and of each result.
-EMSCRIPTEN_KEEPALIVE void bound(const std::uint32_t* program, int size, int instructions,
-                                const Range* ranges, int rangeCount, const std::uint32_t* wanted,
-                                int wantedCount, Range* results) {
-  const std::vector<Range> found =
-      bounds(words(program, size), static_cast<std::uint32_t>(instructions),
-             {ranges, static_cast<std::size_t>(rangeCount)}, words(wanted, wantedCount));
-  std::copy(found.begin(), found.end(), results);
-}
-
-// Machine code for the wanted results, of arrays at these offsets, all of them before `end`; null
-// if it would be too long.
-EMSCRIPTEN_KEEPALIVE MadeCode* makeMachineCode(const std::uint32_t* program, int size,
-                                               int instructions, const std::uint32_t* wanted,
-                                               int wantedCount, const Array* inputs, int inputCount,
-                                               const Array* results, int resultCount, int end) {
-  if (static_cast<std::size_t>(instructions) > mostInstructions) return nullptr;
-  const std::vector<Placement> from = placements(inputs, inputCount);
-  std::vector<bool> isUniform;
-  for (const Placement& input : from)
-    isUniform.resize(isUniform.size() + input.size, input.isUniform);
-  const RegisterProgram made =
-      allocateRegisters(words(program, size), static_cast<std::uint32_t>(instructions),
-                        words(wanted, wantedCount), isUniform);
-  return new MadeCode(
-      machineCode(made, from, placements(results, resultCount), static_cast<std::uint32_t>(end)));
-}
-
-EMSCRIPTEN_KEEPALIVE void dropMachineCode(MadeCode* made) { delete made; }
-
-EMSCRIPTEN_KEEPALIVE void closeEvaluator(BlockEvaluator* evaluator) { delete evaluator; }
-
-EMSCRIPTEN_KEEPALIVE void* allocate(int bytes) {
-  return std::malloc(static_cast<std::size_t>(bytes));
-}
-
-EMSCRIPTEN_KEEPALIVE void release(void* memory) { std::free(memory); }
-
 // What machine code imports: `Staged` of src/eval/staged.hpp has what else it needs.
+extern "C" {
 #define LANES(name) \
   EMSCRIPTEN_KEEPALIVE simd::Floats lanes_##name(simd::Floats x) { return name(Lanes(x)).floats; }
 #define LANES_OF_TWO(name)                                                         \
@@ -173,10 +180,39 @@ EMSCRIPTEN_KEEPALIVE simd::Floats lanes_each_lane(int op, simd::Floats x, simd::
                                                   simd::Floats z) {
   return eachLane(Op{static_cast<std::uint8_t>(op)}, {Lanes(x), Lanes(y), Lanes(z)}).floats;
 }
-
-// Bytes that are allocated now.
-EMSCRIPTEN_KEEPALIVE int memoryInUse() {
-  return static_cast<int>(emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory());
-}
-
 }  // extern "C"
+
+EMSCRIPTEN_BINDINGS(evaluation) {
+  using namespace emscripten;
+
+  registerArray<std::uint8_t>();
+  registerArray<std::uint32_t>();
+  registerArray<double>();
+  registerArray<InputArray>();
+  registerView<float>();
+
+  value_object<InputArray>("InputArray")
+      .field("size", &InputArray::size)
+      .field("isUniform", &InputArray::isUniform);
+  value_object<Code>("Code")
+      .field("module", &Code::module)
+      .field("inputsAt", &Code::inputsAt)
+      .field("resultsAt", &Code::resultsAt)
+      .field("shared", &Code::shared)
+      .field("sharedAt", &Code::sharedAt);
+
+  class_<CpuProgram>("Program")
+      .constructor<Words, std::uint32_t>()
+      .function("inputsRead", &CpuProgram::inputsRead)
+      .function("bounds", &CpuProgram::bounds)
+      .function("code", &makeCode);
+
+  class_<Evaluator>("Evaluator")
+      .constructor<const CpuProgram&, const Words&, const std::vector<InputArray>&, const Words&,
+                   std::uint32_t>()
+      .function("input", &Evaluator::input)
+      .function("result", &Evaluator::result)
+      .function("run", &Evaluator::run);
+
+  function("memoryInUse", &memoryInUse);
+}

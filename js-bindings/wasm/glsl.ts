@@ -1,21 +1,18 @@
 // The front end for shader source (glsl.cpp). It starts with the first source.
-import { WarpError } from '../checks/errors.js'
 import factory from '../generated/glsl.js'
 import type { Bound } from '../generated/glsl-bindings.js'
 import inlined from '../generated/glsl-wasm.js'
-import { type Emscripten, WasmInstance } from './instance.js'
+import { type Emscripten, WasmInstance, outOfMemory } from './instance.js'
 
 export type * from '../generated/glsl-bindings.js'
 
 export const glsl = new WasmInstance<Bound & Emscripten>({
   factory,
   inlined,
-  fail(cause, megabytes) {
-    if (cause instanceof RangeError) return cause
-    return new WarpError(
+  fail: outOfMemory(
+    (megabytes) =>
       `There is not enough memory for so large a shader: the compiler already holds ${megabytes} MB.`,
-    )
-  },
+  ),
 })
 
 /**

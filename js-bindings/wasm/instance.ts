@@ -26,8 +26,8 @@ interface Options {
   inlined: Inlined
   /** Makes the error to throw when the instance has failed while it held so many megabytes. */
   fail: (cause: unknown, megabytes: number) => unknown
-  /** Makes the error to throw if the module does not start, and another one does not say why. */
-  explainStart?: (cause: unknown) => unknown
+  /** Makes the error to throw if the module does not start for a reason that `withBytes` does not know. */
+  explainStart?: (cause: unknown) => Error | false
   /** Memory only grows: an instance that holds more after its use is replaced. */
   maxKeptBytes?: number
 }
@@ -74,7 +74,7 @@ export class WasmInstance<Bound extends Emscripten> {
       this.guardAll(bound as Bound, bound as Bound)
       return bound as Bound
     } catch (cause) {
-      throw cause instanceof WarpError ? cause : (explainStart?.(cause) ?? cause)
+      throw (!(cause instanceof WarpError) && explainStart?.(cause)) || cause
     }
   }
 
@@ -86,13 +86,13 @@ export class WasmInstance<Bound extends Emscripten> {
         Reflect.set(
           record,
           name,
-          name[0] === '_' ? this.guardPlain(bound, call) : this.guard(bound, call),
+          name[0] === '_' ? this.guard(bound, call) : this.guardBound(bound, call),
         )
       }
   }
 
   /** A function with what becomes of a failure in it. Seven places are enough for plain exports, and take half the time of a list. */
-  guardPlain<Call extends (...given: never[]) => unknown>(bound: Bound, call: Call): Call {
+  guard<Call extends (...given: never[]) => unknown>(bound: Bound, call: Call): Call {
     const fail = (error: unknown) => this.failure(bound, error)
     const plain = call as unknown as (...given: unknown[]) => unknown
     const guarded: typeof plain = (a, b, c, d, e, f, g) => {
@@ -106,7 +106,7 @@ export class WasmInstance<Bound extends Emscripten> {
   }
 
   /** The same of embind's functions, which count what they are given, and of classes. */
-  private guard(bound: Bound, call: Function) {
+  private guardBound(bound: Bound, call: Function) {
     const fail = (error: unknown) => this.failure(bound, error)
     return function (this: unknown, ...given: unknown[]): unknown {
       try {
@@ -125,6 +125,11 @@ export class WasmInstance<Bound extends Emscripten> {
     return this.options.fail(error, Math.ceil(bound.HEAPU8.length / 2 ** 20))
   }
 }
+
+/** A `fail` for want of memory. No more stack means that user code calls itself without end, which JavaScript says better. */
+export const outOfMemory =
+  (message: (megabytes: number) => string) => (cause: unknown, megabytes: number) =>
+    cause instanceof RangeError ? cause : new WarpError(message(megabytes))
 
 /** What stops an instance: a trap, no more stack, no more memory, or an exception of C++ that nothing caught. */
 const isTrap = (error: unknown) =>

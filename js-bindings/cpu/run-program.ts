@@ -2,7 +2,8 @@
 // give the same bits.
 import type { Program } from '../module/kept-module.js'
 import { WarpError } from '../checks/errors.js'
-import { type Evaluation, type Memory, getEvaluation, withMemory } from './evaluation.js'
+import { evaluation } from '../wasm/evaluation.js'
+import { withProgram } from './analyse-program.js'
 import {
   MachineCode,
   type Sink,
@@ -26,7 +27,7 @@ export function runProgram(
 ) {
   const code = machineCodeOf(program, wanted, vertices, inputs, sinks)
   if (code) code.run(vertices, inputs, sinks)
-  else interpretAll(program, wanted, vertices, inputs, sinks)
+  else interpret(program, wanted, vertices, inputs, sinks)
 }
 
 /**
@@ -65,9 +66,9 @@ function machineCodeOf(
     if (vertices < worthwhile) return undefined
   }
   const { code } = known
-  if (code === null || code?.core === getEvaluation()) return code
+  if (code === null || code?.core === evaluation.get()) return code
   try {
-    return (known.code = makeMachineCode(program, wanted, inputs, sinks))
+    return (known.code = MachineCode.of(program, wanted, inputs, sinks))
   } catch (error) {
     if (error instanceof WarpError) throw error
     isForbidden = true
@@ -89,24 +90,7 @@ function likeThese(
   return undefined
 }
 
-const makeMachineCode = (
-  program: Program,
-  wanted: readonly number[],
-  inputs: readonly Stream[],
-  sinks: readonly Sink[],
-) => withMemory((core, memory) => MachineCode.of(program, wanted, core, memory, inputs, sinks))
-
-const interpretAll = (
-  program: Program,
-  wanted: readonly number[],
-  vertices: number,
-  inputs: readonly Stream[],
-  sinks: readonly Sink[],
-) => withMemory((core, memory) => interpret(core, memory, program, wanted, vertices, inputs, sinks))
-
 function interpret(
-  core: Evaluation,
-  memory: Memory,
   program: Program,
   wanted: readonly number[],
   vertices: number,
@@ -114,33 +98,24 @@ function interpret(
   sinks: readonly Sink[],
 ) {
   const atOnce = Math.min(vertices, verticesAtOnce)
-  const streams = inputs.map(({ size, isUniform }) =>
-    memory.floats(size * (isUniform ? 1 : atOnce)),
+  withProgram(program, (loaded) =>
+    evaluation.use(
+      ({ Evaluator }) => new Evaluator(loaded, wanted, inputs, sinks.map(sizeOf), atOnce),
+      (evaluator) => {
+        inputs.forEach(({ values, isUniform }, i) => {
+          if (isUniform) evaluator.input(i).set(values)
+        })
+        for (let first = 0; first < vertices; first += atOnce) {
+          const now = Math.min(atOnce, vertices - first)
+          inputs.forEach(({ values, size, isUniform }, i) => {
+            if (!isUniform) copy(evaluator.input(i), 0, values, first * size, now * size)
+          })
+          evaluator.run(now)
+          sinks.forEach(({ values, results: { length: size } }, i) =>
+            values.set(evaluator.result(i).subarray(0, now * size), first * size),
+          )
+        }
+      },
+    ),
   )
-  const results = sinks.map((sink) => memory.floats(sink.results.length * atOnce))
-  const streamTable = memory.table(inputs, streams)
-  const resultTable = memory.table(sinks.map(sizeOf), results)
-  inputs.forEach(({ values, isUniform }, i) => {
-    if (isUniform) core.HEAPF32.set(values, streams[i]! / 4)
-  })
-
-  const evaluator = core._openEvaluator(
-    ...memory.program(program),
-    ...memory.list(wanted),
-    streamTable,
-    inputs.length,
-  )
-  memory.evaluator = evaluator
-  for (let first = 0; first < vertices; first += atOnce) {
-    const now = Math.min(atOnce, vertices - first)
-    inputs.forEach(({ values, size, isUniform }, i) => {
-      if (!isUniform) copy(core.HEAPF32, streams[i]! / 4, values, first * size, now * size)
-    })
-    core._runEvaluator(evaluator, now, streamTable, inputs.length, resultTable, sinks.length)
-    sinks.forEach((sink, i) => {
-      const size = sink.results.length
-      const at = results[i]! / 4
-      sink.values.set(core.HEAPF32.subarray(at, at + now * size), first * size)
-    })
-  }
 }

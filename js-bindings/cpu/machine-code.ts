@@ -1,13 +1,17 @@
 // A program as machine code: a wasm module whose bytes the evaluation's C++ writes, on the evaluation's own memory, where it
 // holds nothing between two runs.
 import type { Program } from '../module/kept-module.js'
-import { type Evaluation, type Memory, afterFailure, allocate, isAlive } from './evaluation.js'
+import {
+  type Code as WrittenCode,
+  type Evaluation,
+  type InputArray,
+  evaluation,
+} from '../wasm/evaluation.js'
+import { withProgram } from './analyse-program.js'
 
 /** The numbers of an input, `size` a vertex or, if it is uniform, `size` in all. */
-export interface Stream {
+export interface Stream extends InputArray {
   values: ArrayLike<number>
-  size: number
-  isUniform: boolean
 }
 
 /** Where results go, `results.length` of them a vertex, by their numbers in the program. */
@@ -16,8 +20,7 @@ export interface Sink {
   results: readonly number[]
 }
 
-/** Of results, as the tables of arrays have it. */
-export const sizeOf = ({ results }: Sink) => ({ size: results.length, isUniform: false })
+export const sizeOf = ({ results }: Sink) => results.length
 
 /** So much is in the wasm's memory at a time, whatever the size of the mesh. */
 export const verticesAtOnce = 4096
@@ -37,72 +40,42 @@ export class MachineCode {
   private constructor(
     readonly core: Evaluation,
     private readonly code: Code,
-    private readonly inputsAt: readonly number[],
-    private readonly resultsAt: readonly number[],
-    private readonly shared: Uint32Array,
-    private readonly sharedAt: number,
+    private readonly written: WrittenCode,
   ) {}
 
   /** Null if the program is too long; throws where the engine compiles nothing. */
   static of(
     program: Program,
     wanted: readonly number[],
-    core: Evaluation,
-    memory: Memory,
     inputs: readonly Stream[],
     sinks: readonly Sink[],
   ): MachineCode | null {
-    let end = 0
-    const place = (numbers: number) => (end += 4 * numbers) - 4 * numbers
-    const inputsAt = inputs.map(({ size, isUniform }) =>
-      place(size * (isUniform ? 1 : verticesAtOnce)),
+    const core = evaluation.get()
+    const written = withProgram(program, (loaded) =>
+      loaded.code(wanted, inputs, sinks.map(sizeOf), verticesAtOnce),
     )
-    const resultsAt = sinks.map(({ results }) => place(results.length * verticesAtOnce))
-    const made = core._makeMachineCode(
-      ...memory.program(program),
-      ...memory.list(wanted),
-      memory.table(inputs, inputsAt),
-      inputs.length,
-      memory.table(sinks.map(sizeOf), resultsAt),
-      sinks.length,
-      end,
-    )
-    if (!made) return null
-    try {
-      const words = core.HEAPU32
-      const [module, size, shared, count, sharedAt] = words.subarray(made / 4, made / 4 + 5)
-      const bytes = core.HEAPU8.slice(module, module! + size!)
-      const { exports } = new WebAssembly.Instance(new WebAssembly.Module(bytes), {
-        '': core.exports as WebAssembly.ModuleImports,
-      })
-      return new MachineCode(
-        core,
-        exports as unknown as Code,
-        inputsAt,
-        resultsAt,
-        words.slice(shared! / 4, shared! / 4 + count!),
-        sharedAt!,
-      )
-    } finally {
-      core._dropMachineCode(made)
-    }
+    if (!written.module.length) return null
+    const module = new WebAssembly.Module(written.module as Uint8Array<ArrayBuffer>)
+    const { exports } = new WebAssembly.Instance(module, { '': core.imports })
+    const { start, run } = exports as unknown as Code
+    const code = { start: evaluation.guard(core, start), run: evaluation.guard(core, run) }
+    return new MachineCode(core, code, written)
   }
 
   /** Makes nothing, once it has run for the same arrays. */
   run(vertices: number, inputs: readonly Stream[], sinks: readonly Sink[]) {
-    const { core } = this
-    const at = allocate(core, this.sharedAt + this.shared.byteLength)
+    const { core, written } = this
+    const at = core._malloc(written.sharedAt + written.shared.byteLength)
     try {
       this.runAt(at, vertices, inputs, sinks)
-    } catch (error) {
-      throw afterFailure(core, error)
     } finally {
-      if (isAlive(core)) core._release(at)
+      if (evaluation.isAlive(core)) core._free(at)
     }
   }
 
   private runAt(at: number, vertices: number, inputs: readonly Stream[], sinks: readonly Sink[]) {
-    const { core, code, inputsAt, resultsAt, shared, sharedAt } = this
+    const { core, code } = this
+    const { inputsAt, resultsAt, shared, sharedAt } = this.written
     const floats = core.HEAPF32
     core.HEAPU32.set(shared, (at + sharedAt) / 4)
     for (let i = 0; i < inputs.length; i++) {

@@ -1,0 +1,30 @@
+// What can be said of a program without running it.
+import type { Variable } from '../expression/shapes.js'
+import type { Range } from '../inputs/vertices.js'
+import type { Program } from '../module/kept-module.js'
+import { type Program as LoadedProgram, evaluation } from '../wasm/evaluation.js'
+
+/** Does `work` with a program that is loaded into the wasm. */
+export const withProgram = <Result>(
+  { words, instructions }: Program,
+  work: (program: LoadedProgram) => Result,
+): Result => evaluation.use(({ Program }) => new Program(words, instructions), work)
+
+const sizeOf = ({ shape: [columns, rows] }: Variable) => columns * rows
+
+/** Which of the program's inputs the wanted results depend on. */
+export const inputsRead = (program: Program, wanted: readonly number[]): boolean[] =>
+  withProgram(program, (loaded) =>
+    Array.from(loaded.inputsRead(wanted, program.inputs.map(sizeOf)), Boolean),
+  )
+
+/** Ranges of wanted results, from those of the program's inputs, number by number. */
+export const boundProgram = (
+  program: Program,
+  ranges: readonly Range[],
+  wanted: readonly number[],
+): Range[] =>
+  withProgram(program, (loaded) => {
+    const bounds = loaded.bounds(ranges.flat(), wanted)
+    return wanted.map((_, i) => [bounds[2 * i]!, bounds[2 * i + 1]!])
+  })
