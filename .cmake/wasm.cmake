@@ -54,7 +54,7 @@ function(warpjet_module name stack)
     -sENVIRONMENT=web                     # the glue for Node does not run as an ES module in 3.1.6; with the bytes handed in, this one runs in both
     -sWASM_ASYNC_COMPILATION=0            # the factory returns the module itself, no promise
     -sDYNAMIC_EXECUTION=0                 # no `new Function`: pages with a strict Content-Security-Policy work
-    -sINCOMING_MODULE_JS_API=wasmBinary   # the only option that we pass; the code for the others goes away
+    -sINCOMING_MODULE_JS_API=wasmBinary,printErr  # the options that we pass; the code for the others goes away
     -sTEXTDECODER=2                       # every browser has one
     -sASSERTIONS=0
     -sALLOW_MEMORY_GROWTH                 # graphs and meshes of any size
@@ -82,19 +82,6 @@ set(without_simd
 
 # No function of the core calls itself over nodes, so the stack can be small.
 warpjet_module_without_exceptions(core 262144 warpjet_core)
-# warpjet_plain_module(NAME SUFFIX SOURCE): what all of them have in common.
-function(warpjet_plain_module name suffix source)
-  set(target warpjet_${name}_wasm)
-  add_executable(${target} ${source})
-  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} SUFFIX ${suffix})
-  target_link_options(${target} PRIVATE
-    -flto                                 # see CMakeLists.txt
-    --no-entry                            # a library: there is no main()
-    -sALLOW_MEMORY_GROWTH                 # graphs and meshes of any size
-    -sSUPPORT_ERRNO=0                     # nothing reads it
-    -sFILESYSTEM=0)                       # nothing reads files
-endfunction()
-
 warpjet_module_without_exceptions(evaluation 262144 warpjet_core)
 target_compile_options(warpjet_core PRIVATE -fno-rtti)
 target_link_options(warpjet_core_wasm PRIVATE ${without_simd})
@@ -105,24 +92,12 @@ target_link_options(warpjet_glsl_wasm PRIVATE ${without_simd} -Wl,--stack-first)
 
 # A file that lies may ask for any amount of memory and nest as deep as it likes. tinygltf and its JSON parser throw;
 # js-bindings/wasm/mesh.cpp catches everything.
-warpjet_plain_module(mesh .mjs js-bindings/wasm/mesh.cpp)
-target_link_libraries(warpjet_mesh_wasm PRIVATE warpjet_mesh warpjet_core)
-set_target_properties(warpjet_mesh_wasm PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/.cmake/mesh.js)
+warpjet_module(mesh 1048576 warpjet_mesh warpjet_core)
 target_compile_options(warpjet_mesh_wasm PRIVATE -fwasm-exceptions)
 target_compile_options(warpjet_mesh PRIVATE -fwasm-exceptions)
 target_link_options(warpjet_mesh_wasm PRIVATE
-  --js-library ${PROJECT_SOURCE_DIR}/.cmake/mesh.js
-  -sMODULARIZE                            # a factory: nothing happens at import, nothing global
-  -sEXPORT_ES6                            # `export default factory`, for the bundler
-  -sENVIRONMENT=web                       # the glue for Node does not run as an ES module in 3.1.6; with the bytes handed in, this one runs in both
-  -sWASM_ASYNC_COMPILATION=0              # the factory returns the module itself, no promise
-  -sDYNAMIC_EXECUTION=0                   # no `new Function`: pages with a strict Content-Security-Policy work
-  -sINCOMING_MODULE_JS_API=wasmBinary     # the only option that we pass; the code for the others goes away
-  -sTEXTDECODER=2                         # every browser has one
-  -sASSERTIONS=0
-  -sMALLOC=dlmalloc                       # JSON is many small pieces, for which emmalloc takes half as long again
   -fwasm-exceptions                       # every current browser has them; -fexceptions leaves C++ at each call that might throw
+  -sMALLOC=dlmalloc                       # JSON is many small pieces, for which emmalloc takes half as long again
   -sMAXIMUM_MEMORY=4GB
   -sINITIAL_MEMORY=4MB
-  -s${stack_setting}=1048576
   -Wl,--stack-first)                      # no more stack is a trap, not a write into what lies below it

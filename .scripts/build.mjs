@@ -18,12 +18,8 @@ const sources = (pattern) =>
   walk('js-bindings', pattern).filter((file) => !file.startsWith(`${generated}/`))
 
 // Of .cmake/wasm.cmake.
-const inlined = ['core', 'evaluation', 'mesh', 'glsl']
-const glued = ['core', 'evaluation', 'glsl', 'mesh']
-const compiled = [
-  ...glued.map((name) => `${name}.mjs`),
-  ...inlined.map((name) => `${name}.wasm`),
-].map((name) => `.build/wasm/${name}`)
+const wasm = ['core', 'evaluation', 'mesh', 'glsl']
+const compiled = wasm.flatMap((name) => [`.build/wasm/${name}.mjs`, `.build/wasm/${name}.wasm`])
 
 const operators = ['operators', 'operators-runtime', 'operators-plugin']
 const shared = [
@@ -68,7 +64,6 @@ async function buildAll() {
       'CMakeLists.txt',
       'CMakePresets.json',
       '.cmake/wasm.cmake',
-      '.cmake/mesh.js',
       '.cmake/embind-array.js',
       '.cmake/embind-invoker.js',
       '.cmake/embind-text.js',
@@ -81,12 +76,7 @@ async function buildAll() {
 
   await step('WebAssembly as JavaScript', {
     inputs: [...scripts, 'package.json', ...compiled],
-    outputs: [
-      'core-bindings.ts',
-      ...glued.map((name) => `${name}.js`),
-      ...inlined.map((name) => `${name}-wasm.js`),
-      'version.ts',
-    ].map((name) => `${generated}/${name}`),
+    outputs: [...wasm.flatMap(generatedOf), 'version.ts'].map((name) => `${generated}/${name}`),
     work: generateModules,
   })
 
@@ -109,31 +99,26 @@ async function buildAll() {
   reportSizes(walk('dist', /\.js$/))
 }
 
+/** The bytes as text, Emscripten's factory, and the types of what it makes. */
+const generatedOf = (name) => [`${name}-wasm.js`, `${name}.js`, `${name}-bindings.ts`]
+
 function generateModules() {
   mkdirSync(path(generated), { recursive: true })
-  // Any bundler takes it: the wasm is handed in, so its address never matters.
-  for (const name of glued) {
+  for (const name of wasm) {
     const glue = readFileSync(path(`.build/wasm/${name}.mjs`), 'utf8')
-    writeGenerated(`${name}.js`, glue.replaceAll('import.meta.url', '"file:///"'))
-    if (name === 'mesh') continue
-    const wasm = readFileSync(path(`.build/wasm/${name}.wasm`))
-    writeGenerated(`${name}-bindings.ts`, embindTypes(glue, wasm))
-    writeGenerated(
-      `${name}.d.ts`,
-      'export default function factory(options: { wasmBinary: Uint8Array }): unknown\n',
-    )
-  }
-  writeGenerated(
-    'mesh.d.ts',
-    'export default function instantiate<Module>(options: { wasmBinary: Uint8Array }): Module\n',
-  )
-  for (const name of inlined) {
-    const text = JSON.stringify(inline(readFileSync(path(`.build/wasm/${name}.wasm`))))
-    writeGenerated(`${name}-wasm.js`, `export default ${text}\n`)
+    const bytes = readFileSync(path(`.build/wasm/${name}.wasm`))
+    writeGenerated(`${name}-wasm.js`, `export default ${JSON.stringify(inline(bytes))}\n`)
     writeGenerated(
       `${name}-wasm.d.ts`,
       "declare const inlined: import('../wasm/inlined.js').Inlined\nexport default inlined\n",
     )
+    // Any bundler takes it: the wasm is handed in, so its address never matters.
+    writeGenerated(`${name}.js`, glue.replaceAll('import.meta.url', '"file:///"'))
+    writeGenerated(
+      `${name}.d.ts`,
+      "declare const factory: import('../wasm/instance.js').Factory\nexport default factory\n",
+    )
+    writeGenerated(`${name}-bindings.ts`, embindTypes(glue, bytes))
   }
   const { version } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
   writeGenerated(

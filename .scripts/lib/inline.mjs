@@ -1,6 +1,6 @@
 // A wasm module as text in a script: the most frequent bytes are a letter each, the others two. What a server's gzip makes
 // of that is as small as what it makes of the bytes, a tenth less than of hexadecimal digits and a quarter less than of
-// base64. js-bindings/wasm/start.ts reads it.
+// base64. js-bindings/wasm/inlined.ts reads it.
 
 /** What stands in a literal as it is, whatever its quotes, and in a script in a page. */
 const letters = String.fromCharCode(...Array.from({ length: 95 }, (_, i) => 32 + i)).replace(

@@ -42,19 +42,16 @@ export const turnedResults = ${turnedResults}
 
 /** The text of the one of meshes. */
 export const meshNumberedText = ({ meshArrays, mostTriangles, usualTriangles }) => {
-  const numbered = meshArrays.map(({ name, kind }, i) => ({ name, kind, i }))
   const of = (wanted) =>
-    numbered.filter(({ kind }) => kind === wanted).map(({ name, i }) => [name, i])
-  return `${head}
+    meshArrays
+      .filter(({ kind }) => kind === wanted)
+      .map(({ name }) => `'${name}'`)
+      .join(' | ')
+  return `// Written by \`npm run reference\` from the C++: the arrays of a mesh's job by what they hold, and limits.
 
-/** The arrays of a job of the module of meshes. */
-export const floatArrays = ${numbers(of('float'))}
-export const indexArrays = ${numbers(of('index'))}
-export const byteArrays = ${numbers(of('byte'))}
-
-export type FloatArray = keyof typeof floatArrays
-export type IndexArray = keyof typeof indexArrays
-export type ByteArray = keyof typeof byteArrays
+export type FloatArray = ${of('float')}
+export type IndexArray = ${of('index')}
+export type ByteArray = ${of('byte')}
 
 export const mostTriangles = ${mostTriangles}
 /** Unless another limit is given. */

@@ -89,8 +89,7 @@ export async function readModel(
   for (;;) {
     const step = withJob('loadMesh', (job): Step => {
       putFiles(job, bytes, files)
-      job.act('findFiles')
-      const missing = job.texts().filter((uri) => !asked.has(uri))
+      const missing = job.act('findFiles').filter((uri) => !asked.has(uri))
       if (missing.length && resolve) return { missing }
       const needed = unpackParts(job, found)
       return needed.length ? { needed } : { model: load(job) }
@@ -111,16 +110,11 @@ function isGltf(bytes: Uint8Array): boolean {
 
 function putFiles(job: Job, bytes: Uint8Array, files: FurtherFiles) {
   job.setBytes('file', bytes)
-  for (const [name, contents] of files) {
-    job.setText('name', name)
-    job.setBytes('contents', contents)
-    job.act('keepFile')
-  }
+  for (const [name, contents] of files) job.addFile(name, contents)
 }
 
 function load(job: Job): LoadedModel {
-  job.act('loadFile')
-  const warnings = job.texts()
+  const warnings = job.act('loadFile')
   const mesh = takeMesh(job)
   return { mesh: warnings.length ? { ...mesh, warnings } : mesh, painted: job.bytes('painted') }
 }

@@ -71,8 +71,7 @@ export function subdivide(
   return withJob('subdivide', (job) => {
     putMesh(job, given)
     job.act('addNormals')
-    refine(job)
-    const warnings = job.texts()
+    const warnings = refine(job)
     const mesh = warnings.length ? { ...takeMesh(job), warnings } : takeMesh(job)
     if (!isGeometry(given)) return mesh
     const [ends, triangles] = [job.indices('ends'), job.indices('triangles')]
@@ -103,7 +102,7 @@ function adaptively(options: AdaptiveOptions, maxTriangles: number) {
     const varies = asksForVariation(warp)
     if (varies) job.act('addVariation')
     let givesNormals: boolean | undefined
-    job.refine(tolerance, angle, maxTriangles, (vertices) => {
+    return job.refine(tolerance, angle, maxTriangles, (vertices) => {
       // Tangents are not looked at, so none need be turned.
       const mesh = {
         ...takeMesh(vertices),

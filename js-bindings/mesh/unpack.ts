@@ -15,8 +15,7 @@ type Plan = { extension: string; isOptional: boolean } & (
 
 /** Decodes all compressed parts of the job's file, or returns the codecs whose decoders have not been searched for yet. */
 export function unpackParts(job: Job, found: FoundDecoders): Codec[] {
-  job.act('findPacked')
-  const plans = job.texts().map((text) => JSON.parse(text) as Plan)
+  const plans = job.act('findPacked').map((text) => JSON.parse(text) as Plan)
   const unknown = new Set(plans.map(({ codec }) => codec).filter((codec) => !found.has(codec)))
   if (unknown.size) return [...unknown]
   plans.forEach((plan, part) => {

@@ -19,7 +19,8 @@ interface Handle {
   delete(): void
 }
 
-type Factory = (options: { wasmBinary: Uint8Array; printErr: () => void }) => unknown
+/** What Emscripten generates for a module: it makes instances. */
+export type Factory = (options: { wasmBinary: Uint8Array; printErr: () => void }) => unknown
 
 interface Options {
   factory: Factory

@@ -1,4 +1,4 @@
-// What enters and leaves one call of the module of meshes. Its arrays have numbers, which
+// What enters and leaves one call of the module of meshes. Its arrays have names, which
 // `npm run reference` prints for JavaScript.
 #pragma once
 
@@ -18,14 +18,13 @@ namespace warpjet {
 struct Job {
   Mesh mesh;
   Origins origins;  // of a mesh that was refined
-  // A file, as it enters or leaves; further files that it needs, the next of them with its name.
-  std::vector<std::uint8_t> file, name, contents;
+  // A file, as it enters or leaves; further files that it needs, the next of them.
+  std::vector<std::uint8_t> file, contents;
   std::optional<ModelFile> model;  // made of the file when it is first asked about
   Files files;
   std::vector<PackedPart> parts;  // the compressed ones of the model
   Pieces pieces;                  // of the part that is being unpacked
   std::vector<std::uint8_t> picture, mimeType;
-  std::vector<std::string> texts;
 };
 
 template <class Of>
@@ -56,7 +55,6 @@ inline constexpr std::tuple jobArrays{
     JobArray{"picture", [](auto& job) -> decltype(auto) { return (job.picture); }},
     JobArray{"mimeType", [](auto& job) -> decltype(auto) { return (job.mimeType); }},
     JobArray{"file", [](auto& job) -> decltype(auto) { return (job.file); }},
-    JobArray{"name", [](auto& job) -> decltype(auto) { return (job.name); }},
     JobArray{"contents", [](auto& job) -> decltype(auto) { return (job.contents); }},
     JobArray{"painted", [](auto& job) -> decltype(auto) { return (job.mesh.painted); }},
 };

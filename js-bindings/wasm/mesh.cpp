@@ -1,18 +1,21 @@
-// The border to JavaScript of meshes: plain C, since a call has numbers and addresses only.
-// JavaScript fills the arrays of a job, calls, reads them, and closes it. No exception crosses: a
-// function that may fail returns whether it went well, and leaves a sentence.
-#include <emscripten.h>
+// The border to JavaScript of meshes: JavaScript fills the arrays of a job, calls, reads them, and
+// deletes it. No exception crosses: what may fail gives an outcome, which holds a message then.
 #include <malloc.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "embind.hpp"
 #include "job.hpp"
 #include "mesh/check.hpp"
 #include "mesh/gltf/export.hpp"
@@ -23,252 +26,292 @@
 #include "mesh/surface/variation.hpp"
 
 using namespace warpjet;
+using emscripten::val;
 
 namespace {
 
-// Does something with an array of a job.
-template <class Visitor>
-auto withArray(Job& job, int array, const Visitor& visit) {
-  decltype(visit(job.file)) result{};
-  int number = 0;
+using Texts = std::vector<std::string>;
+
+struct Outcome {
+  std::string problem;  // empty if it went well
+  Texts texts = {};
+};
+
+constexpr const char* noMemory = "there is not enough memory for so large a mesh.";
+
+// What `work` gives, which may throw.
+template <class Work>
+Outcome attempt(Work&& work) {
+  try {
+    return {{}, work()};
+  } catch (const std::bad_alloc&) {
+    return {noMemory};
+  } catch (const std::length_error&) {
+    return {noMemory};
+  } catch (const FileProblem& problem) {
+    return {problem.what()};
+  } catch (const std::exception& problem) {
+    return {std::string("the mesh cannot be handled (") + problem.what() + ")."};
+  }
+}
+
+// The array of a job that has this name and holds such numbers.
+template <class Number>
+std::vector<Number>& arrayOf(Job& job, std::string_view name) {
+  std::vector<Number>* found = nullptr;
   const auto consider = [&](const auto& each) {
-    if (number++ == array) result = visit(each.of(job));
+    if constexpr (std::is_same_v<std::decay_t<decltype(each.of(job))>, std::vector<Number>>)
+      if (each.name == name) found = &each.of(job);
   };
   std::apply([&](const auto&... each) { (consider(each), ...); }, jobArrays);
-  return result;
+  if (!found) throw std::out_of_range(std::string(name));
+  return *found;
 }
 
-// Whether `work` went well; `work` says so, or throws.
-template <class Work>
-int attempt(Job& job, Work&& work) {
-  job.texts.clear();
-  try {
-    return work() ? 1 : 0;
-  } catch (const std::bad_alloc&) {
-    job.texts = {"there is not enough memory for so large a mesh."};
-  } catch (const FileProblem& problem) {
-    job.texts = {problem.what()};
-  } catch (const std::exception& problem) {
-    job.texts = {std::string("the mesh cannot be handled (") + problem.what() + ")."};
-  }
-  return 0;
+template <class Number>
+View<Number> read(Job& job, std::string_view name) {
+  return View(arrayOf<Number>(job, name));
 }
 
-}  // namespace
-
-extern "C" {
-
-// In JavaScript: moves the vertices of the job's mesh; the normals may get lost. Whether it could.
-int evaluateWarp(Job* vertices);
-}
-
-namespace {
-
-// JavaScript puts the name of what the user called before every sentence.
-std::string withoutMethod(const std::string& sentence) {
-  const std::string method = "loadMesh: ";
-  return sentence.starts_with(method) ? sentence.substr(method.size()) : sentence;
-}
-
-Moved warped(const Mesh& vertices) {
-  Job job;
-  job.mesh = vertices;
-  if (!evaluateWarp(&job)) throw std::runtime_error("the warp failed");
-  return {std::move(job.mesh.positions), std::move(job.mesh.normals)};
-}
-
-}  // namespace
-
-extern "C" {
-
-EMSCRIPTEN_KEEPALIVE Job* openJob() { return new (std::nothrow) Job; }
-
-EMSCRIPTEN_KEEPALIVE void closeJob(Job* job) { delete job; }
-
-// Makes room for so many elements. Their address, or 0 if there is no memory.
-EMSCRIPTEN_KEEPALIVE void* resizeArray(Job* job, int array, std::uint32_t count) {
-  try {
-    return withArray(*job, array, [&](auto& elements) -> void* {
-      elements.resize(count);
-      return elements.data();
-    });
-  } catch (const std::exception&) {
-    return nullptr;
-  }
-}
-
-EMSCRIPTEN_KEEPALIVE const void* arrayAddress(Job* job, int array) {
-  return withArray(*job, array,
-                   [](const auto& elements) -> const void* { return elements.data(); });
-}
-
-EMSCRIPTEN_KEEPALIVE std::uint32_t arrayCount(Job* job, int array) {
-  return withArray(*job, array, [](const auto& elements) {
-    return static_cast<std::uint32_t>(elements.size());
+// Makes room for as many numbers.
+template <class Number>
+Outcome resize(Job& job, std::string_view name, const val& numbers) {
+  return attempt([&]() -> Texts {
+    arrayOf<Number>(job, name).resize(numbers["length"].as<std::size_t>());
+    return {};
   });
 }
 
-// The sentences or names that the last call left.
-EMSCRIPTEN_KEEPALIVE int textCount(Job* job) { return static_cast<int>(job->texts.size()); }
-EMSCRIPTEN_KEEPALIVE const char* textAddress(Job* job, int i) { return job->texts[i].data(); }
-EMSCRIPTEN_KEEPALIVE std::uint32_t textSize(Job* job, int i) {
-  return static_cast<std::uint32_t>(job->texts[i].size());
+// Copies numbers of JavaScript.
+template <class Number>
+Outcome fill(Job& job, std::string_view name, const val& numbers) {
+  Outcome outcome = resize<Number>(job, name, numbers);
+  if (!outcome.problem.empty()) return outcome;
+  auto& array = arrayOf<Number>(job, name);
+  val(emscripten::typed_memory_view(array.size(), array.data())).call<void>("set", numbers);
+  return outcome;
 }
 
-EMSCRIPTEN_KEEPALIVE int hasMaterial(Job* job) { return job->mesh.material.has_value(); }
-
-// Its four numbers. There is a material from now on.
-EMSCRIPTEN_KEEPALIVE float* baseColor(Job* job) {
-  if (!job->mesh.material) job->mesh.material.emplace();
-  return job->mesh.material->baseColor.data();
+// The four numbers of the material; empty if there is none.
+std::vector<float> baseColor(const Job& job) {
+  if (!job.mesh.material) return {};
+  const auto& color = job.mesh.material->baseColor;
+  return {color.begin(), color.end()};
 }
 
-// Moves `contents` among the further files, as `name`.
-EMSCRIPTEN_KEEPALIVE int keepFile(Job* job) {
-  return attempt(*job, [&] {
-    job->files[std::string(job->name.begin(), job->name.end())] = std::move(job->contents);
-    job->contents.clear();
-    return true;
+void setBaseColor(Job& job, const std::vector<float>& color) {
+  if (!job.mesh.material) job.mesh.material.emplace();
+  std::copy_n(color.begin(), 4, job.mesh.material->baseColor.begin());
+}
+
+std::uint32_t triangleCount(const Job& job) {
+  return static_cast<std::uint32_t>(job.mesh.triangleCount());
+}
+
+// Moves `contents` among the further files.
+Outcome keepFile(Job& job, const std::string& name) {
+  return attempt([&]() -> Texts {
+    job.files[name] = std::exchange(job.contents, {});
+    return {};
   });
 }
 
 // The texts are the URIs of the further files that the file needs.
-EMSCRIPTEN_KEEPALIVE int findFiles(Job* job) {
-  return attempt(*job, [&] {
-    job->texts = job->model.emplace(job->file).externalFiles(job->files);
-    return true;
-  });
+Outcome findFiles(Job& job) {
+  return attempt([&] { return job.model.emplace(job.file).externalFiles(job.files); });
 }
 
 // After findFiles. The texts are the plans of the compressed parts (gltf/packed_part.hpp).
-EMSCRIPTEN_KEEPALIVE int findPacked(Job* job) {
-  return attempt(*job, [&] {
-    job->parts = job->model->packedParts(job->files);
-    for (const PackedPart& part : job->parts) job->texts.push_back(part.plan);
-    return true;
+Outcome findPacked(Job& job) {
+  return attempt([&] {
+    job.parts = job.model->packedParts(job.files);
+    Texts plans;
+    for (const PackedPart& part : job.parts) plans.push_back(part.plan);
+    return plans;
   });
 }
 
 // Copies the bytes of a compressed part into `contents`.
-EMSCRIPTEN_KEEPALIVE int openPacked(Job* job, std::uint32_t part) {
-  return attempt(*job, [&] {
-    const Bytes bytes = job->parts.at(part).bytes;
-    job->contents.assign(bytes.begin(), bytes.end());
-    return true;
+Outcome openPacked(Job& job, std::uint32_t part) {
+  return attempt([&]() -> Texts {
+    const Bytes bytes = job.parts.at(part).bytes;
+    job.contents.assign(bytes.begin(), bytes.end());
+    return {};
   });
 }
 
 // Moves `contents` behind the decoded pieces of the next part.
-EMSCRIPTEN_KEEPALIVE int keepPiece(Job* job) {
-  return attempt(*job, [&] {
-    job->pieces.push_back(std::exchange(job->contents, {}));
-    return true;
+Outcome keepPiece(Job& job) {
+  return attempt([&]() -> Texts {
+    job.pieces.push_back(std::exchange(job.contents, {}));
+    return {};
   });
 }
 
 // Puts the pieces in the place of a compressed part.
-EMSCRIPTEN_KEEPALIVE int unpack(Job* job, std::uint32_t part) {
-  return attempt(*job, [&] {
-    job->model->unpack(part, std::exchange(job->pieces, {}));
-    return true;
+Outcome unpack(Job& job, std::uint32_t part) {
+  return attempt([&]() -> Texts {
+    job.model->unpack(part, std::exchange(job.pieces, {}));
+    return {};
   });
 }
 
-// From file to mesh. The texts are warnings, or the sentence.
-EMSCRIPTEN_KEEPALIVE int loadFile(Job* job) {
-  return attempt(*job, [&] {
-    if (!job->model) job->model.emplace(job->file);
-    Loaded loaded = job->model->load(job->files);
-    job->model.reset();
-    if (!loaded.mesh) {
-      job->texts = {withoutMethod(loaded.problem)};
-      return false;
+// JavaScript puts the name of what the user called before every message.
+std::string withoutMethod(const std::string& message) {
+  const std::string method = "loadMesh: ";
+  return message.starts_with(method) ? message.substr(method.size()) : message;
+}
+
+// From file to mesh. The texts are warnings.
+Outcome loadFile(Job& job) {
+  return attempt([&]() -> Texts {
+    if (!job.model) job.model.emplace(job.file);
+    Loaded loaded = job.model->load(job.files);
+    job.model.reset();
+    if (!loaded.mesh) throw FileProblem(withoutMethod(loaded.problem));
+    job.mesh = std::move(*loaded.mesh);
+    if (job.mesh.material && job.mesh.material->baseColorTexture) {
+      const auto& [bytes, mimeType] = *job.mesh.material->baseColorTexture;
+      job.picture = bytes;
+      job.mimeType.assign(mimeType.begin(), mimeType.end());
     }
-    job->texts = std::move(loaded.warnings);
-    job->mesh = std::move(*loaded.mesh);
-    if (job->mesh.material && job->mesh.material->baseColorTexture) {
-      const auto& [bytes, mimeType] = *job->mesh.material->baseColorTexture;
-      job->picture = bytes;
-      job->mimeType.assign(mimeType.begin(), mimeType.end());
-    }
-    return true;
+    return std::move(loaded.warnings);
   });
 }
 
 // Whether the arrays of the mesh fit together.
-EMSCRIPTEN_KEEPALIVE int checkMesh(Job* job) {
-  return attempt(*job, [&] {
-    std::string problem = problemOf(job->mesh);
-    if (problem.empty()) return true;
-    job->texts = {std::move(problem)};
-    return false;
+Outcome checkMesh(Job& job) {
+  return attempt([&]() -> Texts {
+    std::string problem = problemOf(job.mesh);
+    if (!problem.empty()) throw FileProblem(problem);
+    return {};
   });
 }
 
 // Computes the normals of a checked mesh that has none.
-EMSCRIPTEN_KEEPALIVE int addNormals(Job* job) {
-  return attempt(*job, [&] {
-    if (job->mesh.normals.empty()) job->mesh.normals = computeNormals(job->mesh);
-    return true;
+Outcome addNormals(Job& job) {
+  return attempt([&]() -> Texts {
+    if (job.mesh.normals.empty()) job.mesh.normals = computeNormals(job.mesh);
+    return {};
   });
 }
 
 // Finds how a checked mesh with normals varies.
-EMSCRIPTEN_KEEPALIVE int addVariation(Job* job) {
-  return attempt(*job, [&] {
-    addSurfaceVariation(job->mesh);
-    return true;
+Outcome addVariation(Job& job) {
+  return attempt([&]() -> Texts {
+    addSurfaceVariation(job.mesh);
+    return {};
   });
 }
 
 // From a checked mesh to a file.
-EMSCRIPTEN_KEEPALIVE int writeFile(Job* job) {
-  return attempt(*job, [&] {
-    if (!job->picture.empty()) {
-      if (!pictureType(job->picture)) {
-        job->texts = {
-            "material.baseColorTexture must be the bytes of a PNG or JPEG file, which "
-            "these are not."};
-        return false;
-      }
-      job->mesh.material->baseColorTexture = Image{std::move(job->picture), {}};
+Outcome writeFile(Job& job) {
+  return attempt([&]() -> Texts {
+    if (!job.picture.empty()) {
+      if (!pictureType(job.picture))
+        throw FileProblem(
+            "material.baseColorTexture must be the bytes of a PNG or JPEG file, which these are "
+            "not.");
+      job.mesh.material->baseColorTexture = Image{std::move(job.picture), {}};
     }
-    job->file = exportGlb(job->mesh);
-    return true;
+    job.file = exportGlb(job.mesh);
+    return {};
   });
 }
 
-// From a checked mesh to one of more triangles. The texts say what was not reached.
-EMSCRIPTEN_KEEPALIVE int refine(Job* job, float tolerance, float angle,
-                                std::uint32_t maxTriangles) {
-  return attempt(*job, [&] {
+// A job that JavaScript uses during one call, and does not delete.
+struct Borrowed {
+  Job* job;
+};
+
+// From a checked mesh to one of more triangles. `warp` moves the vertices of the job that it is
+// given, whose normals may get lost, and returns whether it could; it must not throw. The texts say
+// what was not reached.
+Outcome refine(Job& job, float tolerance, float angle, std::uint32_t maxTriangles,
+               const val& warp) {
+  const auto warped = [&](const Mesh& vertices) -> Moved {
+    Job moved;
+    moved.mesh = vertices;
+    if (!warp(Borrowed{&moved}).as<bool>()) throw std::runtime_error("the warp failed");
+    return {std::move(moved.mesh.positions), std::move(moved.mesh.normals)};
+  };
+  return attempt([&] {
     const Refinement refinement{tolerance, angle, maxTriangles};
-    Refined refined = subdivide(job->mesh, refinement, warped);
-    job->texts = shortfallOf(refined, refinement);
-    job->mesh = std::move(refined.mesh);
-    job->origins = std::move(refined.origins);
-    return true;
+    Refined refined = subdivide(job.mesh, refinement, warped);
+    Texts texts = shortfallOf(refined, refinement);
+    job.mesh = std::move(refined.mesh);
+    job.origins = std::move(refined.origins);
+    return texts;
   });
 }
 
-// The same.
-EMSCRIPTEN_KEEPALIVE int refineUniformly(Job* job, int levels, std::uint32_t maxTriangles) {
-  return attempt(*job, [&] {
-    Divided divided = subdivideUniformly(job->mesh, levels, maxTriangles);
+// The same, with each triangle divided so often.
+Outcome refineUniformly(Job& job, int levels, std::uint32_t maxTriangles) {
+  return attempt([&] {
+    Divided divided = subdivideUniformly(job.mesh, levels, maxTriangles);
+    Texts texts;
     if (divided.levels < levels)
-      job->texts = {"Of " + std::to_string(levels) + " levels only " +
-                    std::to_string(divided.levels) + " were made, with " +
-                    grouped(divided.mesh.triangleCount()) + " triangles, for maxTriangles is " +
-                    grouped(maxTriangles) + '.'};
-    job->mesh = std::move(divided.mesh);
-    job->origins = std::move(divided.origins);
-    return true;
+      texts = {"Of " + std::to_string(levels) + " levels only " + std::to_string(divided.levels) +
+               " were made, with " + grouped(divided.mesh.triangleCount()) +
+               " triangles, for maxTriangles is " + grouped(maxTriangles) + '.'};
+    job.mesh = std::move(divided.mesh);
+    job.origins = std::move(divided.origins);
+    return texts;
   });
 }
 
-// Bytes that are allocated now.
-EMSCRIPTEN_KEEPALIVE std::uint32_t memoryInUse() {
-  return static_cast<std::uint32_t>(mallinfo().uordblks);
-}
+std::uint32_t memoryInUse() { return static_cast<std::uint32_t>(mallinfo().uordblks); }
 
-}  // extern "C"
+}  // namespace
+
+template <>
+struct emscripten::internal::BindingType<Borrowed> {
+  using WireType = Job*;
+  static WireType toWireType(const Borrowed& borrowed) { return borrowed.job; }
+};
+template <>
+struct emscripten::internal::TypeID<Borrowed> {
+  static constexpr TYPEID get() { return LightTypeID<Job*>::get(); }
+};
+
+EMSCRIPTEN_BINDINGS(mesh) {
+  using namespace emscripten;
+
+  registerArray<float>();
+  registerArray<std::string>();
+  registerView<float>();
+  registerView<std::uint8_t>();
+  registerView<std::uint32_t>();
+
+  value_object<Outcome>("Outcome")
+      .field("problem", &Outcome::problem)
+      .field("texts", &Outcome::texts);
+
+  class_<Job>("Mesh")
+      .constructor<>()
+      .function("floats", &read<float>)
+      .function("indices", &read<std::uint32_t>)
+      .function("bytes", &read<std::uint8_t>)
+      .function("resizeFloats", &resize<float>)
+      .function("setFloats", &fill<float>)
+      .function("setIndices", &fill<std::uint32_t>)
+      .function("setBytes", &fill<std::uint8_t>)
+      .function("baseColor", &baseColor)
+      .function("setBaseColor", &setBaseColor)
+      .function("triangleCount", &triangleCount)
+      .function("keepFile", &keepFile)
+      .function("findFiles", &findFiles)
+      .function("findPacked", &findPacked)
+      .function("openPacked", &openPacked)
+      .function("keepPiece", &keepPiece)
+      .function("unpack", &unpack)
+      .function("loadFile", &loadFile)
+      .function("checkMesh", &checkMesh)
+      .function("addNormals", &addNormals)
+      .function("addVariation", &addVariation)
+      .function("writeFile", &writeFile)
+      .function("refine", &refine)
+      .function("refineUniformly", &refineUniformly);
+
+  function("memoryInUse", &memoryInUse);
+}
