@@ -69,7 +69,7 @@ export class MachineCode {
     try {
       this.runAt(at, vertices, inputs, sinks)
     } finally {
-      if (evaluation.isAlive(core)) core._free(at)
+      if (!core.isBroken) core._free(at)
     }
   }
 

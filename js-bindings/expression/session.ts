@@ -70,7 +70,7 @@ export class Session {
   }
 
   close() {
-    if (instance.isAlive(this.core)) this.session?.delete()
+    if (!this.core.isBroken) this.session?.delete()
     this.session = undefined
   }
 
@@ -79,7 +79,7 @@ export class Session {
       throw new WarpError(
         `${method}: the function that made this expression is over; use expressions only inside it.`,
       )
-    if (!instance.isAlive(this.core))
+    if (this.core.isBroken)
       throw new WarpError(
         `${method}: the compiler ran out of memory, and this warp was lost with it; make it again.`,
       )
@@ -270,7 +270,7 @@ export class Session {
       this.push(nexts)
       return statesFrom(session.closeRepeat())
     } finally {
-      if (isOpen && instance.isAlive(this.core)) session.dropRepeat()
+      if (isOpen && !this.core.isBroken) session.dropRepeat()
     }
   }
 

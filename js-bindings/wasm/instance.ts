@@ -10,8 +10,10 @@ export interface Emscripten {
   readonly HEAPU32: Uint32Array
   readonly HEAPF32: Float32Array
   readonly HEAPF64: Float64Array
-  /** The exports as they are named in `asm`. */
+  /** The exports, under minified names. */
   readonly asm: WebAssembly.Exports
+  /** Whether it has failed, so that its memory is in any state and nothing of it may run again. */
+  isBroken?: boolean
 }
 
 /** An object of C++. */
@@ -35,17 +37,11 @@ interface Options {
 
 export class WasmInstance<Bound extends Emscripten> {
   private present: Bound | undefined
-  private readonly failed = new WeakSet<Bound>()
 
   constructor(private readonly options: Options) {}
 
   get(): Bound {
     return (this.present ??= this.start())
-  }
-
-  /** Returns whether `bound` has not failed. What has failed holds memory in any state, and must not run again. */
-  isAlive(bound: Bound): boolean {
-    return !this.failed.has(bound)
   }
 
   /** Does `work` with an object of C++, and deletes it whatever happens. */
@@ -59,7 +55,7 @@ export class WasmInstance<Bound extends Emscripten> {
       owned = make(bound)
       return work(owned, bound)
     } finally {
-      if (this.isAlive(bound)) owned?.delete()
+      if (!bound.isBroken) owned?.delete()
       if (bound.HEAPU8.length > (this.options.maxKeptBytes ?? Infinity)) this.drop(bound)
     }
   }
@@ -121,7 +117,7 @@ export class WasmInstance<Bound extends Emscripten> {
   /** Returns what to throw for an error of `bound`, which has failed if it is a trap. */
   private failure(bound: Bound, error: unknown): unknown {
     if (!isTrap(error)) return error
-    this.failed.add(bound)
+    bound.isBroken = true
     this.drop(bound)
     return this.options.fail(error, Math.ceil(bound.HEAPU8.length / 2 ** 20))
   }

@@ -143,7 +143,7 @@ export class Job {
       try {
         warp(new Job(this.method, vertices, this.bound))
         // What the warp did with meshes may have ended this instance, even if it caught the error.
-        if (!wasm.isAlive(this.bound)) throw new WarpError(tooLarge(this.method))
+        if (this.bound.isBroken) throw new WarpError(tooLarge(this.method))
         return true
       } catch (error) {
         problem = { error }
