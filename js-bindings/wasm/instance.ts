@@ -13,7 +13,7 @@ export interface Emscripten {
   /** The exports, under minified names. */
   readonly asm: WebAssembly.Exports
   /** Whether it has failed, so that its memory is in any state and nothing of it may run again. */
-  isBroken?: boolean
+  isBroken: boolean
 }
 
 /** An object of C++. */
@@ -67,9 +67,11 @@ export class WasmInstance<Bound extends Emscripten> {
   private start(): Bound {
     const { factory, inlined, explainStart } = this.options
     try {
-      const bound = withBytes(inlined, (wasmBinary) => factory({ wasmBinary, printErr() {} }))
-      this.guardAll(bound as Bound, bound as Bound)
-      return bound as Bound
+      const made = withBytes(inlined, (wasmBinary) => factory({ wasmBinary, printErr() {} })) as Bound
+      // Emscripten's object is a mere dictionary to an engine; as a prototype, its functions are found at once.
+      const bound = Object.assign(Object.create(made) as Bound, { isBroken: false })
+      this.guardAll(bound, made)
+      return bound
     } catch (cause) {
       throw (!(cause instanceof WarpError) && explainStart?.(cause)) || cause
     }
