@@ -1,24 +1,26 @@
 // How embind calls a bound function where there is no `new Function`. Emscripten 3.1.6 keeps the arguments of a call in lists that belong to
-// the bound function: a `val` that is called back and calls the same function again frees a text twice. Here each call has its own.
+// the bound function: a `val` that is called back and calls the same function again frees a text twice. Here each call has its own. What
+// fails is thrown as the error that the option `fail` of the factory makes of it.
 mergeInto(LibraryManager.library, {
   $craftInvokerFunction__deps: ['$runDestructors', '$throwBindingError'],
   $craftInvokerFunction: function (humanName, argTypes, classType, invoker, target) {
-    var result = argTypes[0].name === 'void' ? null : argTypes[0]
-    var self = classType === null ? null : argTypes[1]
-    var parameters = argTypes.slice(2)
+    var result = argTypes[0].name === 'void' ? null : argTypes[0];
+    var self = classType === null ? null : argTypes[1];
+    var parameters = argTypes.slice(2);
     return function () {
-      if (arguments.length !== parameters.length)
-        throwBindingError(
-          humanName + ': expected ' + parameters.length + ' arguments, got ' + arguments.length,
-        )
-      var destructors = []
-      var wired = [target]
-      if (self) wired.push(self['toWireType'](destructors, this))
-      for (var i = 0; i < parameters.length; ++i)
-        wired.push(parameters[i]['toWireType'](destructors, arguments[i]))
-      var value = invoker.apply(null, wired)
-      runDestructors(destructors)
-      if (result) return result['fromWireType'](value)
-    }
+      try {
+        if (arguments.length !== parameters.length)
+          throwBindingError(humanName + ': expected ' + parameters.length + ' arguments, got ' + arguments.length);
+        var destructors = [];
+        var wired = [target];
+        if (self) wired.push(self['toWireType'](destructors, this));
+        for (var i = 0; i < parameters.length; ++i) wired.push(parameters[i]['toWireType'](destructors, arguments[i]));
+        var value = invoker.apply(null, wired);
+        runDestructors(destructors);
+        return result ? result['fromWireType'](value) : undefined;
+      } catch (error) {
+        throw Module['fail'](error);
+      }
+    };
   },
-})
+});

@@ -32,9 +32,15 @@ let operations: Operation[] | undefined
 
 /** The names are in the wasm, which so starts with the first warp. */
 function getOperations(): Operation[] {
-  return (operations ??= getCore()
-    .operationNames()
-    .map((operation, number) => ({ ...operation, number })))
+  if (operations) return operations
+  const core = getCore()
+  const flags = core.operationFlags()
+  return (operations = core.operationNames().map((name, number) => ({
+    name,
+    number,
+    isMethod: (flags[number]! & 1) !== 0,
+    isListed: (flags[number]! & 2) !== 0,
+  })))
 }
 
 /** The number of the operation of that name. */

@@ -66,18 +66,21 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-struct OperationName {
-  std::string name;
-  bool isMethod;  // constructors are none
-  bool isListed;  // what only shader text calls is in no list
-};
-
-std::vector<OperationName> operationNames() {
-  std::vector<OperationName> names;
-  for (const Operation& operation : operations)
-    names.push_back({std::string(operation.name),
-                     !operation.isForText && !operation.isConstructor(), !operation.isForText});
+// The names of all operations in the order of their numbers.
+std::vector<std::string> operationNames() {
+  std::vector<std::string> names;
+  for (const Operation& operation : operations) names.emplace_back(operation.name);
   return names;
+}
+
+// Which of them are methods, and which are in lists: not what only shader text calls.
+std::vector<std::uint8_t> operationFlags() {
+  std::vector<std::uint8_t> flags;
+  for (const Operation& operation : operations) {
+    const bool isMethod = !operation.isForText && !operation.isConstructor();
+    flags.push_back((isMethod ? 1 : 0) | (operation.isForText ? 0 : 2));
+  }
+  return flags;
 }
 
 // Session
@@ -230,7 +233,7 @@ EMSCRIPTEN_BINDINGS(core) {
   registerArray<std::uint8_t>();
   registerArray<std::uint32_t>();
   registerArray<double>();
-  registerArray<OperationName>();
+  registerArray<std::string>();
   registerArray<HostText>();
   registerArray<Naming>();
   registerArray<Variable>();
@@ -238,10 +241,6 @@ EMSCRIPTEN_BINDINGS(core) {
   bindEnum<Filter>("Filter", filterNames);
   bindEnum<Wrap>("Wrap", wrapNames);
 
-  value_object<OperationName>("OperationName")
-      .field("name", &OperationName::name)
-      .field("isMethod", &OperationName::isMethod)
-      .field("isListed", &OperationName::isListed);
   value_array<HostText>("HostText").element(&HostText::family).element(&HostText::text);
   value_array<Naming>("Naming").element(&Naming::number).element(&Naming::text);
   value_array<Shape>("Shape").element(&Shape::columns).element(&Shape::rows);
@@ -297,6 +296,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("program", &makeProgram);
 
   function("operationNames", &operationNames);
+  function("operationFlags", &operationFlags);
   function("inputsRead", &inputsRead);
   function("evaluate", &evaluateInDouble);
   function("memoryInUse", &memoryInUse);

@@ -22,7 +22,13 @@ interface Handle {
 }
 
 /** What Emscripten generates for a module: it makes instances. */
-export type Factory = (options: { wasmBinary: Uint8Array; printErr: () => void }) => unknown
+export type Factory = (options: {
+  wasmBinary: Uint8Array
+  /** Nothing is printed; what is wrong is thrown. */
+  printErr: () => void
+  /** Makes what is thrown of an error in a bound function; see .cmake/embind-invoker.js. */
+  fail: (error: unknown) => unknown
+}) => unknown
 
 interface Options {
   factory: Factory
@@ -66,54 +72,34 @@ export class WasmInstance<Bound extends Emscripten> {
 
   private start(): Bound {
     const { factory, inlined, explainStart } = this.options
+    const fail = (error: unknown) => this.failure(bound, error)
+    let made: Bound
     try {
-      const made = withBytes(inlined, (wasmBinary) => factory({ wasmBinary, printErr() {} })) as Bound
-      // Emscripten's object is a mere dictionary to an engine; as a prototype, its functions are found at once.
-      const bound = Object.assign(Object.create(made) as Bound, { isBroken: false })
-      this.guardAll(bound, made)
-      return bound
+      made = withBytes(inlined, (wasmBinary) => factory({ wasmBinary, printErr() {}, fail })) as Bound
     } catch (cause) {
       throw (!(cause instanceof WarpError) && explainStart?.(cause)) || cause
     }
+    // Emscripten's object is a mere dictionary to an engine; as a prototype, its functions are found at once.
+    const bound: Bound = Object.assign(Object.create(made), { isBroken: false })
+    for (const [name, call] of Object.entries(made))
+      if (/^_[a-z]/.test(name)) Reflect.set(made, name, this.guard(bound, call as never))
+    return bound
   }
 
-  /** Guards the functions of C++ in `record`, and the methods of its classes. */
-  private guardAll(bound: Bound, record: object) {
-    for (const [name, call] of Object.entries(record))
-      if (typeof call === 'function' && !isEmscriptens(name) && !('values' in call)) {
-        if (call.prototype && 'delete' in call.prototype) this.guardAll(bound, call.prototype)
-        Reflect.set(
-          record,
-          name,
-          name[0] === '_' ? this.guard(bound, call) : this.guardBound(bound, call),
-        )
-      }
-  }
-
-  /** A function with what becomes of a failure in it. Seven places are enough for plain exports, and take half the time of a list. */
+  /**
+   * A plain export with what becomes of a failure in it; bound functions have that already. Seven places are enough for all of
+   * them, and take half the time of a list.
+   */
   guard<Call extends (...given: never[]) => unknown>(bound: Bound, call: Call): Call {
-    const fail = (error: unknown) => this.failure(bound, error)
     const plain = call as unknown as (...given: unknown[]) => unknown
     const guarded: typeof plain = (a, b, c, d, e, f, g) => {
       try {
         return plain(a, b, c, d, e, f, g)
       } catch (error) {
-        throw fail(error)
+        throw this.failure(bound, error)
       }
     }
     return guarded as unknown as Call
-  }
-
-  /** The same of embind's functions, which count what they are given, and of classes. */
-  private guardBound(bound: Bound, call: Function) {
-    const fail = (error: unknown) => this.failure(bound, error)
-    return function (this: unknown, ...given: unknown[]): unknown {
-      try {
-        return new.target ? Reflect.construct(call, given) : call.apply(this, given)
-      } catch (error) {
-        throw fail(error)
-      }
-    }
   }
 
   /** Returns what to throw for an error of `bound`, which has failed if it is a trap. */
@@ -135,7 +121,3 @@ const isTrap = (error: unknown) =>
   error instanceof WebAssembly.RuntimeError ||
   error instanceof RangeError ||
   (typeof WebAssembly.Exception === 'function' && error instanceof WebAssembly.Exception)
-
-/** Functions that Emscripten adds: none of ours is named like them. */
-const isEmscriptens = (name: string) =>
-  /^__|Error$|^(run|constructor|isDeleted|isAliasOf)$/.test(name)
