@@ -109,7 +109,7 @@ export class Session {
 
   /** The number of an input in the module. */
   numberOf(input: Expression): number {
-    return this.open('number').inputOf(input.handle)
+    return this.core._inputOf(this.at('number'), input.handle)
   }
 
   /** A number that float32 can hold; see `toExpression`. */

@@ -1,6 +1,6 @@
 // What is kept of a sketch's function when it is over: the words of a module (src/module), outside of the wasm. Texts and
 // programs are made of them as often as need be.
-import { type Module, type Naming, core } from '../wasm/core.js'
+import { type Module, core } from '../wasm/core.js'
 import { WarpError, describe } from '../checks/errors.js'
 import type { ReadAsFloats, Variable } from '../expression/shapes.js'
 import { languages } from '../wasm/tables.js'
@@ -31,7 +31,9 @@ export interface Program {
   inputs: Variable[]
 }
 
-/** What the host calls inputs and results, by number. */
+/** What the host calls an input or a result. */
+type Naming = readonly [number: number, name: string]
+
 export interface Names {
   inputs?: readonly Naming[]
   /** All results under their own names, unless given. */
@@ -82,20 +84,22 @@ export const writeText = (
 ): Text =>
   reading(kept, (module) => {
     separate(module, known)
-    const others = Array.from(kept.others, ([number, { texts }]): Naming => [
-      number,
-      texts[target]!,
-    ])
-    const written = module.write(
+    const others = Array.from(kept.others, ([number, { texts }]): Naming => [number, texts[target]!])
+    const names = [...others, ...inputs]
+    const { problem, ...text } = module.write(
       target,
-      [...others, ...inputs],
-      results,
+      names.map(numberOf),
+      names.map(nameOf),
+      results.map(numberOf),
+      results.map(nameOf),
       Math.min(maxDepth, 2 ** 30),
     )
-    const { problem, ...text } = written
     if (problem) throw new WarpError(problem)
     return { ...text, inputs: withReads(kept, text.inputs) }
   })
+
+const numberOf = ([number]: Naming) => number
+const nameOf = ([, name]: Naming) => name
 
 /** All inputs, read or not. */
 export const inputsOf = (kept: KeptModule): Variable[] =>

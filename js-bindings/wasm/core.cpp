@@ -54,6 +54,11 @@ EMSCRIPTEN_KEEPALIVE int swizzle(Builder* session, int handle, int count, int in
   return session->swizzle(handle, count, static_cast<unsigned>(indices));
 }
 
+// The number of an input in the module.
+EMSCRIPTEN_KEEPALIVE std::uint32_t inputOf(Builder* session, int handle) {
+  return session->inputOf(handle);
+}
+
 // Columns and rows, four bits each.
 EMSCRIPTEN_KEEPALIVE int shapeOf(Builder* session, int handle) {
   const Shape shape = session->shape(handle);
@@ -171,11 +176,20 @@ std::vector<Variable> results(const Module& module) {
 
 std::uint32_t separate(Module& module, const Words& known) { return separateFrame(module, known); }
 
+// Names of inputs or results: numbers and texts in two lists, since a record for each takes three
+// calls.
+std::vector<Naming> namings(const Words& numbers, const std::vector<std::string>& names) {
+  std::vector<Naming> all;
+  for (std::size_t i = 0; i < numbers.size(); ++i) all.push_back({numbers[i], names[i]});
+  return all;
+}
+
 // A depth of 0 leaves it to us.
-ShaderText writeText(const Module& module, std::string_view target,
-                     const std::vector<Naming>& inputNames, const std::vector<Naming>& resultNames,
-                     int maxDepth) {
-  TextOptions options{.results = resultNames, .inputs = inputNames};
+ShaderText writeText(const Module& module, std::string_view target, const Words& inputs,
+                     const std::vector<std::string>& inputNames, const Words& results,
+                     const std::vector<std::string>& resultNames, int maxDepth) {
+  TextOptions options{.results = namings(results, resultNames),
+                      .inputs = namings(inputs, inputNames)};
   if (maxDepth > 0) options.emit = {maxDepth, EmitOptions::mostReads};
   Written written = write(module, *findDialect(target), options);
   if (!written.text) return {.problem = written.problem};
@@ -235,14 +249,12 @@ EMSCRIPTEN_BINDINGS(core) {
   registerArray<double>();
   registerArray<std::string>();
   registerArray<HostText>();
-  registerArray<Naming>();
   registerArray<Variable>();
 
   bindEnum<Filter>("Filter", filterNames);
   bindEnum<Wrap>("Wrap", wrapNames);
 
   value_array<HostText>("HostText").element(&HostText::family).element(&HostText::text);
-  value_array<Naming>("Naming").element(&Naming::number).element(&Naming::text);
   value_array<Shape>("Shape").element(&Shape::columns).element(&Shape::rows);
   value_object<Variable>("Variable")
       .field("name", &Variable::name)
@@ -270,7 +282,6 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("address", &addressOf)
       .function("problem", &Builder::problem)
       .function("input", &addInput)
-      .function("inputOf", &Builder::inputOf)
       .function("callTexture", &callTexture)
       .function("addFunction", &Builder::addFunction)
       .function("addRecorded", &addRecorded)

@@ -4,7 +4,7 @@ import type { Bound } from '../generated/core-bindings.js'
 import inlined from '../generated/core-wasm.js'
 import { type Emscripten, WasmInstance, outOfMemory } from './instance.js'
 
-export type { Module, Naming, Session } from '../generated/core-bindings.js'
+export type { Module, Session } from '../generated/core-bindings.js'
 
 /**
  * Handles are numbers that stand for values: numbers, vectors and matrices alike; `failed` of tables.ts stands in the place
