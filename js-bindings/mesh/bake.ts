@@ -16,7 +16,7 @@ import {
   reverseTriangles,
   takeMesh,
 } from './mesh-arrays.js'
-import { withJob } from '../wasm/mesh.js'
+import { withJob } from './job.js'
 import { takeVariation } from './surface-variation.js'
 
 /** What of `compileWarp`'s result is used here. */

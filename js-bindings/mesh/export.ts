@@ -1,7 +1,7 @@
 // `exportGLB`: from a mesh to a file.
 import { WarpError } from '../checks/errors.js'
 import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
-import { withJob } from '../wasm/mesh.js'
+import { withJob } from './job.js'
 
 /**
  * The bytes of a GLB file (glTF 2.0), which other programs open. Normals and tangents get length 1, as the format

@@ -6,7 +6,7 @@ import { geometryAs } from './geometry.js'
 import { type Codec, type Decoders, checkDecoders, findDecoder } from './decoders.js'
 import { type Mesh, takeMesh } from './mesh-arrays.js'
 import { type FoundDecoders, unpackParts } from './unpack.js'
-import { type Job, withJob } from '../wasm/mesh.js'
+import { type Job, withJob } from './job.js'
 import {
   type Bytes,
   type Resolve,

@@ -4,7 +4,7 @@ import { finiteFloat, firstWrong, inWords } from '../checks/numbers.js'
 import { isList } from '../checks/options.js'
 import { type Geometry, arraysOf, isGeometry } from '../inputs/geometry.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
-import type { Job } from '../wasm/mesh.js'
+import type { Job } from './job.js'
 
 /** A picture as its file has it. */
 export interface Picture {

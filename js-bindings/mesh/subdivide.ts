@@ -9,7 +9,7 @@ import { type Evaluates, asksForVariation, checkWarp, evaluateFor } from './bake
 import { type Geometry, isGeometry } from '../inputs/geometry.js'
 import { type Plain, finerGeometry } from './geometry.js'
 import { type Mesh, type MeshInput, type MeshOrGeometry, putMesh, takeMesh } from './mesh-arrays.js'
-import { type Job, withJob } from '../wasm/mesh.js'
+import { type Job, withJob } from './job.js'
 import { mostTriangles, usualTriangles } from '../wasm/mesh-tables.js'
 import { variationOf } from './surface-variation.js'
 

@@ -3,7 +3,7 @@ import { variationNames } from '../inputs/inputs.js'
 import { arrayNames } from '../inputs/vertices.js'
 import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
-import { type Job, withJob } from '../wasm/mesh.js'
+import { type Job, withJob } from './job.js'
 
 /** How fast and which way something rises along the surface: three numbers a vertex each. */
 export interface SurfaceVariation {

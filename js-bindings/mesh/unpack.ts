@@ -2,7 +2,7 @@
 import { WarpError, shorten } from '../checks/errors.js'
 import { type Codec, type MeshoptDecoder, adviceFor } from './decoders.js'
 import { type DracoModule, type DracoPlan, decodeDraco } from './draco.js'
-import type { Job } from '../wasm/mesh.js'
+import type { Job } from './job.js'
 
 /** Maps a codec to its decoder, or to `undefined` if none was found. */
 export type FoundDecoders = Map<Codec, unknown>

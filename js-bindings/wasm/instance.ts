@@ -75,7 +75,9 @@ export class WasmInstance<Bound extends Emscripten> {
     const fail = (error: unknown) => this.failure(bound, error)
     let made: Bound
     try {
-      made = withBytes(inlined, (wasmBinary) => factory({ wasmBinary, printErr() {}, fail })) as Bound
+      made = withBytes(inlined, (wasmBinary) =>
+        factory({ wasmBinary, printErr() {}, fail }),
+      ) as Bound
     } catch (cause) {
       throw (!(cause instanceof WarpError) && explainStart?.(cause)) || cause
     }

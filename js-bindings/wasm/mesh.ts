@@ -1,187 +1,29 @@
-// The wasm module of meshes (mesh.cpp). It starts when it is first used, and holds nothing between two calls.
-import { WarpError } from '../checks/errors.js'
-import { anyNumber, firstWrong, inWords } from '../checks/numbers.js'
+// The module of meshes (mesh.cpp). It starts when it is first used, and holds nothing between two calls.
 import factory from '../generated/mesh.js'
-import type { Bound, Mesh, Outcome } from '../generated/mesh-bindings.js'
+import type { Bound } from '../generated/mesh-bindings.js'
 import inlined from '../generated/mesh-wasm.js'
 import { type Emscripten, WasmInstance } from './instance.js'
-import type { ByteArray, FloatArray, IndexArray } from './mesh-tables.js'
 
-type MeshModule = Bound & Emscripten
+export type { Mesh, Outcome } from '../generated/mesh-bindings.js'
 
-/** A failure of the module, before it is known which method the user called. */
-class MeshFailure extends Error {}
+export type MeshModule = Bound & Emscripten
 
-const wasm = new WasmInstance<MeshModule>({
+/** The module has stopped: whoever knows which method the user called says what that means. */
+export class MeshFailure extends Error {}
+
+/** The module did not start. */
+export class MeshStartFailure extends Error {}
+
+export const meshes = new WasmInstance<MeshModule>({
   factory,
   inlined,
   fail: () => new MeshFailure(),
-  explainStart: (cause) => Object.assign(new StartFailure(), { cause }),
+  explainStart: (cause) => Object.assign(new MeshStartFailure(), { cause }),
   maxKeptBytes: 2 ** 26,
 })
 
-class StartFailure extends Error {}
-
 /**
- * How many bytes the mesh module holds inside its wasm: between two calls always the same. For tests, not for users.
+ * How many bytes the module holds inside its wasm: between two calls always the same. For tests, not for users.
  * @internal
  */
-export const meshMemoryInUse = (): number => wasm.get().memoryInUse()
-
-/** What can be done with a job: those without parameters. */
-type Action =
-  | 'findFiles'
-  | 'findPacked'
-  | 'keepPiece'
-  | 'loadFile'
-  | 'checkMesh'
-  | 'addNormals'
-  | 'addVariation'
-  | 'writeFile'
-
-/** What enters and leaves one call of `method`. */
-export class Job {
-  constructor(
-    readonly method: string,
-    private readonly mesh: Mesh,
-    private readonly bound: MeshModule,
-  ) {}
-
-  /** Numbers only, though NaN and infinity may be among them: `size` a vertex. */
-  setFloats(name: FloatArray, numbers: ArrayLike<number>, size = 3) {
-    // Numbers for which there is no memory are not looked at.
-    this.expect(this.mesh.resizeFloats(name, numbers))
-    const wrong = firstWrong(numbers, anyNumber)
-    if (wrong >= 0)
-      throw new WarpError(
-        `${this.method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${inWords(numbers[wrong])}.`,
-      )
-    this.expect(this.mesh.setFloats(name, numbers))
-  }
-
-  setIndices(numbers: ArrayLike<number>) {
-    this.expect(this.mesh.setIndices('indices', numbers))
-  }
-
-  setBytes(name: ByteArray, bytes: Uint8Array) {
-    this.expect(this.mesh.setBytes(name, bytes))
-  }
-
-  setText(name: ByteArray, text: string) {
-    this.setBytes(name, new TextEncoder().encode(text))
-  }
-
-  setBaseColor(color: ArrayLike<number>) {
-    this.mesh.setBaseColor(color)
-  }
-
-  floats(name: FloatArray): Float32Array {
-    return this.mesh.floats(name).slice()
-  }
-
-  indices(name: IndexArray = 'indices'): Uint32Array {
-    return this.mesh.indices(name).slice()
-  }
-
-  bytes(name: ByteArray): Uint8Array {
-    return this.mesh.bytes(name).slice()
-  }
-
-  text(name: ByteArray): string {
-    return new TextDecoder().decode(this.bytes(name))
-  }
-
-  triangleCount(): number {
-    return this.mesh.triangleCount()
-  }
-
-  baseColor(): number[] | undefined {
-    const color = this.mesh.baseColor()
-    return color.length ? [...color] : undefined
-  }
-
-  /** Does something in C++, or throws what is wrong. Returns the texts that it gives. */
-  act(action: Action): string[] {
-    return this.expect(this.mesh[action]())
-  }
-
-  /** Adds a further file that the model names. */
-  addFile(name: string, contents: Uint8Array) {
-    this.setBytes('contents', contents)
-    this.expect(this.mesh.keepFile(name))
-  }
-
-  /** The bytes of a compressed part of the file, after `findPacked`. */
-  packedBytes(part: number): Uint8Array {
-    this.expect(this.mesh.openPacked(part))
-    return this.bytes('contents')
-  }
-
-  /** Puts decoded bytes in the place of a compressed part. */
-  unpack(part: number, pieces: readonly Uint8Array[]) {
-    for (const piece of pieces) {
-      this.setBytes('contents', piece)
-      this.act('keepPiece')
-    }
-    this.expect(this.mesh.unpack(part))
-  }
-
-  /** Returns warnings. */
-  refineUniformly(levels: number, maxTriangles: number): string[] {
-    return this.expect(this.mesh.refineUniformly(levels, maxTriangles))
-  }
-
-  /** Returns warnings. `warp` moves the vertices of the job that it is given; what it throws is thrown on. */
-  refine(
-    tolerance: number,
-    angle: number,
-    maxTriangles: number,
-    warp: (vertices: Job) => void,
-  ): string[] {
-    let problem: { error: unknown } | undefined
-    const evaluate = (vertices: Mesh) => {
-      try {
-        warp(new Job(this.method, vertices, this.bound))
-        // What the warp did with meshes may have ended this instance, even if it caught the error.
-        if (this.bound.isBroken) throw new WarpError(tooLarge(this.method))
-        return true
-      } catch (error) {
-        problem = { error }
-        return false
-      }
-    }
-    try {
-      return this.expect(this.mesh.refine(tolerance, angle, maxTriangles, evaluate))
-    } catch (error) {
-      // The warp's own error says more.
-      throw problem ? problem.error : error
-    }
-  }
-
-  private expect({ problem, texts }: Outcome): string[] {
-    if (problem) throw new WarpError(`${this.method}: ${problem}`)
-    return texts
-  }
-}
-
-/** Does `work` with a job, and deletes it whatever happens. */
-export function withJob<Result>(method: string, work: (job: Job) => Result): Result {
-  try {
-    return wasm.use(
-      ({ Mesh }) => new Mesh(),
-      (mesh, bound) => work(new Job(method, mesh, bound)),
-    )
-  } catch (error) {
-    if (error instanceof MeshFailure) throw new WarpError(tooLarge(method))
-    if (!(error instanceof StartFailure)) throw error
-    throw Object.assign(
-      new WarpError(
-        `${method}: meshes need WebAssembly with exceptions, which every current browser has and this one lacks.`,
-      ),
-      { cause: error.cause },
-    )
-  }
-}
-
-const tooLarge = (method: string) =>
-  `${method}: the mesh is too large or too deeply nested to be handled here.`
+export const meshMemoryInUse = (): number => meshes.get().memoryInUse()
