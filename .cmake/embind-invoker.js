@@ -4,23 +4,26 @@
 mergeInto(LibraryManager.library, {
   $craftInvokerFunction__deps: ['$runDestructors', '$throwBindingError'],
   $craftInvokerFunction: function (humanName, argTypes, classType, invoker, target) {
-    var result = argTypes[0].name === 'void' ? null : argTypes[0];
-    var self = classType === null ? null : argTypes[1];
-    var parameters = argTypes.slice(2);
+    var result = argTypes[0].name === 'void' ? null : argTypes[0]
+    var self = classType === null ? null : argTypes[1]
+    var parameters = argTypes.slice(2)
     return function () {
       try {
         if (arguments.length !== parameters.length)
-          throwBindingError(humanName + ': expected ' + parameters.length + ' arguments, got ' + arguments.length);
-        var destructors = [];
-        var wired = [target];
-        if (self) wired.push(self['toWireType'](destructors, this));
-        for (var i = 0; i < parameters.length; ++i) wired.push(parameters[i]['toWireType'](destructors, arguments[i]));
-        var value = invoker.apply(null, wired);
-        runDestructors(destructors);
-        return result ? result['fromWireType'](value) : undefined;
+          throwBindingError(
+            humanName + ': expected ' + parameters.length + ' arguments, got ' + arguments.length,
+          )
+        var destructors = []
+        var wired = [target]
+        if (self) wired.push(self['toWireType'](destructors, this))
+        for (var i = 0; i < parameters.length; ++i)
+          wired.push(parameters[i]['toWireType'](destructors, arguments[i]))
+        var value = invoker.apply(null, wired)
+        runDestructors(destructors)
+        return result ? result['fromWireType'](value) : undefined
       } catch (error) {
-        throw Module['fail'](error);
+        throw Module['fail'](error)
       }
-    };
+    }
   },
-});
+})

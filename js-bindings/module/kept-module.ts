@@ -84,7 +84,10 @@ export const writeText = (
 ): Text =>
   reading(kept, (module) => {
     separate(module, known)
-    const others = Array.from(kept.others, ([number, { texts }]): Naming => [number, texts[target]!])
+    const others = Array.from(kept.others, ([number, { texts }]): Naming => [
+      number,
+      texts[target]!,
+    ])
     const names = [...others, ...inputs]
     const { problem, ...text } = module.write(
       target,
