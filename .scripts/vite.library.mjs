@@ -55,25 +55,28 @@ const withoutWasmInMaps = {
 const sharedFiles = [
   {
     name: 'basics',
-    test: /\/js-bindings\/(checks\/.*|inputs\/.*|cpu\/warp-program|expression\/(?:shapes|source-lines)|wasm\/start|wasm\/tables|generated\/version)\.ts$/,
+    test: /\/js-bindings\/(errors\/.*|options\/.*|core\/inputs\/.*|cpu\/warp-program|core\/lazy-object|core\/expression\/(?:shapes|source-lines)|wasm\/start|wasm\/tables|generated\/version)\.ts$/,
   },
   { name: 'compiler', test: /\/js-bindings\/compile\/(compile|compile-warp-text)\.ts$/ },
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
-  { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
+  {
+    name: 'meshes',
+    test: /\/js-bindings\/(mesh|wasm\/mesh|p5\/geometry\/(model|subdivide-geometry|vary-geometry|with-mesh))[/.-]/,
+  },
   {
     // The addon and exactNormals share these modules; only exactNormals needs the front end.
     name: 'p5-hooks',
-    test: /\/js-bindings\/p5\/(host|settings|struct-hooks|wgsl-hooks|variation-buffers|variation-text)\.ts$/,
+    test: /\/js-bindings\/p5\/(host|settings|hooks\/(struct-hooks|wgsl-hooks)|variation\/(variation-buffers|variation-text))\.ts$/,
   },
   {
     name: 'p5-addon',
-    test: /\/js-bindings\/p5\/(?!exact-normals|turned-hooks|modified-shader|unreadable-hooks|strands-wgsl)/,
+    test: /\/js-bindings\/p5\/(?!exact-normals)/,
   },
   {
     name: 'front-end',
-    test: /\/js-bindings\/(glsl[/.]|wasm\/glsl|p5\/exact-normals|generated\/glsl)/,
+    test: /\/js-bindings\/(glsl-source\/|glsl\.|wasm\/glsl|p5\/exact-normals|generated\/glsl)/,
   },
-  { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu)/ },
+  { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu|react)/ },
   {
     name: 'operating',
     test: /\/js-bindings\/operators\/(runtime|calls|functions|messages|values)\.ts$/,
@@ -145,7 +148,7 @@ const beside = (entry, fileName) =>
   single(entry, fileName, 'iife', {
     resolve: {
       alias: [
-        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
+        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/errors/errors.global.ts') },
       ],
     },
   })
@@ -157,7 +160,10 @@ export const scripts = () => [
     // The script fetches what reads models when a sketch first needs it.
     resolve: {
       alias: [
-        { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
+        {
+          find: /^.*\/mesh-module\.js$/,
+          replacement: path('js-bindings/p5/geometry/mesh-module.global.ts'),
+        },
       ],
     },
     define: { meshIntegrity: JSON.stringify(integrityOf('dist/mesh.min.js')) },
@@ -166,10 +172,10 @@ export const scripts = () => [
   single('js-bindings/glsl.global.ts', 'warpjet.glsl.min.js', 'iife', {
     resolve: {
       alias: [
-        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
+        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/errors/errors.global.ts') },
         {
           find: /^.*\/compile\/(compile|compile-warp-text)\.js$/,
-          replacement: path('js-bindings/glsl/compile.global.ts'),
+          replacement: path('js-bindings/glsl-source/compile.global.ts'),
         },
       ],
     },

@@ -6,7 +6,7 @@ import { installEnvironments } from './environments.mjs'
 import { withBrowsers } from './browsers.mjs'
 import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
-import { checkHouse } from './house.mjs'
+import { checkDependencies } from './dependencies.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
 import { isEveryday, leftOut } from './tiers.mjs'
@@ -99,14 +99,14 @@ async function environments() {
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
   {
-    group: 'house',
-    title: 'Rooms: no circles, and no language but in a dialect',
-    work: checkHouse,
+    group: 'dependencies',
+    title: 'Dependency rules',
+    work: checkDependencies,
   },
   {
     group: 'types',
     title: 'Types',
-    work: () => node(binary('typescript/bin/tsc'), '--project', 'tsconfig.json'),
+    work: () => node(binary('typescript-7/bin/tsc'), '--project', 'tsconfig.json'),
   },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
   { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },

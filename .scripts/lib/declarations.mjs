@@ -36,7 +36,7 @@ export async function declareTypes() {
   for (const folder of [written, 'dist/types'])
     rmSync(path(folder), { recursive: true, force: true })
   await run(process.execPath, [
-    'node_modules/typescript/bin/tsc',
+    'node_modules/typescript-7/bin/tsc',
     '--project',
     '.scripts/tsconfig.types.json',
   ])

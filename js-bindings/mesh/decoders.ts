@@ -1,6 +1,6 @@
 // Decoders of compressed models: given by the caller, or found.
-import { WarpError, describe } from '../checks/errors.js'
-import { checkOptions } from '../checks/options.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { checkOptions } from '../options/options.js'
 import { importFromWorkingFolder } from './sources.js'
 
 /** `MeshoptDecoder` of the package meshoptimizer. */

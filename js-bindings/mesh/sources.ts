@@ -1,5 +1,5 @@
 // Where the bytes of a model come from, in browsers and in Node.
-import { WarpError, describe, shorten } from '../checks/errors.js'
+import { WarpError, describe, shorten } from '../errors/errors.js'
 
 /** Bytes, or something that has them. */
 export type Bytes = ArrayBuffer | ArrayBufferView | Blob

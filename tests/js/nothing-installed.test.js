@@ -26,11 +26,11 @@ for (const [script, answer] of [
     const args = answer
       ? [`.scripts/${script}.mjs`, 'nonsense']
       : ['--input-type=module', '-e', `await import('./.scripts/${script}.mjs')`]
-    const { stdout, stderr } = spawnSync(
-      process.execPath,
-      ['--import', asUrl(register), ...args],
-      { cwd: root, encoding: 'utf8', env: { ...process.env, NO_COLOR: '1' } },
-    )
+    const { stdout, stderr } = spawnSync(process.execPath, ['--import', asUrl(register), ...args], {
+      cwd: root,
+      encoding: 'utf8',
+      env: { ...process.env, NO_COLOR: '1' },
+    })
     assert.doesNotMatch(stderr, /expected only files/)
     if (answer) assert.match(stdout + stderr, answer)
   })

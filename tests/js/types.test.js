@@ -13,7 +13,7 @@ import {
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { runInThisContext } from 'node:vm'
-import ts from 'typescript-5.4'
+import ts from 'typescript'
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
@@ -40,12 +40,12 @@ const optionsFor = (files, moduleResolution) => ({
 
 for (const [compiler, files, moduleResolution] of [
   ['typescript-5.4', modules, 'nodenext'],
-  ['typescript', sketches, 'bundler'],
+  ['typescript-7', sketches, 'bundler'],
   ...(isRun('every TypeScript')
     ? [
-        ['typescript', modules, 'bundler'],
-        ['typescript', modules, 'node16'],
-        ['typescript', modules, 'nodenext'],
+        ['typescript-7', modules, 'bundler'],
+        ['typescript-7', modules, 'node16'],
+        ['typescript-7', modules, 'nodenext'],
         ['typescript-5.4', sketches, 'bundler'],
       ]
     : []),
