@@ -6,7 +6,7 @@ import { checks } from '../../.scripts/lib/checks.mjs'
 import { walk } from '../../.scripts/lib/files.mjs'
 import { isRun, leftOut } from '../../.scripts/lib/tiers.mjs'
 
-const files = walk('tests', /\.js$/)
+const files = ['tests', 'web/tests'].flatMap((folder) => walk(folder, /\.js$/))
 
 test('steps, files and parts that are left out exist', () => {
   const titles = checks.map(({ title }) => title)
