@@ -2,6 +2,7 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { declarations, declareTypes } from './lib/declarations.mjs'
+import { bundles, sources as entries } from './lib/entries.mjs'
 import { embindTypes } from './lib/embind-types.mjs'
 import { path, step, walk } from './lib/files.mjs'
 import { inline } from './lib/inline.mjs'
@@ -20,39 +21,6 @@ const sources = (pattern) =>
 // Of .cmake/wasm.cmake.
 const wasm = ['core', 'evaluation', 'mesh', 'glsl']
 const compiled = wasm.flatMap((name) => [`.build/wasm/${name}.mjs`, `.build/wasm/${name}.wasm`])
-
-const operators = ['operators', 'operators-runtime', 'operators-plugin']
-const shared = [
-  'text',
-  'p5',
-  'p5.browser',
-  'autodiff',
-  'mesh',
-  'deformers',
-  'glsl',
-  'three',
-  'three.webgpu',
-  'react',
-  'babylon',
-  'cli',
-  ...operators,
-]
-const single = [
-  'warpjet',
-  'mesh',
-  'warpjet.glsl',
-  'p5.warpjet',
-  'warpjet.deformers',
-  'warpjet.operators',
-]
-const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
-  (name) => `dist/${name}.js`,
-)
-const entries = [
-  'index',
-  ...shared,
-  ...['p5', 'deformers', 'glsl', 'operators'].map((name) => `${name}.global`),
-].map((name) => `js-bindings/${name}.ts`)
 
 export const build = () => locked(buildAll)
 
@@ -130,10 +98,10 @@ function generateModules() {
 const writeGenerated = (name, text) => writeFileSync(path(generated, name), text)
 
 async function bundle() {
-  const { modules, singleModules, scripts } = await import('./vite.library.mjs')
+  const { moduleBuild, scriptBuilds, singleModuleBuilds } = await import('./vite.library.mjs')
   for (const file of walk('dist', /\.js(\.map)?$/)) rmSync(path(file))
-  await viteBuild(modules, ...singleModules)
-  await viteBuild(...scripts())
+  await viteBuild(moduleBuild, ...singleModuleBuilds)
+  await viteBuild(...scriptBuilds())
 }
 
 if (isMain(import.meta))

@@ -1,7 +1,7 @@
 // What can be said of a program without running it.
-import type { Variable } from '../expression/shapes.js'
-import type { Range } from '../inputs/vertices.js'
-import type { Program } from '../module/kept-module.js'
+import type { Variable } from '../core/expression/shapes.js'
+import type { Range } from '../core/inputs/vertices.js'
+import type { Program } from '../core/module/kept-module.js'
 import { type Program as LoadedProgram, evaluation } from '../wasm/evaluation.js'
 
 /** Does `work` with a program that is loaded into the wasm. */

@@ -1,6 +1,6 @@
 // A program as machine code: a wasm module whose bytes the evaluation's C++ writes, on the evaluation's own memory, where it
 // holds nothing between two runs.
-import type { Program } from '../module/kept-module.js'
+import type { Program } from '../core/module/kept-module.js'
 import {
   type Code as WrittenCode,
   type Evaluation,

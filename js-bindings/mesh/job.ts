@@ -1,6 +1,6 @@
 // One call of a method of meshes: what enters the wasm, and what leaves it.
-import { WarpError } from '../checks/errors.js'
-import { anyNumber, firstWrong, inWords } from '../checks/numbers.js'
+import { WarpError } from '../errors/errors.js'
+import { anyNumber, firstWrong, inWords } from '../options/numbers.js'
 import type { ByteArray, FloatArray, IndexArray } from '../wasm/mesh-tables.js'
 import {
   type Mesh,

@@ -1,6 +1,6 @@
 // What runs programs on many vertices (evaluation.cpp). It is a module of its own, since it needs SIMD and the compiler does not.
 // It starts when the first warp is evaluated, and holds nothing between two calls.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import factory from '../generated/evaluation.js'
 import type { Bound } from '../generated/evaluation-bindings.js'
 import inlined from '../generated/evaluation-wasm.js'

@@ -1,6 +1,6 @@
 // The bytes of a wasm module, which is inlined as text, and why a browser may refuse them. It is compiled synchronously, so that
 // `createWarp` works in a plain `setup()`.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 
 /** By .scripts/lib/inline.mjs: frequent bytes are a letter each, the others two, which gzip packs as well as bytes. */
 export interface Inlined {

@@ -1,5 +1,5 @@
 // The life of a wasm module that embind binds: it starts when it is first used, and is replaced once it has failed.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import { type Inlined, withBytes } from './inlined.js'
 
 /** What every module has besides its bindings. The arrays are views of its memory, which are new whenever that has grown. */
