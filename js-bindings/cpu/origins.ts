@@ -4,13 +4,8 @@ import { takeNumbers } from '../options/numbers.js'
 import { isList, own } from '../options/options.js'
 import type { Variable } from '../core/expression/shapes.js'
 import { inputNumbers } from '../core/inputs/input-numbers.js'
-import {
-  type DeclaredUniform,
-  isWhole,
-  numbersFor,
-  unlisted,
-  withDeclared,
-} from '../core/inputs/declared-uniforms.js'
+import { type DeclaredUniform, withDeclared } from '../core/inputs/declared-uniforms.js'
+import { isWhole, numbersFor, scalarOrArray } from '../core/inputs/uniform-values.js'
 import { type VertexInput, vertexInputs } from '../core/inputs/inputs.js'
 import { type Uniforms, checkUniforms } from '../core/inputs/vertices.js'
 import type { Program } from '../core/module/kept-module.js'
@@ -106,7 +101,7 @@ export function originsOf(
   const origins = reading.spare ?? reading.inputs.map(originOf)
   reading.spare = undefined
   let uniforms: Readonly<Record<string, unknown>> | undefined = given
-  let frame: Readonly<Record<string, number[]>> | undefined
+  let frame: Readonly<Record<string, readonly number[]>> | undefined
   if (valuesOfFrame) {
     uniforms = withDeclared(method, declared, given, reading.parameters)
     frame = valuesOfFrame(method, uniforms)
@@ -122,7 +117,7 @@ export function originsOf(
     const computed = frame && own(frame, name)
     if (computed) {
       // Any numbers: what divides by a uniform of 0 is infinite, or NaN.
-      for (let i = 0; i < numbers.length; i++) numbers[i] = (computed as number[])[i]!
+      for (let i = 0; i < numbers.length; i++) numbers[i] = (computed as readonly number[])[i]!
       continue
     }
     const uniform = valuesOfFrame ? undefined : declared.get(name)
@@ -167,7 +162,7 @@ function fill(
 }
 
 const valueOf = (method: string, { value, numbers }: DeclaredUniform) =>
-  value ? value() : unlisted(numbers(method))
+  value ? value() : scalarOrArray(numbers(method))
 
 const isSingle = (value: unknown) => isList(value) && value.length < 2
 

@@ -9,7 +9,10 @@ export interface WarpProgram {
   declared: DeclaredUniforms
   /** The uniforms that the program reads in place of others, from the values of these. */
   valuesOfFrame?:
-    | ((method: string, given: Readonly<Record<string, unknown>>) => Record<string, number[]>)
+    | ((
+        method: string,
+        given: Readonly<Record<string, unknown>>,
+      ) => Readonly<Record<string, readonly number[]>>)
     | undefined
   program: () => Program | undefined
   /** Its results are the position and what the tangent's direction becomes. */

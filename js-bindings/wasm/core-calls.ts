@@ -11,6 +11,7 @@ const givesText = new Set([
   'declarations',
   'inputLines',
   'allInputLines',
+  'readInputLines',
   'outputLines',
 ])
 

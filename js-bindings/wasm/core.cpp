@@ -281,6 +281,14 @@ EMSCRIPTEN_KEEPALIVE const std::string* allInputLines(Reading* reading) {
   return told(lines);
 }
 
+// Those that the wanted results depend on.
+EMSCRIPTEN_KEEPALIVE const std::string* readInputLines(Reading* reading) {
+  std::string lines;
+  for (const std::uint32_t i : inputsRead(reading->module, reading->results))
+    lines += line(reading->module.graph.input(i).shape, i, reading->module.graph.input(i).label);
+  return told(lines);
+}
+
 EMSCRIPTEN_KEEPALIVE const std::string* outputLines(Reading* reading) {
   std::string lines;
   for (std::uint32_t i = 0; i < reading->module.outputs.size(); ++i) {

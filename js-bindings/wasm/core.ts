@@ -107,6 +107,7 @@ export interface Core {
   declarations(reading: Reading): string
   inputLines(reading: Reading): string
   allInputLines(reading: Reading): string
+  readInputLines(reading: Reading): string
   outputLines(reading: Reading): string
 
   /** Whether it ran out of memory, and nothing of it may be used any more. */

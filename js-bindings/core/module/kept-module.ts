@@ -109,6 +109,13 @@ export const writeText = (
 export const inputsOf = (module: KeptModule): Variable[] =>
   reading(module, (core, open) => readLines(core.allInputLines(open), module))
 
+/** The inputs that results depend on, which are told by number. */
+export const inputsReadBy = (module: KeptModule, results: readonly number[]): Variable[] =>
+  reading(module, (core, open) => {
+    for (const number of results) core._wantResult(open, number)
+    return readLines(core.readInputLines(open), module)
+  })
+
 /** The results, in their order. */
 export const resultsOf = (module: KeptModule): Variable[] =>
   reading(module, (core, open) => readLines(core.outputLines(open)))
