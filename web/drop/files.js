@@ -63,6 +63,15 @@ export const samples = {
   box,
 }
 
+/** `100%.png` is the name of a file, but no escaped one. */
+function decoded(uri) {
+  try {
+    return decodeURIComponent(uri)
+  } catch {
+    return uri
+  }
+}
+
 /** The model among the files, and the others for what it names → { name, mesh, picture } */
 export async function loadFiles(files) {
   const model = files.find(({ name }) => readable.test(name))
@@ -75,7 +84,8 @@ export async function loadFiles(files) {
     )
   }
   const byName = new Map(files.map((file) => [file.name, file]))
-  const resolve = (uri) => byName.get(decodeURIComponent(uri).split('/').at(-1))
+  const nameOf = (uri) => uri.split('/').at(-1)
+  const resolve = (uri) => byName.get(nameOf(uri)) ?? byName.get(nameOf(decoded(uri)))
   const mesh = await loadMesh(model, { resolve, decoders })
   return { name: model.name.replace(readable, ''), mesh, picture: await decode(mesh) }
 }
