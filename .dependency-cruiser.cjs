@@ -30,6 +30,18 @@ module.exports = {
       to: { path: entry },
     },
     {
+      name: 'adapters-use-host-layer',
+      comment:
+        'An adapter must import what it needs of core, cpu and compile from compile/hosts.ts.',
+      severity: 'error',
+      // exact-normals is part of the script of the front end, which takes the compiler of another script.
+      from: { path: '^js-bindings/(p5|three|babylon)/', pathNot: '^js-bindings/p5/exact-normals/' },
+      to: {
+        path: '^js-bindings/(core|cpu|compile|wasm)/',
+        pathNot: '^js-bindings/compile/hosts\\.ts$',
+      },
+    },
+    {
       name: 'no-orphans',
       comment: 'Every file must be reached from an entry.',
       severity: 'error',

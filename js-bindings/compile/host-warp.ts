@@ -1,5 +1,6 @@
 // `HostWarp`: what a host needs of a warp, so that its adapter only says where the host differs.
-import { type CpuWarp, createCpuWarp } from '../cpu/cpu-warp.js'
+import type { CpuWarp } from '../cpu/cpu-warp.js'
+import { createCpuWarp } from '../cpu/create-cpu-warp.js'
 import { warpProgram } from '../cpu/warp-program.js'
 import { type Vertices, allowNonFinite } from '../core/inputs/vertices.js'
 import { makeProgram } from '../core/module/kept-module.js'

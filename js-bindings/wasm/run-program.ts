@@ -1,6 +1,7 @@
 // Programs on many vertices: by machine code where the engine compiles any, else by the evaluation's own interpreter. Both
 // give the same bits.
 import type { Program } from '../core/module/kept-module.js'
+import type { ResultSet } from '../core/module/result-set.js'
 import { WarpError } from '../errors/errors.js'
 import { type Evaluation, type Memory, getEvaluation, withMemory } from './evaluation.js'
 import {
@@ -14,12 +15,12 @@ import {
 
 /**
  * Runs `program` on so many vertices; `inputs` has all of its inputs in order, and `wanted` are the results that the sinks
- * take, always in the same array for the same ones: the machine code is found by it. Nothing is left for the garbage
+ * take. Nothing is left for the garbage
  * collector where that is there: functions that capture variables stand apart, for each call would make their scope.
  */
 export function runProgram(
   program: Program,
-  wanted: readonly number[],
+  wanted: ResultSet,
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
@@ -37,7 +38,7 @@ const worthwhile = 30_000
 
 /** What is known of a program for some results and inputs of one kind. */
 interface Known {
-  wanted: readonly number[]
+  wanted: ResultSet
   isUniform: readonly boolean[]
   /** Null if the program is too long, and nothing after it was run once. */
   code?: MachineCode | null
@@ -51,7 +52,7 @@ let isForbidden = false
 
 function machineCodeOf(
   program: Program,
-  wanted: readonly number[],
+  wanted: ResultSet,
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
@@ -77,7 +78,7 @@ function machineCodeOf(
 
 function likeThese(
   all: readonly Known[],
-  wanted: readonly number[],
+  wanted: ResultSet,
   inputs: readonly Stream[],
 ): Known | undefined {
   next: for (const known of all) {
@@ -91,14 +92,15 @@ function likeThese(
 
 const makeMachineCode = (
   program: Program,
-  wanted: readonly number[],
+  wanted: ResultSet,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
-) => withMemory((core, memory) => MachineCode.of(program, wanted, core, memory, inputs, sinks))
+) =>
+  withMemory((core, memory) => MachineCode.of(program, wanted.numbers, core, memory, inputs, sinks))
 
 const interpretAll = (
   program: Program,
-  wanted: readonly number[],
+  wanted: ResultSet,
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
@@ -108,7 +110,7 @@ function interpret(
   core: Evaluation,
   memory: Memory,
   program: Program,
-  wanted: readonly number[],
+  wanted: ResultSet,
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
@@ -126,7 +128,7 @@ function interpret(
 
   const evaluator = core._openEvaluator(
     ...memory.program(program),
-    ...memory.list(wanted),
+    ...memory.list(wanted.numbers),
     streamTable,
     inputs.length,
   )

@@ -105,6 +105,17 @@ const mirroring = {
   },
 }
 
+/** A wave after more than a day: by the input millis, or by its phase as double or as float32 has it. */
+const late = 98_765_432
+const phases = { exact: (late / 90) % (2 * Math.PI), rounded: Math.fround(late / 90) % (2 * Math.PI) }
+function waving(material, by) {
+  const warp = new BabylonWarp(material, ({ glsl, position, millis, uniforms }) => {
+    const phase = by === 'millis' ? millis.div(90) : uniforms.phase
+    return glsl.vec3(position.y.mult(4).add(phase).sin().mult(0.25), 0, 0)
+  }, { uniforms: { phase: phases[by] ?? 0 } })
+  warp.millis = late
+}
+
 /** Its normals left as they were, in the one language and in the other. */
 function withoutNormals(warp, material) {
   const { getCustomCode } = warp
@@ -155,6 +166,7 @@ window.draw = async (backend, kind, way) => {
   mirroring[way.replace('mirroring, ', '')]?.(material)
   if (way === 'shifted') move(knot, Matrix.Translation(...amount))
   if (way === 'by an image') byImage(material, scene)
+  if (way.startsWith('wave by ')) waving(material, way.replace('wave by ', ''))
   if (way.startsWith('sampled by')) bySampling(material, scene, way === 'sampled by hand')
   if (['warped', 'without its normals', 'without its shadow'].includes(way)) {
     const warp = warped(material)
@@ -313,6 +325,15 @@ for (const backend of ['webgl', 'webgpu'])
         assert.equal(differing(await draw(backend, kind, 'mirroring, switched off'), still), 0)
         assert.deepEqual(printed(), [])
       })
+
+    test('a wave is exact at 98,765,432 milliseconds', async () => {
+      const expected = await draw(backend, 'Standard', 'wave by exact')
+      const shown = await draw(backend, 'Standard', 'wave by millis')
+      assert.equal(differing(shown, expected), 0)
+      const rounded = differing(await draw(backend, 'Standard', 'wave by rounded'), expected)
+      assert.ok(rounded > 30, `${rounded} pixels differ where the phase is a float32`)
+      assert.deepEqual(printed(), [])
+    })
 
     test('an image among the uniforms', async () => {
       const [shown, expected] = [
