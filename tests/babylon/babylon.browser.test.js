@@ -121,8 +121,8 @@ function withoutNormals(warp, material) {
   const { getCustomCode } = warp
   warp.getCustomCode = (...args) => {
     const code = getCustomCode.apply(warp, args)
-    const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL.replaceAll('normalUpdated = warpjetTurned;', '')
-    return code && { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: text }
+    const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL?.replaceAll('normalUpdated = warpjetTurned;', '')
+    return text ? { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: text } : code
   }
   material.markDirty(true)
 }
