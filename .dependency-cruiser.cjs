@@ -34,11 +34,11 @@ module.exports = {
       comment:
         'An adapter must import what it needs of core, cpu and compile from compile/hosts.ts.',
       severity: 'error',
-      // exact-normals is part of the script of the front end, which takes the compiler of another script.
-      from: { path: '^js-bindings/(p5|three|babylon)/', pathNot: '^js-bindings/p5/exact-normals/' },
+      from: { path: '^js-bindings/(p5|three|babylon)/' },
       to: {
         path: '^js-bindings/(core|cpu|compile|wasm)/',
-        pathNot: '^js-bindings/compile/hosts\\.ts$',
+        // exact-normals takes the compiler of another script, where it stands in a script itself.
+        pathNot: '^js-bindings/compile/(hosts|(text|page)-compiler)\\.ts$',
       },
     },
     {

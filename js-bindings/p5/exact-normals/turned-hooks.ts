@@ -1,5 +1,5 @@
 /** In the place of a sketch's hook that moves positions: one that calls it, and turns the normal by its exact derivative. */
-import { compileWarp } from '../../compile/compile-warp-text.js'
+import { compileWarp } from '#text-compiler'
 import { type OffsetFunction, type Target, drawInputs } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
 import { asOwn } from '../../errors/operators.js'
