@@ -7,7 +7,7 @@ import {
   shaderNames,
 } from '../compile/hosts.js'
 
-/** What a shader of Babylon.js has for a warp. */
+/** The warp in a shader of Babylon.js. */
 export interface ShaderParts {
   warp: HostWarp
   /** Names of the frame constants, which are vec4s. */
@@ -21,8 +21,8 @@ const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat
 
 const sentName = (label: string) => `${label}Sent`
 
-/** What the text reads under its own name, and the buffer has under another: uniforms but images, and frame constants. */
-const buffered = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
+/** Uniforms but images, and frame constants. The text has other names for them than the buffer. */
+const bufferedUniforms = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
   ...warp.uniforms.inShader.filter(({ image }) => !image),
   ...frame.map((label) => ({ label, type: 'vec4' as const })),
 ]
@@ -34,7 +34,10 @@ export function declarationsOf(parts: ShaderParts, isWGSL: boolean) {
   const numbers = [
     { name: shaderNames.millis, type: 'float' },
     ...(mirrors ? [orientation] : []),
-    ...buffered(parts).map(({ label, type }) => ({ name: sentName(label), type: sentType(type) })),
+    ...bufferedUniforms(parts).map(({ label, type }) => ({
+      name: sentName(label),
+      type: sentType(type),
+    })),
   ]
   return {
     ubo: numbers.map(({ name, type }) => ({ name, type, size: sizes[type]! })),
@@ -67,11 +70,11 @@ export function send(buffer: Buffer, label: string, numbers: readonly number[]) 
   else
     buffer.updateMatrices(
       name,
-      Float32Array.from(numbers.length === 9 ? widened(numbers) : numbers),
+      Float32Array.from(numbers.length === 9 ? withFourthRow(numbers) : numbers),
     )
 }
 
-const widened = (n: readonly number[]) => [
+const withFourthRow = (n: readonly number[]) => [
   ...[...n.slice(0, 3), 0, ...n.slice(3, 6), 0, ...n.slice(6), 0],
   ...[0, 0, 0, 1],
 ]
@@ -114,7 +117,7 @@ export function vertexCode(parts: ShaderParts, isWGSL: boolean) {
     CUSTOM_VERTEX_UPDATE_NORMAL: whereOn(
       [
         '{',
-        ...buffered(parts).map((each) => local(each, isWGSL)),
+        ...bufferedUniforms(parts).map((each) => local(each, isWGSL)),
         readsColor ? colorOfVertex[target] : '',
         missing('UV1', 'uvUpdated', 2, isWGSL),
         missing('NORMAL', 'normalUpdated', 3, isWGSL),

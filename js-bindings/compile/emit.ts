@@ -8,7 +8,7 @@ import type { Result } from './recorded-warp.js'
 import { type TextOptions, type WarpOptions, checkNames } from './warp-options.js'
 import type { WarpText } from './warp-text.js'
 
-/** What a compiled warp has beside its text. */
+/** The methods of a compiled warp that make further texts and frame constants. */
 export interface Emits {
   /**
    * The text once more: in another language, or for a host with other names. The offset function is not called again, so

@@ -14,21 +14,21 @@ import { samplingNumbers, samplingUniforms } from './image-sampling.js'
 
 /** One uniform of the shader. */
 export interface HostUniform {
-  /** What the shader calls it. */
+  /** Its name in the shader. */
   label: string
   type: ShapeName
   /** Its numbers now, column by column; none of an image. */
   numbers: () => number[]
-  /** What it is now, if it is an image. */
+  /** Present for an image: returns the image that it is now. */
   image?: () => unknown
 }
 
 const plainNumbers: HostValues = { isImage: () => false, toNumbers: (value) => value }
 
 export class HostUniforms {
-  /** By the user's name, with the values of the moment. */
+  /** Maps the user's names to uniforms, with their present values. */
   readonly declared: DeclaredUniforms
-  /** Those of the shader. How an image is sampled stands after the image. */
+  /** The uniforms of the shader. The sampling of an image follows the image. */
   readonly inShader: readonly HostUniform[]
   readonly names: readonly string[]
   private readonly labels: ReadonlyMap<string, string>
@@ -48,7 +48,7 @@ export class HostUniforms {
     )
   }
 
-  /** What the shader calls a uniform. */
+  /** Returns the name that a uniform has in the shader. */
   readonly labelOf = (name: string): string => this.labels.get(name)!
 
   /** The value that was given, or what its function gives now. */
@@ -166,7 +166,7 @@ export class HostUniforms {
 const isRecord = (option: unknown): option is object =>
   typeof option === 'object' && option !== null && !isList(option)
 
-/** What `toPlain` made of an image, or an image of p5. */
+/** Undoes `toPlain` of an image. p5's images are as they were. */
 const hostImage = (value: object): unknown => ('image' in value ? value.image : value)
 
 const placeOf = (name: string) => `The warp's uniform "${name}"`

@@ -41,17 +41,17 @@ export class HostWarp extends OffsetWarp {
     })
   }
 
-  /** Whether the CPU can run it: not if it calls a `glsl.fn` or reads an image. */
+  /** `true` if the CPU can run it: not if it calls a `glsl.fn` or reads an image. */
   get runs(): boolean {
     return this.running().program() !== undefined
   }
 
-  /** Whether it mirrors all of space, so that the outer side of a triangle is its back; `undefined` if uniforms decide that. */
+  /** `true` if it mirrors all of space, so that the outer side of a triangle is its back; `undefined` if uniforms decide that. */
   get mirrors(): boolean | undefined {
     return this.running().mirrors()
   }
 
-  /** Whether it mirrors with these values. */
+  /** Tests whether it mirrors all of space with these values. */
   isMirrored(given: DrawValues): boolean {
     return this.running().isMirrored(this.method, given as never)
   }

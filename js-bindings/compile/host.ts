@@ -1,4 +1,4 @@
-// How a host differs from others, as its adapter describes it.
+// The description of a host, by which its adapter says where it differs from others.
 import type { drawInputs } from '../core/inputs/inputs.js'
 import type { ImageSampling } from './image-sampling.js'
 
@@ -7,7 +7,7 @@ export interface Host {
   name: string
   /** The inputs of a draw call that it has. An offset that reads another one throws. */
   inputs: readonly DrawInput[]
-  /** What to do in place of reading an input that it lacks; by default, declare a uniform. */
+  /** Advice for messages about an input that it lacks. Default: declare a uniform. */
   advice?: Partial<Record<DrawInput, string>>
   /** `true` if an offset may read other variables of the shader by `glsl.param`. */
   hasParameters?: boolean

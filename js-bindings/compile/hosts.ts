@@ -1,4 +1,4 @@
-// What the adapters of hosts import of core, compile and cpu: this file is all that they know of these.
+// The façade for adapters of hosts: all that they import of core, compile and cpu.
 export { HostWarp } from './host-warp.js'
 export type { Host } from './host.js'
 export type { FrameConstants } from './frame.js'

@@ -1,4 +1,4 @@
-// How a host samples an image, as the numbers of uniforms.
+// The sampling of an image, as the numbers of uniforms.
 import { hostWraps, samplingUniforms } from '../core/expression/sampling.js'
 
 export { samplingUniforms }

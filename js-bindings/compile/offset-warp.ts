@@ -1,4 +1,4 @@
-// What is made of an offset function without running it on vertices: its uniforms, texts, and the constants of a frame.
+// An offset function as far as it is not run on vertices: its uniforms, texts and frame constants.
 import { withUniforms } from '../core/inputs/uniform-expressions.js'
 import { numbersFor } from '../core/inputs/uniform-values.js'
 import { type InputName, drawInputs } from '../core/inputs/inputs.js'
@@ -26,7 +26,7 @@ export interface HostOptions extends RecordOptions {
   perFrame?: boolean | undefined
 }
 
-/** By name, the value of each input of a draw call, and values in the place of those of uniforms. */
+/** Maps names to the values of a draw call's inputs, and to values that replace those of uniforms. */
 export type DrawValues = Readonly<Record<string, unknown>>
 
 /** Inputs of a draw call that are the same for all of its instances. */
@@ -58,17 +58,17 @@ export class OffsetWarp {
     this.known = perFrame ? this.frameInputs() : undefined
   }
 
-  /** Whether the result depends on how normal and uv vary over the surface. */
+  /** `true` if the warped normal depends on how normal and uv vary over the surface. */
   get varies() {
     return this.recorded.varies
   }
 
-  /** Whether normal and uv count as constant in texts although the result depends on how they vary. */
+  /** `true` if texts treat normal and uv as constant although the warped normal depends on how they vary. */
   get isApproximate() {
     return this.recorded.isApproximate
   }
 
-  /** Whether the place of a vertex depends on the input. */
+  /** Tests whether the place of a vertex depends on the input. */
   reads(input: InputName): boolean {
     return this.numbersRead().has(this.recorded.inputs[input])
   }
@@ -121,7 +121,7 @@ export class OffsetWarp {
     return inputsReadBy(module, numbers)
   }
 
-  /** What is the same for a whole frame: inputs of the draw call, and uniforms but images. */
+  /** Inputs that are the same for a whole frame: those of the draw call, and uniforms but images. */
   private frameInputs(): Known {
     const { inputs } = this.recorded
     const numbers = new Set(frameInputs.map((name) => inputs[name]))

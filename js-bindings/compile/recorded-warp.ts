@@ -17,9 +17,9 @@ export interface RecordedWarp {
   settings: Settings
   /** Maps an input's name to its number in the module. */
   inputs: Readonly<Record<InputName, number>>
-  /** Whether the turn depends on how normal and uv vary over the surface. */
+  /** `true` if the warped normal depends on how normal and uv vary over the surface. */
   varies: boolean
-  /** Whether they count as constant in the text, and nobody said that this will do. */
+  /** `true` if texts treat them as constant all the same, and no option accepts that. */
   isApproximate: boolean
   /** The number of the offset's Jacobian among the results, if the settings ask for it. */
   jacobian: number | undefined

@@ -1,4 +1,4 @@
-// What an offset function is handed: the inputs of a vertex and of a draw call, as expressions.
+// The argument of an offset function: the inputs of a vertex and of a draw call, as expressions.
 import { callable, createBuilder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 import type { Session } from '../core/expression/session.js'
@@ -10,7 +10,7 @@ import { didYouMean, refusing } from '../errors/nearest.js'
 const part = (session: Session, vector: Expression, i: number) =>
   session.swizzle('xyz'[i]!, vector, [i])
 
-/** What other shaders call inputs. */
+/** Maps names that other shaders use to ours, for "did you mean". */
 const meant = {
   time: 'millis',
   frameCount: 'millis',

@@ -1,4 +1,4 @@
-// The options of `compileWarp`, checked, and what stands in the place of those that are left out.
+// The options of `compileWarp`: their types, checks and defaults.
 import { inputSizes, type InputName, variationInputs } from '../core/inputs/inputs.js'
 import { type Target, checkTarget } from '../core/module/kept-module.js'
 import type { CompileOptions } from '../core/module/result.js'
@@ -47,7 +47,7 @@ export interface WarpOptions<
   debug?: boolean
 }
 
-/** What a text is written with, in place of what the options said. */
+/** Names that a text uses in place of those of the options. */
 export interface TextOptions {
   names?: InputNames | undefined
   outputs?: OutputNames | undefined
@@ -64,7 +64,7 @@ export interface RecordOptions extends TextOptions {
   jacobian?: boolean | undefined
 }
 
-/** Those options, and what stands for those that are left out. */
+/** The options with their defaults. */
 export type Settings = ReturnType<typeof settingsOf>
 
 export function settingsOf(method: string, options: RecordOptions, defaults = publicOutputs) {
@@ -139,7 +139,7 @@ export function checkNames(method: string, { names, outputs }: TextOptions) {
   checkOptions(`${method} outputs`, outputs, ['position', 'normal', 'tangent', 'offset'])
 }
 
-/** What the text does not read has a name that no sketch has; the CPU may read it. */
+/** The name of an input that the text does not read, though the CPU may. User code has no such name. */
 const hidden = (name: string) => `_warpjet_${name}`
 
 export const withoutGaps = <Options extends object>(options?: Options) =>

@@ -23,7 +23,7 @@ export function bounds(
   const reading = readingOf(warp, program, positionsAlone)
   const given = originsOf('bounds', warp, reading, uniforms).flatMap(
     ({ input, numbers }) =>
-      // What turns the normal does not move the vertex.
+      // Inputs that only transform the normal do not move the vertex.
       (input && ranges[input]) ?? numbers.map((x): Range => [x, x]),
   )
   const found = boundProgram(program, given, positionsAlone.numbers)

@@ -1,4 +1,4 @@
-// What a warp on the CPU can do: the same graph that became shader text, on the vertices of a mesh.
+// The methods of a warp on the CPU, which run the graph of its shader source on the vertices of a mesh.
 import type { VertexInput } from '../core/inputs/inputs.js'
 import type { Box, Uniforms, Vertices } from '../core/inputs/vertices.js'
 import type { WarpedVertices } from './results.js'

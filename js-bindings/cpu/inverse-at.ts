@@ -10,7 +10,7 @@ import { type Moved, type Triple, inverse } from './inverse.js'
 import { originsOf, readingOf } from './origins.js'
 import { type WarpProgram, programOf, rejectWithoutNormals } from './warp-program.js'
 
-/** Of the program of directions: the position, and what becomes of the direction. */
+/** Results of the program of directions: the warped position and the warped direction. */
 const positionAndDirection = new ResultSet([0, 1, 2, 3, 4, 5])
 
 const unitVectors: readonly Triple[] = [

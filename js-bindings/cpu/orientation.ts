@@ -1,4 +1,4 @@
-// Whether a warp mirrors all of space, so that the outer side of each triangle is its back.
+// Tests for a warp that mirrors all of space, so that the outer side of each triangle is its back.
 import type { Uniforms } from '../core/inputs/vertices.js'
 import { ResultSet } from '../core/module/result-set.js'
 import { inputsRead } from '../wasm/evaluation.js'

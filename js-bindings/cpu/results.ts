@@ -54,7 +54,7 @@ export const wanted = {
   frame: new Wanted(['positions', 'normals', 'tangents']),
 }
 
-/** Where `bounds` and `foldover` find what they need. */
+/** For `bounds` and `foldover`. */
 export const positionsAlone = new ResultSet(numbersOf.positions)
 export const determinantAlone = new ResultSet(numbersOf.determinant)
 

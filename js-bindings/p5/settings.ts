@@ -57,7 +57,7 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
 }
 
 export interface WarpSettings {
-  /** As the sketch wrote it. */
+  /** The option as the sketch wrote it. */
   readonly uniforms: object | undefined
   readonly type: WarpType | undefined
   readonly space: WarpSpace

@@ -24,10 +24,10 @@ import { type WarpSettings, uniformsIn } from './settings.js'
 export const p5: Host = {
   name: 'p5.js',
   inputs: Object.keys(drawInputs) as (keyof typeof drawInputs)[],
-  // Those of the option `defs`.
+  // The option `defs` declares them.
   hasParameters: true,
   prefix: 'uWarpjet',
-  // A p5.Texture has it, of an image that was set.
+  // The adapter reads it from the p5.Texture that an image becomes when it is set.
   sampling: { hasTransform: false },
 }
 
@@ -71,13 +71,13 @@ export const inputsNow = (canvas: Canvas) =>
 const inputsAmong = (read: readonly Declared[]) =>
   read.flatMap(({ name, type }) => (Object.hasOwn(inputs, name) ? { type, ...inputs[name]! } : []))
 
-/** What the shader is to declare of them. */
+/** Inputs and frame constants that the shader must declare. */
 export const declaredInputs = ({ uniforms, frame }: HostText): Declared[] => [
   ...inputsAmong(uniforms).map(({ type, uniform }) => ({ type, name: uniform })),
   ...frame.map((name) => ({ type: 'vec4' as const, name })),
 ]
 
-/** Of the variables that the text reads, what the shader is to declare: in WGSL also those of `defs`. */
+/** Variables that the text reads and the shader must declare: in WGSL also those of `defs`. */
 export function declaredUniforms(
   { uniforms }: HostWarp,
   { parameters }: HostText,
@@ -96,8 +96,8 @@ export function declaredUniforms(
 }
 
 /**
- * Of one call, by name: the inputs of the canvas, and the uniforms of the option, or what stands in their place. Each is read
- * once, if at all.
+ * Maps names to values for one call: the inputs of the canvas, and the uniforms of the option or the values that the call gives
+ * in their place. Each is read once, if at all.
  */
 export type CallValues = Readonly<Record<string, number | number[]>>
 

@@ -14,7 +14,7 @@ import type { Settings } from './settings.js'
 import { type UniformHandle, handlesOf } from './uniforms.js'
 import { three } from './values.js'
 
-/** What a text turns beside the position. */
+/** The last of position, normal and tangent that a text computes. */
 export type Turned = 'position' | 'normal' | 'tangent'
 
 const resultsOf: Record<Turned, readonly Result[]> = {
@@ -30,11 +30,11 @@ interface Box {
 }
 
 export class ThreeWarp extends HostWarp {
-  /** By the user's name. */
+  /** Maps the user's names to uniforms, as three.js has them. */
   readonly handles: Readonly<Record<string, UniformHandle<unknown>>>
   /** In milliseconds. */
   readonly millis = { value: 0 }
-  /** Whether it mirrors with the uniforms of this moment. */
+  /** `true` if it mirrors all of space with the present uniforms. */
   readonly isMirroredNow = remembered(
     () => this.numbers(),
     () => this.isMirrored(this.given),
@@ -75,7 +75,7 @@ export class ThreeWarp extends HostWarp {
     return this.frame(this.given)
   }
 
-  /** Where vertices are now. Some may have numbers that are not finite. */
+  /** Moves vertices with the present uniforms. Some may have numbers that are not finite. */
   evaluateNow(vertices: Vertices) {
     return this.evaluate(vertices, this.given)
   }
@@ -85,7 +85,7 @@ export class ThreeWarp extends HostWarp {
     return this.places[place].bounds(box, { uniforms: this.given })
   }
 
-  /** The same for the same text. */
+  /** Warps of equal text have equal keys. */
   get key(): string {
     return (this.hash ??= this.hashOfText())
   }

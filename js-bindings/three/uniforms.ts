@@ -72,7 +72,7 @@ export function valueNow({ image, numbers, type }: HostUniform): unknown {
   return type === 'float' ? numbers()[0] : numbers()
 }
 
-/** The property `uniforms` of what is warped. */
+/** Makes the property `uniforms` of a warped object or material. */
 export function handlesOf(method: string, uniforms: HostWarp['uniforms']) {
   const handles = Object.fromEntries(
     uniforms.names.map((name) => [

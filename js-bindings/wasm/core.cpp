@@ -281,7 +281,7 @@ EMSCRIPTEN_KEEPALIVE const std::string* allInputLines(Reading* reading) {
   return told(lines);
 }
 
-// Those that the wanted results depend on.
+// The inputs that the wanted results depend on.
 EMSCRIPTEN_KEEPALIVE const std::string* readInputLines(Reading* reading) {
   std::string lines;
   for (const std::uint32_t i : inputsRead(reading->module, reading->results))

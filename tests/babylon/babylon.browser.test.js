@@ -108,7 +108,7 @@ const mirroring = {
 /** A wave after more than a day: by the input millis, or by its phase as double or as float32 has it. */
 const late = 98_765_432
 const phases = { exact: (late / 90) % (2 * Math.PI), rounded: Math.fround(late / 90) % (2 * Math.PI) }
-function waving(material, by) {
+function addWave(material, by) {
   const warp = new BabylonWarp(material, ({ glsl, position, millis, uniforms }) => {
     const phase = by === 'millis' ? millis.div(90) : uniforms.phase
     return glsl.vec3(position.y.mult(4).add(phase).sin().mult(0.25), 0, 0)
@@ -166,7 +166,7 @@ window.draw = async (backend, kind, way) => {
   mirroring[way.replace('mirroring, ', '')]?.(material)
   if (way === 'shifted') move(knot, Matrix.Translation(...amount))
   if (way === 'by an image') byImage(material, scene)
-  if (way.startsWith('wave by ')) waving(material, way.replace('wave by ', ''))
+  if (way.startsWith('wave by ')) addWave(material, way.replace('wave by ', ''))
   if (way.startsWith('sampled by')) bySampling(material, scene, way === 'sampled by hand')
   if (['warped', 'without its normals', 'without its shadow'].includes(way)) {
     const warp = warped(material)

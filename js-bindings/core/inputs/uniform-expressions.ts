@@ -1,4 +1,4 @@
-// What an offset function reads as `uniforms`: an expression or an image's name for each uniform that the option declares.
+// The argument `uniforms` of an offset function: an expression or an image's name for each uniform that the option declares.
 import type { Session } from '../expression/session.js'
 import { WarpError } from '../../errors/errors.js'
 import { asOwn, readOperators } from '../../errors/operators.js'
@@ -26,7 +26,7 @@ export function withUniforms(
       const { session } = inputs.position as unknown as Expression
       return expressions(method, session as Session, declared, labelOf)
     }
-    // What is no input still says so.
+    // The prototype throws for names that are no inputs.
     return read(lazyObject(Object.getPrototypeOf(inputs) as object, { names, make }) as WarpInputs)
   })
 }

@@ -4,7 +4,7 @@ import { isList } from '../../options/options.js'
 import { type Shape, typeOf } from '../expression/shapes.js'
 import type { ImageLike } from '../types/types.js'
 
-/** By how many numbers a value has. */
+/** Maps the count of a value's numbers to its shape. */
 const shapes: Record<number, Shape> = {
   1: [1, 1],
   2: [1, 2],
@@ -14,7 +14,7 @@ const shapes: Record<number, Shape> = {
   16: [4, 4],
 }
 
-/** The shape of a uniform of so many numbers. Each uniform has a shape of its own, by which `readAsWhole` marks it. */
+/** Makes the shape of a uniform; `undefined` if none has that count of numbers. `readAsWhole` marks one uniform by it, so no two share it. */
 export function shapeFor(numbers: readonly number[] | undefined): Shape | undefined {
   const shape = numbers && shapes[numbers.length]
   return shape && [...shape]
@@ -55,7 +55,7 @@ export function checkWhole(place: string, numbers: readonly number[]) {
     throw new WarpError(`${place} is read as a whole number, at most 16777216, but is ${large}.`)
 }
 
-/** What has a width and a height: p5's images, graphics, framebuffers and videos, and those of the page. */
+/** Tests for a width and a height, as p5's images, graphics, framebuffers and videos have, and elements of the page. */
 export const isImage = (value: unknown): value is ImageLike =>
   typeof value === 'object' && value !== null && 'width' in value && 'height' in value
 
@@ -68,7 +68,7 @@ export function imageFor(place: string, value: unknown): ImageLike {
 }
 
 /**
- * Nothing if it is no value of a uniform. A p5.Vector has three numbers and a p5.Color four, of which the first are taken
+ * `undefined` if it is no value of a uniform. A p5.Vector has three numbers and a p5.Color four, of which the first are taken
  * where a shorter vector is wanted.
  */
 export function numbersOf(value: unknown, count = Infinity): number[] | undefined {

@@ -109,7 +109,7 @@ export const writeText = (
 export const inputsOf = (module: KeptModule): Variable[] =>
   reading(module, (core, open) => readLines(core.allInputLines(open), module))
 
-/** The inputs that results depend on, which are told by number. */
+/** Finds the inputs that results depend on. `results` are their numbers. */
 export const inputsReadBy = (module: KeptModule, results: readonly number[]): Variable[] =>
   reading(module, (core, open) => {
     for (const number of results) core._wantResult(open, number)

@@ -1,7 +1,7 @@
 /** How normals and uvs vary over a shape, as text of a shader that is handed it by attributes. */
 import { type HostText, variationAttribute, variationNames } from '../../compile/hosts.js'
 
-/** What a text reads of each vertex. */
+/** A text with the attributes that it reads. */
 export type TextOfVertex = Pick<HostText, 'attributes'>
 
 /** Whether the text reads how the surface varies. */
