@@ -235,12 +235,17 @@ window.pick = async () => {
 window.mistakes = async () => {
   const { scene, material } = sceneOn(await engineFor('webgl'), 'Standard')
   const warp = warped(material)
+  const warpOther = (offset, uniforms) =>
+    new BabylonWarp(new StandardMaterial('other', scene), offset, { uniforms })
   const said = [
     () => (warp.values.linaer = 3),
     () => (warp.values.shift = 'x'),
     () => (warp.values.shift = [0, NaN, 0]),
     () => (warp.millis = 'x'),
     () => new BabylonWarp(material, offset),
+    () => warpOther(({ glsl, mouse }) => glsl.vec3(mouse, 0)),
+    () => warpOther(({ glsl }) => glsl.vec3(glsl.param('wind'), 0, 0)),
+    () => warpOther(({ glsl }) => glsl.vec3(0, 0, 0), { map: { width: 1, height: 1 } }),
   ].map((work) => {
     try {
       work()
@@ -372,7 +377,11 @@ test('mistakes are told in a sentence, and what was set before stays', async () 
     /^WarpError: The warp's uniform "shift" /,
     /^WarpError: BabylonWarp: millis must be a number of milliseconds, .* is the text "x"\.$/,
     /^WarpError: BabylonWarp: the material "standard" is warped already/,
+    /^WarpError: BabylonWarp: the offset reads mouse, which Babylon\.js does not have; declare it, as in \{ uniforms: \{ myMouse: \[0, 0\] \} \}\.$/,
+    /^WarpError: BabylonWarp: the offset reads "wind" by glsl\.param, which no shader of Babylon\.js declares; /,
+    /^WarpError: The warp's uniform "map" must be a texture of Babylon\.js, but is /,
   ]
+  assert.equal(said.length, expected.length)
   said.forEach((text, i) => assert.match(text, expected[i]))
   assert.equal(isKept, true)
 })
