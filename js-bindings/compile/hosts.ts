@@ -12,7 +12,6 @@ export {
 } from './image-sampling.js'
 export type { Result } from './recorded-warp.js'
 export { shaderNames } from './shader-names.js'
-export { fileOf, nameIn, stackLines } from '../core/expression/source-lines.js'
 export { arraysOf, attributeNumbers, geometryAttributes } from '../core/inputs/geometry.js'
 export {
   type VariationInput,

@@ -40,7 +40,6 @@ export class ThreeWarp extends HostWarp {
     () => this.isMirrored(this.given),
   )
   private readonly texts = new Map<string, HostText>()
-  private readonly places = { position: this.cpu('position'), offset: this.cpu('offset') }
   private hash: string | undefined
 
   /** Calls the offset function. */
@@ -82,7 +81,7 @@ export class ThreeWarp extends HostWarp {
 
   /** Bounds of the places that the warp makes of a box now, or of how far it moves them. */
   boundsNow(place: 'position' | 'offset', box: Box) {
-    return this.places[place].bounds(box, { uniforms: this.given })
+    return this.cpu(place).bounds(box, { uniforms: this.given })
   }
 
   /** Warps of equal text have equal keys. */

@@ -1,5 +1,5 @@
 /** Where in the sketch a WarpError comes from, added to its sentence. */
-import { fileOf, nameIn, stackLines } from '../../compile/hosts.js'
+import { fileOf, nameIn, stackLines } from '../../errors/source-lines.js'
 import { WarpError } from '../../errors/errors.js'
 
 /** p5's own files, by whatever name they are served. */
