@@ -29,6 +29,18 @@ module.exports = {
       to: { path: entry },
     },
     {
+      name: 'adapters-use-host-layer',
+      comment:
+        'An adapter must import what it needs of core, cpu and compile from compile/hosts.ts.',
+      severity: 'error',
+      from: { path: '^js-bindings/(p5|three|babylon)/' },
+      to: {
+        path: '^js-bindings/(core|cpu|compile|wasm)/',
+        // exact-normals takes the compiler of another script, where it stands in a script itself.
+        pathNot: '^js-bindings/compile/(hosts|(text|page)-compiler)\\.ts$',
+      },
+    },
+    {
       name: 'no-orphans',
       comment: 'Every file must be reached from an entry.',
       severity: 'error',

@@ -49,7 +49,7 @@ const withoutWasmInMaps = {
 const sharedFiles = [
   {
     name: 'basics',
-    test: /\/js-bindings\/(errors\/.*|options\/.*|core\/inputs\/.*|cpu\/warp-program|core\/lazy-object|core\/expression\/(?:shapes|source-lines)|wasm\/inlined|wasm\/instance|wasm\/tables|generated\/version)\.ts$/,
+    test: /\/js-bindings\/(errors\/.*|options\/.*|core\/inputs\/.*|cpu\/warp-program|core\/lazy-object|core\/expression\/shapes|wasm\/inlined|wasm\/instance|wasm\/tables|generated\/version)\.ts$/,
   },
   {
     name: 'compiler',

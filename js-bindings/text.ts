@@ -11,10 +11,5 @@ export type { InputName } from './core/inputs/inputs.js'
 export type * from './core/types/noise.js'
 export type * from './core/types/types.js'
 export type { TypeName } from './core/expression/shapes.js'
-export type {
-  InputNames,
-  OutputNames,
-  TextOptions,
-  WarpOptions,
-  WarpText,
-} from './compile/warp-text.js'
+export type { InputNames, OutputNames, TextOptions, WarpOptions } from './compile/warp-options.js'
+export type { WarpText } from './compile/warp-text.js'

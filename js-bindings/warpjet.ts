@@ -25,10 +25,5 @@ export type { InputName } from './core/inputs/inputs.js'
 export type * from './core/types/noise.js'
 export type * from './core/types/types.js'
 export type { Box, Uniforms, Vertices } from './core/inputs/vertices.js'
-export type {
-  InputNames,
-  OutputNames,
-  TextOptions,
-  WarpOptions,
-  WarpText,
-} from './compile/warp-text.js'
+export type { InputNames, OutputNames, TextOptions, WarpOptions } from './compile/warp-options.js'
+export type { WarpText } from './compile/warp-text.js'

@@ -2,10 +2,8 @@
 import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import type { HostWarp } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
-import type { CpuWarp } from '../cpu/cpu-warp.js'
-import { warpProgram } from '../cpu/warp-program.js'
-import { allowNonFinite } from '../core/inputs/vertices.js'
 
 const method = 'refresh'
 
@@ -17,13 +15,13 @@ interface Kept {
   _internalAbstractMeshDataInfo: { _positions: Vector3[] | null }
 }
 
-export function refreshMesh(cpu: CpuWarp, mesh: AbstractMesh, uniforms: { millis: number }) {
+export function refreshMesh(warp: HostWarp, mesh: AbstractMesh, given: { millis: number }) {
   const positions = (mesh as Partial<AbstractMesh> | undefined)?.getPositionData?.(false, true)
   if (!positions)
     throw new WarpError(
       `${method}: a mesh of Babylon.js with vertices was expected, but ${describe(mesh)} came.`,
     )
-  if (!cpu[warpProgram].program())
+  if (!warp.runs)
     throw new WarpError(
       `${method}: this warp calls a glsl.fn or reads an image, which only the GPU can do; pick another mesh in its place.`,
     )
@@ -36,7 +34,7 @@ export function refreshMesh(cpu: CpuWarp, mesh: AbstractMesh, uniforms: { millis
   const uvs = of(VertexBuffer.UVKind, 2)
   const colors = of(VertexBuffer.ColorKind, 4) ?? new Float32Array(4 * count).fill(1)
   const vertices = { positions, colors, ...(normals && { normals }), ...(uvs && { uvs }) }
-  const warped = cpu.evaluate(allowNonFinite(vertices), { uniforms })
+  const warped = warp.evaluate(vertices, given)
   // Bones come after the warp.
   put(mesh, mesh.getPositionData(true, false, warped.positions) ?? warped.positions)
 }

@@ -1,31 +1,43 @@
 // What goes into the vertex shaders of Babylon.js, which have the same names for a vertex in GLSL and in WGSL.
-import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
-import { type KeptWarp, writeWarp } from '../compile/warp-text.js'
-import { type Shape, imageShape, typeOf } from '../core/expression/shapes.js'
-import type { Target } from '../core/module/kept-module.js'
+import {
+  type HostText,
+  type HostUniform,
+  type HostWarp,
+  type Target,
+  shaderNames,
+} from '../compile/hosts.js'
 
-/** One that the offset reads, as the shader calls it. */
-export interface Labelled {
-  label: string
-  shape: Shape
+/** The warp in a shader of Babylon.js. */
+export interface ShaderParts {
+  warp: HostWarp
+  /** Names of the frame constants, which are vec4s. */
+  frame: readonly string[]
 }
 
 /** What the buffer of uniforms has: matrices of 3 are 4 by 4 there, since WGSL lays them out with gaps. */
-const sent = (shape: Shape) => (typeOf(shape) === 'mat3' ? 'mat4' : (typeOf(shape) as string))
+const sentType = (type: string) => (type === 'mat3' ? 'mat4' : type)
 
 const sizes: Record<string, number> = { float: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 }
 
 const sentName = (label: string) => `${label}Sent`
 
-/** The uniforms for a plugin's `getUniforms`. If the warp may mirror all of space (`mirrors`), one of them says so to both stages. */
-export function declarationsOf(uniforms: readonly Labelled[], isWGSL: boolean, mirrors: boolean) {
-  const orientation = { name: orientationName, type: 'float' }
+/** Uniforms but images, and frame constants. The text has other names for them than the buffer. */
+const bufferedUniforms = ({ warp, frame }: ShaderParts): Pick<HostUniform, 'label' | 'type'>[] => [
+  ...warp.uniforms.inShader.filter(({ image }) => !image),
+  ...frame.map((label) => ({ label, type: 'vec4' as const })),
+]
+
+/** The uniforms for a plugin's `getUniforms`. If the warp may mirror all of space, one of them says so to both stages. */
+export function declarationsOf(parts: ShaderParts, isWGSL: boolean) {
+  const mirrors = parts.warp.mirrors !== false
+  const orientation = { name: shaderNames.orientation, type: 'float' }
   const numbers = [
-    { name: millisUniform, type: 'float' },
+    { name: shaderNames.millis, type: 'float' },
     ...(mirrors ? [orientation] : []),
-    ...uniforms
-      .filter(({ shape }) => shape !== imageShape)
-      .map(({ label, shape }) => ({ name: sentName(label), type: sent(shape) })),
+    ...bufferedUniforms(parts).map(({ label, type }) => ({
+      name: sentName(label),
+      type: sentType(type),
+    })),
   ]
   return {
     ubo: numbers.map(({ name, type }) => ({ name, type, size: sizes[type]! })),
@@ -48,7 +60,7 @@ interface Buffer {
   updateMatrices(name: string, numbers: Float32Array): void
 }
 
-export function send(buffer: Buffer, label: string, numbers: number[]) {
+export function send(buffer: Buffer, label: string, numbers: readonly number[]) {
   const name = sentName(label)
   const [x, y, z, w] = numbers as [number, number, number, number]
   if (numbers.length === 1) buffer.updateFloat(name, x)
@@ -58,11 +70,11 @@ export function send(buffer: Buffer, label: string, numbers: number[]) {
   else
     buffer.updateMatrices(
       name,
-      Float32Array.from(numbers.length === 9 ? widened(numbers) : numbers),
+      Float32Array.from(numbers.length === 9 ? withFourthRow(numbers) : numbers),
     )
 }
 
-const widened = (n: number[]) => [
+const withFourthRow = (n: readonly number[]) => [
   ...[...n.slice(0, 3), 0, ...n.slice(3, 6), 0, ...n.slice(6), 0],
   ...[0, 0, 0, 1],
 ]
@@ -74,24 +86,24 @@ const widened = (n: number[]) => [
 export const fragmentCode = (isWGSL: boolean): Record<string, string> =>
   isWGSL
     ? {
-        '!fragmentInputs\\.frontFacing': `(fragmentInputs.frontFacing == (uniforms.${orientationName} > 0.0))`,
+        '!fragmentInputs\\.frontFacing': `(fragmentInputs.frontFacing == (uniforms.${shaderNames.orientation} > 0.0))`,
       }
-    : { '!\\bgl_FrontFacing\\b': `(gl_FrontFacing == (${orientationName} > 0.0))` }
+    : { '!\\bgl_FrontFacing\\b': `(gl_FrontFacing == (${shaderNames.orientation} > 0.0))` }
+
+/** The texts of a vertex that has a normal and a tangent, or a normal alone, or neither. */
+const choices = [
+  ['offset', 'position', 'normal', 'tangent'],
+  ['offset', 'position', 'normal'],
+  ['offset', 'position'],
+] as const
 
 /** For a plugin's `getCustomCode`. */
-export function vertexCode(warp: KeptWarp, uniforms: readonly Labelled[], isWGSL: boolean) {
+export function vertexCode(parts: ShaderParts, isWGSL: boolean) {
   const target: Target = isWGSL ? 'wgsl' : 'glsl300'
-  const names = isWGSL ? { millis: `uniforms.${millisUniform}` } : {}
-  const texts = [
-    { normals: true, tangents: true },
-    { normals: true, tangents: false },
-    { normals: false, tangents: false },
-  ].map((turned) => {
-    const settings = { ...warp.settings, ...turned }
-    return writeWarp({ ...warp, settings }, target, { names }).text
-  })
+  const names = isWGSL ? { millis: `uniforms.${shaderNames.millis}` } : {}
+  const texts = choices.map((results) => parts.warp.text(target, results, { names }))
   const readsColor = texts[0]!.attributes.some(({ name }) => name === 'color')
-  const images = uniforms.filter(({ shape }) => shape === imageShape)
+  const images = parts.warp.uniforms.inShader.filter(({ image }) => image)
   const whereOn = (text: string) => `#ifdef WARPJET\n${text}\n#endif`
   return {
     CUSTOM_VERTEX_DEFINITIONS: [
@@ -100,16 +112,16 @@ export function vertexCode(warp: KeptWarp, uniforms: readonly Labelled[], isWGSL
           ? `var ${label}Sampler: sampler;\nvar ${label}: texture_2d<f32>;`
           : `uniform highp sampler2D ${label};`,
       ),
-      whereOn(chosen(texts.map(({ declarations }) => declarations))),
+      whereOn(chosen(texts, ({ declarations }) => declarations)),
     ].join('\n'),
     CUSTOM_VERTEX_UPDATE_NORMAL: whereOn(
       [
         '{',
-        ...uniforms.filter(({ shape }) => shape !== imageShape).map((each) => local(each, isWGSL)),
+        ...bufferedUniforms(parts).map((each) => local(each, isWGSL)),
         readsColor ? colorOfVertex[target] : '',
         missing('UV1', 'uvUpdated', 2, isWGSL),
         missing('NORMAL', 'normalUpdated', 3, isWGSL),
-        chosen(texts.map(({ code }, i) => `${code}\n${results[i]}`)),
+        chosen(texts, ({ code }, i) => `${code}\n${results[i]}`),
         '}',
       ].join('\n'),
     ),
@@ -123,8 +135,7 @@ function missing(define: string, name: string, size: number, isWGSL: boolean) {
 }
 
 /** A uniform under the name that the text has for it. */
-function local({ label, shape }: Labelled, isWGSL: boolean) {
-  const type = typeOf(shape) as string
+function local({ label, type }: Pick<HostUniform, 'label' | 'type'>, isWGSL: boolean) {
   const given = isWGSL ? `uniforms.${sentName(label)}` : sentName(label)
   const isNarrow = type === 'mat3'
   if (!isWGSL) return `${type} ${label} = ${isNarrow ? `mat3(${given})` : given};`
@@ -152,17 +163,19 @@ export const names = {
   uv: 'uvUpdated',
   color: 'warpjetColor',
   tangent: 'tangentUpdated',
-  millis: millisUniform,
+  millis: shaderNames.millis,
 }
 
-const moved = `positionUpdated = ${outputs.position};`
-const turned = `normalUpdated = ${outputs.normal};`
+const moved = `positionUpdated = ${shaderNames.position};`
+const turned = `normalUpdated = ${shaderNames.normal};`
 const results = [
-  `${moved} ${turned} tangentUpdated = ${outputs.tangent};`,
+  `${moved} ${turned} tangentUpdated = ${shaderNames.tangent};`,
   `${moved} ${turned}`,
   moved,
 ]
 
 /** By what the mesh has. */
-const chosen = ([tangent, normal, position]: string[]) =>
-  `#ifdef NORMAL\n#ifdef TANGENT\n${tangent}\n#else\n${normal}\n#endif\n#else\n${position}\n#endif`
+function chosen(texts: readonly HostText[], part: (text: HostText, i: number) => string) {
+  const [tangent, normal, position] = texts.map(part)
+  return `#ifdef NORMAL\n#ifdef TANGENT\n${tangent}\n#else\n${normal}\n#endif\n#else\n${position}\n#endif`
+}

@@ -7,19 +7,26 @@ import { ShadowDepthWrapper } from '@babylonjs/core/Materials/shadowDepthWrapper
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import type { UniformBuffer } from '@babylonjs/core/Materials/uniformBuffer.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import {
+  HostWarp,
+  type OffsetFunction,
+  type UniformOptions,
+  type UniformValues,
+  shaderNames,
+} from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { checkCallback, checkOptions } from '../options/options.js'
-import { runOnCpu } from '../compile/compile-warp.js'
-import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
-import { type KeptWarp, keepWarp, readOptions, writeWarp } from '../compile/warp-text.js'
-import type { CpuWarp } from '../cpu/cpu-warp.js'
-import { warpProgram } from '../cpu/warp-program.js'
-import { drawInputs, variationInputs } from '../core/inputs/inputs.js'
-import type { OffsetFunction, UniformOptions, UniformValues } from '../core/types/types.js'
+import { checkOptions } from '../options/options.js'
 import { refreshMesh } from './mesh.js'
-import { declarationsOf, fragmentCode, names, send, vertexCode } from './shader.js'
-import type { BabylonUniform } from './uniform.js'
-import { readUniforms } from './uniforms.js'
+import {
+  type ShaderParts,
+  declarationsOf,
+  fragmentCode,
+  names,
+  send,
+  vertexCode,
+} from './shader.js'
+import { settableValues } from './settable-values.js'
+import { babylon } from './values.js'
 
 const method = 'BabylonWarp'
 const pluginName = 'Warpjet'
@@ -42,10 +49,8 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
   readonly values: { [Name in keyof Uniforms]: Uniforms[Name] | (() => Uniforms[Name]) }
   private time = 0
   private isOn = true
-  private readonly warp: KeptWarp
-  private readonly uniforms: readonly BabylonUniform[]
-  private readonly reads: ReadonlySet<string>
-  private readonly cpu: CpuWarp
+  private readonly warp: HostWarp
+  private readonly parts: ShaderParts
   private readonly shadows: ShadowDepthWrapper | undefined
 
   constructor(
@@ -61,25 +66,17 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
       throw new WarpError(
         `${method}: the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,
       )
-    checkCallback(method, offset)
     checkOptions(method, options, ['uniforms'])
-    const { labelled, uniforms, onCpu, values } = readUniforms(
-      method,
-      offset as OffsetFunction,
-      options.uniforms,
-    )
-    const warp = keepWarp(
-      labelled,
-      readOptions(method, offset as OffsetFunction, { outputs, names, tangents: true }),
-    )
-    const text = writeWarp(warp, 'glsl300').text
-    refuse(uniforms, text.uniforms)
+    const warp = new HostWarp(method, offset as OffsetFunction, {
+      host: babylon,
+      uniforms: options.uniforms,
+      names,
+      tangents: true,
+    })
     super(material, pluginName, 200, { WARPJET: true }, false)
     this.warp = warp
-    this.values = values as never
-    this.uniforms = uniforms
-    this.reads = new Set(text.attributes.map(({ name }) => name))
-    this.cpu = runOnCpu({ ...warp, settings: { ...warp.settings, isAccepted: true } }, onCpu)
+    this.values = settableValues(warp.uniforms) as never
+    this.parts = { warp, frame: Object.keys(warp.frame(this.given)) }
     // Asked for its code at once, so that all of this must be there.
     ;(this._pluginManager as unknown as { _addPlugin(plugin: object): void })._addPlugin(this)
     this._enable(true)
@@ -123,7 +120,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
    * the mesh. Throws a `WarpError` for a warp that reads an image or calls a `glsl.fn`.
    */
   refresh(mesh: AbstractMesh) {
-    refreshMesh(this.cpu, mesh, { millis: this.millis })
+    refreshMesh(this.warp, mesh, this.given)
   }
 
   override getClassName() {
@@ -135,8 +132,9 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
   }
 
   override prepareDefinesBeforeAttributes(defines: MaterialDefines) {
-    if (this.reads.has('uv')) Object.assign(defines, { _needUVs: true })
-    if (this.reads.has('normal')) Object.assign(defines, { _needNormals: true })
+    if (this.warp.reads('uv')) Object.assign(defines, { _needUVs: true })
+    // A warp reads the normal that it turns.
+    Object.assign(defines, { _needNormals: true })
   }
 
   override isReadyForSubMesh() {
@@ -144,7 +142,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
   }
 
   override getUniforms(language?: ShaderLanguage) {
-    return declarationsOf(this.uniforms, language === ShaderLanguage.WGSL, this.mayMirror())
+    return declarationsOf(this.parts, language === ShaderLanguage.WGSL)
   }
 
   override getSamplers(samplers: string[]) {
@@ -159,33 +157,32 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
     return this.images().some(([, each]) => each === texture)
   }
 
-  private mayMirror() {
-    return this.cpu[warpProgram].mirrors() !== false
-  }
-
-  private isMirrored() {
-    return this.isOn && this.cpu[warpProgram].isMirrored(method, { millis: this.millis })
+  private get given() {
+    return { millis: this.millis }
   }
 
   private images() {
-    return this.uniforms.flatMap(({ label, image }): [string, BaseTexture][] =>
-      image ? [[label, image()]] : [],
+    return this.warp.uniforms.inShader.flatMap(({ label, image }): [string, BaseTexture][] =>
+      image ? [[label, image() as BaseTexture]] : [],
     )
   }
 
   override bindForSubMesh(buffer: UniformBuffer) {
-    buffer.updateFloat(millisUniform, this.millis)
-    if (this.mayMirror()) buffer.updateFloat(orientationName, this.isMirrored() ? -1 : 1)
-    for (const { label, numbers, image } of this.uniforms) {
-      if (image) buffer.setTexture(label, image())
+    const { warp, given } = this
+    buffer.updateFloat(shaderNames.millis, given.millis)
+    if (warp.mirrors !== false)
+      buffer.updateFloat(shaderNames.orientation, this.isOn && warp.isMirrored(given) ? -1 : 1)
+    for (const { label, numbers, image } of warp.uniforms.inShader) {
+      if (image) buffer.setTexture(label, image() as BaseTexture)
       else send(buffer, label, numbers())
     }
+    for (const [label, numbers] of Object.entries(warp.frame(given))) send(buffer, label, numbers)
   }
 
   override getCustomCode(type: string, language?: ShaderLanguage) {
     const isWGSL = language === ShaderLanguage.WGSL
-    if (type === 'vertex') return vertexCode(this.warp, this.uniforms, isWGSL)
-    return type === 'fragment' && this.mayMirror() ? fragmentCode(isWGSL) : null
+    if (type === 'vertex') return vertexCode(this.parts, isWGSL)
+    return type === 'fragment' && this.warp.mirrors !== false ? fragmentCode(isWGSL) : null
   }
 
   override dispose() {
@@ -193,15 +190,4 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
       this._material.shadowDepthWrapper = null
     this.shadows?.dispose()
   }
-}
-
-function refuse(uniforms: readonly BabylonUniform[], read: readonly { name: string }[]) {
-  const known = new Set(uniforms.flatMap(({ label }) => [label, `${label}Size`]))
-  for (const { name } of read)
-    if (name !== 'millis' && !known.has(name))
-      throw new WarpError(
-        name in drawInputs || name in variationInputs
-          ? `${method}: the offset reads ${name}, which Babylon.js does not have; declare a uniform for it.`
-          : `${method}: the offset reads "${name}" by glsl.param, which nothing declares; read it as uniforms.${name}, with the option { uniforms: { ${name}: … } }.`,
-      )
 }

@@ -1,8 +1,10 @@
 // `compileWarp` for those who want its text alone.
-import { type Emits, compileOffset } from './offset.js'
-import { WarpError } from '../errors/errors.js'
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import type { WarpOptions, WarpText } from './warp-text.js'
+import { WarpError } from '../errors/errors.js'
+import { type Emits, textsOf } from './emit.js'
+import { OffsetWarp } from './offset-warp.js'
+import { type WarpOptions, checkWarpOptions } from './warp-options.js'
+import type { WarpText } from './warp-text.js'
 
 /**
  * Compiles an offset function into statements that move a vertex and turn its normal: what `compileWarp` of 'warpjet' does,
@@ -12,12 +14,10 @@ export function compileWarp<const Uniforms extends UniformValues = {}>(
   offset: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): WarpText & Emits {
-  const { text, emits } = compileOffset(offset as OffsetFunction, options)
-  return { ...text, ...emits, ...elsewhere }
+  checkWarpOptions('compileWarp', offset, options)
+  const warp = new OffsetWarp('compileWarp', offset as OffsetFunction, options)
+  return { ...textsOf(warp, options), ...elsewhere }
 }
-
-/** As compile-warp.ts has it. */
-export const runOnCpu = undefined
 
 const elsewhere = Object.fromEntries(
   ['evaluate', 'evaluateAt', 'bounds', 'foldover'].map((method) => [

@@ -1,12 +1,10 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
-import { type Emits, type ValuesOfFrame, compileOffset } from './offset.js'
-import { type CpuWarp, createCpuWarp } from '../cpu/cpu-warp.js'
-import type { DeclaredUniforms } from '../core/inputs/declared-uniforms.js'
-import { type Known, makeProgram } from '../core/module/kept-module.js'
-import { lazily } from '../core/module/lazily.js'
-import { warpResults } from '../wasm/tables.js'
+import type { CpuWarp } from '../cpu/cpu-warp.js'
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import { type KeptWarp, type WarpOptions, type WarpText, onSurface } from './warp-text.js'
+import { type Emits, textsOf } from './emit.js'
+import { HostWarp } from './host-warp.js'
+import { type WarpOptions, checkWarpOptions } from './warp-options.js'
+import type { WarpText } from './warp-text.js'
 
 /** An offset function as shader text and on the CPU. */
 export interface CompiledWarp extends WarpText, Emits, CpuWarp {}
@@ -23,60 +21,10 @@ export interface CompiledWarp extends WarpText, Emits, CpuWarp {}
  * options.
  */
 export function compileWarp<const Uniforms extends UniformValues = {}>(
-  given: OffsetFunction<NoInfer<Uniforms>>,
+  offset: OffsetFunction<NoInfer<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): CompiledWarp {
-  const { warp, declared, text, emits, known, valuesOfFrame } = compileOffset(
-    given as OffsetFunction,
-    options,
-  )
-  return {
-    ...text,
-    ...emits,
-    ...runOnCpu(warp, declared, 'position', undefined, known, known && valuesOfFrame),
-  }
-}
-
-/**
- * What is kept of an offset function, on the CPU. With `place: 'offset'` it gives how far a vertex moves, in place of where. `nameOf`
- * tells what the user calls an input that the text calls otherwise. With `known` it reads the vec4s of the frame in place of what
- * they are computed from; `valuesOfFrame` gives them, unless `declared` has them.
- */
-export const runOnCpu = (
-  warp: KeptWarp,
-  declared: DeclaredUniforms,
-  place: 'position' | 'offset' = 'position',
-  nameOf = (name: string) => name,
-  known?: Known,
-  valuesOfFrame?: ValuesOfFrame,
-): CpuWarp =>
-  createCpuWarp({
-    declared,
-    valuesOfFrame,
-    program: lazily(() => {
-      const program = programOf(warp, place, known)
-      const inputs = program?.inputs.map((each) => ({ ...each, name: nameOf(each.name) }))
-      return program && { ...program, inputs: inputs! }
-    }),
-    directionProgram: lazily(() =>
-      makeProgram(warp.module, [warpResults.position, warpResults.direction].map(onSurface), known),
-    ),
-    // No function of the host decides it.
-    orientationProgram: lazily(() => makeProgram(warp.module, [warpResults.orientation], known)!),
-    hasNormals: warp.settings.normals,
-    varies: warp.varies,
-    isAccepted: warp.settings.isAccepted,
-    // The tangent is first, for a shader may carry it in the place of another attribute.
-    inputs: { tangent: warp.inputs.tangent!, ...warp.inputs },
-  })
-
-/** In the order of numbersOf in cpu-warp.ts. */
-function programOf(
-  { module, settings }: KeptWarp,
-  place: 'position' | 'offset',
-  known: Known | undefined,
-) {
-  const { [place]: position, normal, tangent, determinant } = warpResults
-  const results = settings.normals ? [position, normal, tangent, determinant] : [position]
-  return makeProgram(module, results.map(onSurface), known)
+  checkWarpOptions('compileWarp', offset, options)
+  const warp = new HostWarp('compileWarp', offset as OffsetFunction, options)
+  return { ...textsOf(warp, options), ...warp.cpu() }
 }

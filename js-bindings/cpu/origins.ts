@@ -4,18 +4,15 @@ import { takeNumbers } from '../options/numbers.js'
 import { isList, own } from '../options/options.js'
 import type { Variable } from '../core/expression/shapes.js'
 import { inputNumbers } from '../core/inputs/input-numbers.js'
-import {
-  type DeclaredUniform,
-  isWhole,
-  numbersFor,
-  unlisted,
-  withDeclared,
-} from '../core/inputs/declared-uniforms.js'
+import { type DeclaredUniform, withDeclared } from '../core/inputs/declared-uniforms.js'
+import { isWhole, numbersFor, scalarOrArray } from '../core/inputs/uniform-values.js'
 import { type VertexInput, vertexInputs } from '../core/inputs/inputs.js'
 import { type Uniforms, checkUniforms } from '../core/inputs/vertices.js'
 import type { Program } from '../core/module/kept-module.js'
 import { inputsRead } from './analyse-program.js'
 import type { Stream } from './machine-code.js'
+import type { ResultSet } from '../core/module/result-set.js'
+import { Pool } from './pool.js'
 import type { WarpProgram } from './warp-program.js'
 
 /** A program's input, under the warp's name for it. */
@@ -35,33 +32,26 @@ export interface Origin extends Stream, Input {
 
 /** What stays the same of these from call to call, by program and wanted results. */
 export interface Reading {
-  inputs: readonly Input[]
-  /** The names of those that are no inputs of the warp. */
+  /** The names of inputs that are no inputs of the warp. */
   parameters: ReadonlySet<string>
   /** What uniforms there are beside the inputs of a draw call. */
   known: ReadonlySet<string>
   /** Declared uniforms that the program does not have, which may be given nevertheless. */
   others: readonly (readonly [name: string, uniform: DeclaredUniform])[]
-  /** Origins that nobody uses, so that a call need not make any. */
-  spare: Origin[] | undefined
+  origins: Pool<Origin[]>
 }
 
-/** The wanted results by their array, of which there is one for each set of them: a name for it would be made at each call. */
-const readings = new WeakMap<Program, Map<readonly number[], Reading>>()
+const readings = new WeakMap<Program, Map<ResultSet, Reading>>()
 
-export function readingOf(warp: WarpProgram, program: Program, wanted: readonly number[]): Reading {
+export function readingOf(warp: WarpProgram, program: Program, wanted: ResultSet): Reading {
   let known = readings.get(program)
-  if (!known) readings.set(program, (known = new Map<readonly number[], Reading>()))
+  if (!known) readings.set(program, (known = new Map<ResultSet, Reading>()))
   let reading = known.get(wanted)
   if (!reading) known.set(wanted, (reading = read(warp, program, wanted)))
   return reading
 }
 
-function read(
-  { declared, inputs }: WarpProgram,
-  program: Program,
-  wanted: readonly number[],
-): Reading {
+function read({ declared, inputs }: WarpProgram, program: Program, wanted: ResultSet): Reading {
   // The first of two inputs that are one.
   const names = new Map(
     Object.entries(inputs)
@@ -71,18 +61,18 @@ function read(
   const parameters = new Set(
     program.inputs.filter(({ number }) => !names.has(number)).map(({ name }) => name),
   )
-  const isRead = inputsRead(program, wanted)
+  const isRead = inputsRead(program, wanted.numbers)
+  const inputsOfWarp = program.inputs.map((variable, i): Input => {
+    const name = names.get(variable.number) ?? variable.name
+    const isInput = names.has(variable.number) && name in vertexInputs
+    const input = isInput && { input: name as VertexInput }
+    return { variable: { ...variable, name }, isRead: isRead[i]!, ...input }
+  })
   return {
-    inputs: program.inputs.map((variable, i) => {
-      const name = names.get(variable.number) ?? variable.name
-      const isInput = names.has(variable.number) && name in vertexInputs
-      const input = isInput && { input: name as VertexInput }
-      return { variable: { ...variable, name }, isRead: isRead[i]!, ...input }
-    }),
     parameters,
     known: new Set([...declared.keys(), ...parameters]),
     others: [...declared].filter(([name, { image }]) => !image && !parameters.has(name)),
-    spare: undefined,
+    origins: new Pool(() => inputsOfWarp.map(originOf)),
   }
 }
 
@@ -103,10 +93,9 @@ export function originsOf(
   given: Uniforms | undefined,
 ): Origin[] {
   checkUniforms(method, given, reading.known)
-  const origins = reading.spare ?? reading.inputs.map(originOf)
-  reading.spare = undefined
+  const origins = reading.origins.take()
   let uniforms: Readonly<Record<string, unknown>> | undefined = given
-  let frame: Readonly<Record<string, number[]>> | undefined
+  let frame: Readonly<Record<string, readonly number[]>> | undefined
   if (valuesOfFrame) {
     uniforms = withDeclared(method, declared, given, reading.parameters)
     frame = valuesOfFrame(method, uniforms)
@@ -122,7 +111,7 @@ export function originsOf(
     const computed = frame && own(frame, name)
     if (computed) {
       // Any numbers: what divides by a uniform of 0 is infinite, or NaN.
-      for (let i = 0; i < numbers.length; i++) numbers[i] = (computed as number[])[i]!
+      for (let i = 0; i < numbers.length; i++) numbers[i] = (computed as readonly number[])[i]!
       continue
     }
     const uniform = valuesOfFrame ? undefined : declared.get(name)
@@ -145,7 +134,7 @@ export function keep(reading: Reading, origins: Origin[]) {
     origin.size = origin.numbers.length
     origin.isUniform = true
   }
-  reading.spare = origins
+  reading.origins.giveBack(origins)
 }
 
 /** `isOwn` says that it is the uniform's own value. */
@@ -167,7 +156,7 @@ function fill(
 }
 
 const valueOf = (method: string, { value, numbers }: DeclaredUniform) =>
-  value ? value() : unlisted(numbers(method))
+  value ? value() : scalarOrArray(numbers(method))
 
 const isSingle = (value: unknown) => isList(value) && value.length < 2
 

@@ -2,7 +2,9 @@
 import { WarpError, describe } from '../errors/errors.js'
 import { noteChecked } from '../core/inputs/vertices.js'
 import type { Sink } from './machine-code.js'
+import { ResultSet } from '../core/module/result-set.js'
 import { rejectShared } from './overlaps.js'
+import { Pool } from './pool.js'
 
 /** Flat arrays in the order of the vertices that came. */
 export interface WarpedVertices {
@@ -17,7 +19,7 @@ export interface WarpedVertices {
   tangents?: Float32Array
 }
 
-/** The results of the program, by number, as compile-warp.ts asks for them; a warp without normals has only the first three. */
+/** The results of the program, by number, as host-warp.ts asks for them; a warp without normals has only the first three. */
 export const numbersOf = {
   positions: [0, 1, 2],
   normals: [3, 4, 5],
@@ -25,35 +27,36 @@ export const numbersOf = {
   determinant: [10],
 }
 
-interface Wanted {
-  names: readonly (keyof WarpedVertices)[]
-  numbers: readonly number[]
+/** Results that are computed together. */
+export class Wanted extends ResultSet {
   /** Where `evaluateAt` has them for a moment. */
-  point: readonly Sink[]
-  /** Sinks that nobody uses, so that `evaluate` need not make any. */
-  spare: Sink[] | undefined
-}
+  readonly point: readonly Sink[]
+  /** For `evaluate`, whose sinks get the caller's arrays. */
+  readonly sinks: Pool<Sink[]>
 
-const wants = (...names: (keyof WarpedVertices)[]): Wanted => ({
-  names,
-  numbers: names.flatMap((name) => numbersOf[name]),
-  point: names.map((name) => {
-    const results = numbersOf[name]
-    return { values: new Float32Array(results.length), results }
-  }),
-  spare: undefined,
-})
-
-/** Made once, since what is known of a program is found by them. */
-export const wanted = {
-  place: wants('positions'),
-  surface: wants('positions', 'normals'),
-  frame: wants('positions', 'normals', 'tangents'),
+  constructor(readonly names: readonly (keyof WarpedVertices)[]) {
+    super(names.flatMap((name) => numbersOf[name]))
+    this.point = names.map((name) => sinkOf(name, new Float32Array(numbersOf[name].length)))
+    this.sinks = new Pool(() => names.map((name) => sinkOf(name, nothing)))
+  }
 }
 
 const nothing = new Float32Array()
 
-const sinkOf = (name: keyof WarpedVertices): Sink => ({ values: nothing, results: numbersOf[name] })
+const sinkOf = (name: keyof WarpedVertices, values: Float32Array): Sink => ({
+  values,
+  results: numbersOf[name],
+})
+
+export const wanted = {
+  place: new Wanted(['positions']),
+  surface: new Wanted(['positions', 'normals']),
+  frame: new Wanted(['positions', 'normals', 'tangents']),
+}
+
+/** For `bounds` and `foldover`. */
+export const positionsAlone = new ResultSet(numbersOf.positions)
+export const determinantAlone = new ResultSet(numbersOf.determinant)
 
 /** Takes sinks into the caller's arrays, or new ones. None is left for a getter or a uniform's function that evaluates as well. */
 export function takeSinks(
@@ -62,8 +65,7 @@ export function takeSinks(
   out: Partial<WarpedVertices> | undefined,
 ): Sink[] {
   const { names } = results
-  const sinks = results.spare ?? names.map(sinkOf)
-  results.spare = undefined
+  const sinks = results.sinks.take()
   for (let i = 0; i < names.length; i++) {
     const sink = sinks[i]!
     const name = names[i]!
@@ -84,7 +86,7 @@ export function leaveSinks(
     noteChecked(sink.values)
     sink.values = nothing
   }
-  results.spare = sinks
+  results.sinks.giveBack(sinks)
   return warped as WarpedVertices
 }
 

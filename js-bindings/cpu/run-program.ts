@@ -1,6 +1,7 @@
 // Programs on many vertices: by machine code where the engine compiles any, else by the evaluation's own interpreter. Both
 // give the same bits.
 import type { Program } from '../core/module/kept-module.js'
+import type { ResultSet } from '../core/module/result-set.js'
 import { WarpError } from '../errors/errors.js'
 import { evaluation } from '../wasm/evaluation.js'
 import { withProgram } from './analyse-program.js'
@@ -15,12 +16,12 @@ import {
 
 /**
  * Runs `program` on so many vertices; `inputs` has all of its inputs in order, and `wanted` are the results that the sinks
- * take, always in the same array for the same ones: the machine code is found by it. Nothing is left for the garbage
+ * take. Nothing is left for the garbage
  * collector where that is there: functions that capture variables stand apart, for each call would make their scope.
  */
 export function runProgram(
   program: Program,
-  wanted: readonly number[],
+  wanted: ResultSet,
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
@@ -38,7 +39,7 @@ const worthwhile = 30_000
 
 /** What is known of a program for some results and inputs of one kind. */
 interface Known {
-  wanted: readonly number[]
+  wanted: ResultSet
   isUniform: readonly boolean[]
   /** Null if the program is too long, and nothing after it was run once. */
   code?: MachineCode | null
@@ -52,7 +53,7 @@ let isForbidden = false
 
 function machineCodeOf(
   program: Program,
-  wanted: readonly number[],
+  wanted: ResultSet,
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
@@ -68,7 +69,7 @@ function machineCodeOf(
   const { code } = known
   if (code === null || code?.core === evaluation.get()) return code
   try {
-    return (known.code = MachineCode.of(program, wanted, inputs, sinks))
+    return (known.code = MachineCode.of(program, wanted.numbers, inputs, sinks))
   } catch (error) {
     if (error instanceof WarpError) throw error
     isForbidden = true
@@ -78,7 +79,7 @@ function machineCodeOf(
 
 function likeThese(
   all: readonly Known[],
-  wanted: readonly number[],
+  wanted: ResultSet,
   inputs: readonly Stream[],
 ): Known | undefined {
   next: for (const known of all) {
@@ -92,7 +93,7 @@ function likeThese(
 
 function interpret(
   program: Program,
-  wanted: readonly number[],
+  wanted: ResultSet,
   vertices: number,
   inputs: readonly Stream[],
   sinks: readonly Sink[],
@@ -100,7 +101,7 @@ function interpret(
   const atOnce = Math.min(vertices, verticesAtOnce)
   withProgram(program, (loaded) =>
     evaluation.use(
-      ({ Evaluator }) => new Evaluator(loaded, wanted, inputs, sinks.map(sizeOf), atOnce),
+      ({ Evaluator }) => new Evaluator(loaded, wanted.numbers, inputs, sinks.map(sizeOf), atOnce),
       (evaluator) => {
         inputs.forEach(({ values, isUniform }, i) => {
           if (isUniform) evaluator.input(i).set(values)

@@ -1,4 +1,5 @@
 // What a warp that runs on the CPU keeps of its session, for other modules of ours too: they need nothing that runs it.
+import { WarpError } from '../errors/errors.js'
 import type { Program } from '../core/module/kept-module.js'
 import type { DeclaredUniforms } from '../core/inputs/declared-uniforms.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
@@ -9,7 +10,10 @@ export interface WarpProgram {
   declared: DeclaredUniforms
   /** The uniforms that the program reads in place of others, from the values of these. */
   valuesOfFrame?:
-    | ((method: string, given: Readonly<Record<string, unknown>>) => Record<string, number[]>)
+    | ((
+        method: string,
+        given: Readonly<Record<string, unknown>>,
+      ) => Readonly<Record<string, readonly number[]>>)
     | undefined
   program: () => Program | undefined
   /** Its results are the position and what the tangent's direction becomes. */
@@ -35,3 +39,19 @@ export interface RunningProgram extends WarpProgram {
 
 /** Where a warp keeps it, for other modules of ours. */
 export const warpProgram = Symbol.for('warpjet.program')
+
+/** Throws a `WarpError` for a warp that only the GPU can run. */
+export function programOf(method: string, warp: WarpProgram, make = warp.program): Program {
+  const program = make()
+  if (program) return program
+  throw new WarpError(
+    `${method}: this warp calls a function of glsl.fn or reads an image by glsl.texture, which only the GPU can do.`,
+  )
+}
+
+export function rejectWithoutNormals(method: string, { hasNormals }: WarpProgram) {
+  if (!hasNormals)
+    throw new WarpError(
+      `${method}: the warp was compiled with "normals: false", which leaves out its derivatives; compile it without.`,
+    )
+}

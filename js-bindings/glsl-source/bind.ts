@@ -141,7 +141,7 @@ function checked(
 
 const isWhole = (type: string) => /^(?:u?int|[iu]vec\d)$/.test(type)
 
-/** Of inputs/declared-uniforms.ts. */
+/** Mirrors the property that inputs/uniform-expressions.ts defines. */
 interface Marking {
   [markWhole]?: (name: string) => void
 }

@@ -4,7 +4,7 @@ import {
   type Geometry,
   arraysOf,
   geometryAttributes,
-  numbersOf,
+  attributeNumbers,
 } from '../core/inputs/geometry.js'
 import type { Mesh, MeshInput } from './mesh-arrays.js'
 
@@ -108,7 +108,7 @@ function moveTargets(
   const isRelative = given.morphTargetsRelative
   const rest = arraysOf(given) as unknown as Targets
   const whole = (target: Attribute | undefined, rest: Float32Array) =>
-    target ? sum(numbersOf(target, 3), isRelative ? rest : undefined) : rest
+    target ? sum(attributeNumbers(target, 3), isRelative ? rest : undefined) : rest
   const targets = Array.from({ length: count }, (_, i) =>
     bake({
       positions: whole(position?.[i], rest.positions),

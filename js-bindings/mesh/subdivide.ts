@@ -2,7 +2,7 @@
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { WarpError, describe } from '../errors/errors.js'
 import { checkOptions } from '../options/options.js'
-import { settled } from '../core/inputs/declared-uniforms.js'
+import { snapshotUniforms } from '../core/inputs/declared-uniforms.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
 import { warpProgram } from '../cpu/warp-program.js'
 import { type Evaluates, asksForVariation, checkWarp, evaluateFor } from './bake.js'
@@ -95,7 +95,7 @@ function adaptively(options: AdaptiveOptions, maxTriangles: number) {
   const { warp, tolerance, angle = 0.17 } = options
   checkWarp('subdivide', warp)
   const { declared } = (warp as Partial<CpuWarp>)[warpProgram] ?? {}
-  const uniforms = settled('subdivide', declared, options.uniforms)
+  const uniforms = snapshotUniforms('subdivide', declared, options.uniforms)
   checkNumber('tolerance', tolerance, 'a number above 0', (value) => value > 0 && value < Infinity)
   checkNumber('angle', angle, 'a number above 0', (value) => value > 0)
   return (job: Job) => {

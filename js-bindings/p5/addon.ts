@@ -2,8 +2,8 @@
  * The p5 addon: `p5.registerAddon(warpjet)` on 2.x, `warpjet(p5)` on 2.x and 1.11 alike. p5 is not imported here: it
  * cannot load without a browser, and beside a script tag it would be a second copy of p5.
  */
+import type { OffsetFunction, UniformValues } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
-import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import { type Distort, createWarp as create, putOnAgain } from './create-warp.js'
 import { type Canvas, rendererOf, sketchRemoved } from './host.js'
 import { dropStrokes, hasStrokes, strokeWasCalled } from './strokes.js'

@@ -1,8 +1,9 @@
 /** `createWarp` itself: calls the offset function once, and makes the function that a sketch calls to draw with the warp. */
-import { type KeptWarp, keepWarp, readOptions as readWarpOptions } from '../compile/warp-text.js'
+import { HostWarp, type OffsetFunction, type UniformOverrides } from '../compile/hosts.js'
 import { isExpression } from '../errors/describe.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { operatorsKey, readOperators } from '../errors/operators.js'
+import { asOwn, operatorsKey, readOperators } from '../errors/operators.js'
+import { checkCallback } from '../options/options.js'
 import { bakeIntoGeometry } from './geometry/bake.js'
 import { guarded } from './page/guards.js'
 import { namesFor } from './hooks/hooks.js'
@@ -21,11 +22,8 @@ import { type CreateWarpOptions, type WarpSettings, readOptions } from './settin
 import { checkShader, passOn } from './own-shader.js'
 import { shadersFor, styleFor } from './shaders.js'
 import { putOnStrokes } from './strokes.js'
-import { results, targetOf } from './hooks/styles.js'
-import { checkCallback } from '../options/options.js'
-import type { OffsetFunction, UniformOverrides } from '../core/types/types.js'
-import { withUniforms } from '../core/inputs/declared-uniforms.js'
-import { type WarpUniforms, setInputs, setUniforms, valuesOf } from './sketch-uniforms.js'
+import { targetOf } from './hooks/styles.js'
+import { type WarpUniforms, p5, setInputs, setUniforms, valuesOf } from './sketch-uniforms.js'
 import { prepareBuffers } from './variation/variation-buffers.js'
 
 /**
@@ -64,7 +62,7 @@ function noteInDraw(sketch: Canvas) {
 
 function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptions): Distort {
   const settings = readOptions(options)
-  const offset = guarded(canvas, offsetFor(canvas, given, settings))
+  const offset = offsetFor(canvas, given, settings)
   if (!rendererOf(canvas))
     throw new WarpError(
       canvas._renderer?.isP3D
@@ -75,7 +73,7 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
           }.`
         : 'createWarp: a warp needs a 3D canvas, made before it by createCanvas(width, height, WEBGL).',
     )
-  const warp = keepFor(canvas, offset, settings)
+  const warp = warpFor(canvas, offset, settings)
   let written = shadersFor(canvas, warp, settings)
 
   function apply(uniforms: WarpUniforms) {
@@ -92,11 +90,11 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
     canvas.shader(shader)
     if (isNormal) rememberNormals(renderer, shader)
     passOn(settings, shader)
-    const values = valuesOf(uniforms, settings)
-    const frame = written.frame()(canvas, values)
+    const values = valuesOf(canvas, uniforms, warp)
+    const frame = warp.frame(values)
     for (const each of [shader, ...putOnStrokes(canvas, settings, written.moving)]) {
       setInputs(each, written.inputs, canvas, frame)
-      setUniforms(each, uniforms, settings, values)
+      setUniforms(each, uniforms, warp, settings, values)
     }
     reapply.set(shader, () => apply(uniforms))
     bakeIntoGeometry({ canvas, warp, settings }, shader, uniforms, values)
@@ -113,11 +111,11 @@ function create(canvas: Canvas, given: OffsetFunction, options?: CreateWarpOptio
   return rememberWarp(distort, { canvas, warp, settings })
 }
 
-/** It reads its uniforms by the names that they have in the shader. */
+/** The offset function with its operators read, guarded while it runs. */
 function offsetFor(
   canvas: Canvas,
   given: OffsetFunction,
-  { uniforms, labels, returns, scope }: WarpSettings,
+  { returns, scope }: WarpSettings,
 ): OffsetFunction {
   checkCallback('createWarp', given)
   if (scope && !(operatorsKey in globalThis))
@@ -125,26 +123,25 @@ function offsetFor(
       'createWarp: the option "scope" is for functions with operators; add the script warpjet.operators.min.js, or import \'warpjet/operators\'.',
     )
   const readable = readOperators(given, { method: 'createWarp', scope, sketch: sketchOf(canvas) })
-  const offset = withUniforms('createWarp', readable, uniforms, (name) => labels.get(name)!)
-  if (returns === 'offset') return offset
-  return (inputs) => {
-    const place = offset(inputs)
-    return isExpression(place) ? place.sub(inputs.position) : place
-  }
+  const offset = guarded(canvas, readable)
+  return asOwn((inputs) => {
+    const result = offset(inputs)
+    return returns === 'position' && isExpression(result) ? result.sub(inputs.position) : result
+  })
 }
 
 /** Calls the offset function, for all shaders that will ever be written. */
-function keepFor(canvas: Canvas, offset: OffsetFunction, warpSettings: WarpSettings): KeptWarp {
-  const { surfaceVariation, stroke } = warpSettings
+function warpFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettings): HostWarp {
   const { style } = styleFor(canvas)
-  checkShader(warpSettings, style, rendererOf(canvas)!)
-  const settings = readWarpOptions('createWarp', offset, {
+  checkShader(settings, style, rendererOf(canvas)!)
+  return new HostWarp('createWarp', offset, {
+    host: p5,
+    uniforms: settings.uniforms,
     target: targetOf(rendererOf(canvas)!),
     names: namesFor(style),
-    outputs: { offset: results.offset, position: results.position, normal: results.normal },
-    surfaceVariation: surfaceVariation ?? true,
+    surfaceVariation: settings.surfaceVariation ?? true,
+    jacobian: settings.stroke !== false,
   })
-  return keepWarp(offset, settings, { moves: stroke !== false })
 }
 
 /** Tests whether the canvas draws its next shape with a warp. */

@@ -1,5 +1,5 @@
-// Reads wrapping and filter of a p5.Texture as the numbers of a uniform; see `samplingUniforms`.
-import { hostWraps } from '../core/expression/sampling.js'
+// Wrapping and filter of a p5.Texture.
+import type { ImageSampling, Wrap } from '../compile/hosts.js'
 
 /** p5.Texture, as far as a warp reads it. p5 1.11 keeps WebGL's numbers, p5 2 its own words. */
 export interface Texture {
@@ -17,16 +17,15 @@ const glRepeat = 0x2901
 const glMirroredRepeat = 0x8370
 const glNearest = 0x2600
 
-function wrapNumber(wrap: string | number | undefined) {
-  if (wrap === 'repeat' || wrap === glRepeat) return hostWraps.repeat
-  return wrap === 'mirror' || wrap === glMirroredRepeat ? hostWraps.mirror : hostWraps.clamp
+function wrapOf(wrap: string | number | undefined): Wrap {
+  if (wrap === 'repeat' || wrap === glRepeat) return 'repeat'
+  return wrap === 'mirror' || wrap === glMirroredRepeat ? 'mirror' : 'clamp'
 }
 
-export function samplingNumbers(texture: Texture): number[] {
+export function samplingOf(texture: Texture): ImageSampling {
   const magFilter = texture.magFilter ?? texture.glMagFilter
-  return [
-    wrapNumber(texture.wrapS ?? texture.glWrapS),
-    wrapNumber(texture.wrapT ?? texture.glWrapT),
-    Number(magFilter === 'nearest' || magFilter === glNearest),
-  ]
+  return {
+    wrap: [wrapOf(texture.wrapS ?? texture.glWrapS), wrapOf(texture.wrapT ?? texture.glWrapT)],
+    isNearest: magFilter === 'nearest' || magFilter === glNearest,
+  }
 }

@@ -1,13 +1,8 @@
 /** Reads what a sketch hands to `createWarp` after the offset. */
+import type { UniformOptions, UniformValues } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
 import { checkOptions } from '../options/options.js'
-import type { UniformOptions, UniformValues } from '../core/types/types.js'
 import type { Shader } from './host.js'
-import {
-  type DeclaredUniforms,
-  readDeclared,
-  withSampling,
-} from '../core/inputs/declared-uniforms.js'
 
 /** Which of p5's materials the warp continues. */
 export type WarpType = 'specular' | 'normal'
@@ -62,9 +57,8 @@ export interface CreateWarpOptions<Uniforms extends UniformValues = UniformValue
 }
 
 export interface WarpSettings {
-  readonly uniforms: DeclaredUniforms
-  /** What the shader calls them: numbered, so that any name will do, also one that GLSL or p5 has. */
-  readonly labels: ReadonlyMap<string, string>
+  /** The option as the sketch wrote it. */
+  readonly uniforms: object | undefined
   readonly type: WarpType | undefined
   readonly space: WarpSpace
   readonly defs: string
@@ -123,19 +117,15 @@ export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
     throw new WarpError(
       `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
     )
-  const uniforms = withSampling(readDeclared('createWarp', options.uniforms), {
-    hasTransform: false,
-  })
-  const labels = new Map([...uniforms.keys()].map((name, i) => [name, `uWarpjet${i}`]))
+  const { uniforms } = options
   const defined = uniformsIn(defs)
-  for (const name of uniforms.keys())
+  for (const name of Object.keys(uniforms ?? {}))
     if (defined.has(name))
       throw new WarpError(
         `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
       )
   return {
     uniforms,
-    labels,
     type,
     space,
     defs,

@@ -1,22 +1,13 @@
 /** The shaders of one warp for one renderer: each is made when it is first drawn with. */
-import { type KeptWarp, writeMoves, writeWarp } from '../compile/warp-text.js'
+import { type HostText, type HostWarp, type Target, lazily } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
 import { checkDefs } from './page/defs.js'
-import type { Target } from '../core/module/kept-module.js'
-import { lazily } from '../core/module/lazily.js'
 import { readsVariation } from './variation/variation-text.js'
 import { hookStyleOf, isOfLines, namesFor, weave } from './hooks/hooks.js'
 import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
 import type { WarpSettings } from './settings.js'
-import {
-  declaredInputs,
-  declaredUniforms,
-  defsFor,
-  frameFor,
-  knownTo,
-  refuseUndeclared,
-} from './sketch-uniforms.js'
-import { type WovenType, readsInstance, results, targetOf } from './hooks/styles.js'
+import { declaredInputs, declaredUniforms, defsFor, refuseUndeclared } from './sketch-uniforms.js'
+import { type WovenType, readsInstance, targetOf } from './hooks/styles.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()
@@ -36,23 +27,25 @@ export interface MovingShaders {
   point: Shader | undefined
 }
 
-export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSettings) {
+export function shadersFor(canvas: Canvas, warp: HostWarp, settings: WarpSettings) {
   const { material, style } = styleFor(canvas)
   const own = settings.shader
   const renderer = rendererOf(canvas)!
   const target = targetOf(renderer)
   const defs = defsFor(settings, target)
-  const weavable = ({ text, parameters }: ReturnType<typeof writeWarp>, base: Shader) => {
+  const weavable = (text: HostText, base: Shader) => {
     if (target === 'glsl100' && readsInstance(text))
       throw new WarpError('createWarp: the input instance needs WebGL 2 or WebGPU.')
-    const declared = declaredUniforms(settings, parameters, target)
-    refuseUndeclared(parameters, base, declared, settings, defs, target)
+    const declared = declaredUniforms(warp, text, settings, target)
+    refuseUndeclared(warp, text, base, declared, defs, target)
     const { space, hooks } = settings
-    return { text, space, defs, hooks, uniforms: [...declaredInputs(text.uniforms), ...declared] }
+    return { text, space, defs, hooks, uniforms: [...declaredInputs(text), ...declared] }
   }
   const names = namesFor(style)
-  const known = knownTo(kept, settings)
-  const woven = weavable(writeWarp(kept, target, { names, known }), own ?? material)
+  const woven = weavable(
+    warp.text(target, ['offset', 'position', 'normal'], { names }),
+    own ?? material,
+  )
   const shaders: Partial<Record<WovenType, Shader>> = {}
   const shaderFor = (type: WovenType): Shader =>
     (shaders[type] ??= weave(
@@ -65,15 +58,14 @@ export function shadersFor(canvas: Canvas, kept: KeptWarp, settings: WarpSetting
   return {
     renderer,
     inputs: woven.text.uniforms,
-    frame: lazily(() => frameFor(kept, known)),
     varies: readsVariation(woven.text),
     shaderFor,
     /** Nothing where the warp reads what lines lack: then they cannot follow the fill. */
     moving: lazily((): MovingShaders | undefined => {
-      const written = writeMoves(kept, target, results, { names, known })
-      if (!isOfLines(written.text)) return undefined
+      const text = warp.text(target, ['position', 'jacobian'], { names })
+      if (!isOfLines(text)) return undefined
       const base = canvas.baseStrokeShader()
-      const along = weavable(written, base)
+      const along = weavable(text, base)
       const points = style.point && pointShaderOf(renderer)
       return {
         stroke: base.modify(style.stroke(along, base)),

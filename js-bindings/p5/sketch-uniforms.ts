@@ -1,24 +1,35 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
-import { WarpError, describe } from '../errors/errors.js'
-import { type Declared, declared as declaredOf } from '../core/module/result.js'
-import type { Known, Target } from '../core/module/kept-module.js'
-import { lazily } from '../core/module/lazily.js'
-import { type FrameUniforms, frameOf } from '../compile/frame.js'
-import { type KeptWarp, isOfFrame } from '../compile/warp-text.js'
-import { type Variable, typeOf } from '../core/expression/shapes.js'
-import { samplingUniforms } from '../core/expression/sampling.js'
 import {
+  type Declared,
+  type FrameConstants,
+  type Host,
+  type HostText,
+  type HostWarp,
+  type Target,
   componentsOf,
+  drawInputs,
   imageFor,
-  listed,
-  numbersFor,
-  unlisted,
-} from '../core/inputs/declared-uniforms.js'
-import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
-import { samplingNumbers } from './sampling.js'
-import { glslType } from './hooks/styles.js'
+  lazily,
+  samplingNumbers,
+  samplingUniforms,
+  scalarOrArray,
+} from '../compile/hosts.js'
+import { WarpError, describe } from '../errors/errors.js'
 import { own } from '../options/options.js'
+import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
+import { samplingOf } from './sampling.js'
+import { glslType } from './hooks/styles.js'
 import { type WarpSettings, uniformsIn } from './settings.js'
+
+export const p5: Host = {
+  name: 'p5.js',
+  inputs: Object.keys(drawInputs) as (keyof typeof drawInputs)[],
+  // The option `defs` declares them.
+  hasParameters: true,
+  prefix: 'uWarpjet',
+  // The adapter reads it from the p5.Texture that an image becomes when it is set.
+  sampling: { hasTransform: false },
+}
 
 /** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */
 export type WarpUniforms = Record<string, unknown>
@@ -60,66 +71,51 @@ export const inputsNow = (canvas: Canvas) =>
 const inputsAmong = (read: readonly Declared[]) =>
   read.flatMap(({ name, type }) => (Object.hasOwn(inputs, name) ? { type, ...inputs[name]! } : []))
 
-/** What the shader is to declare of them. */
-export const declaredInputs = (read: readonly Declared[]): Declared[] => [
-  ...inputsAmong(read).map(({ type, uniform }) => ({ type, name: uniform })),
-  ...read.filter(isOfFrame),
+/** Inputs and frame constants that the shader must declare. */
+export const declaredInputs = ({ uniforms, frame }: HostText): Declared[] => [
+  ...inputsAmong(uniforms).map(({ type, uniform }) => ({ type, name: uniform })),
+  ...frame.map((name) => ({ type: 'vec4' as const, name })),
 ]
 
-/** Of those that the warp reads, which `parameters` tells, what the shader is to declare: in WGSL also those of `defs`. */
+/** Variables that the text reads and the shader must declare: in WGSL also those of `defs`. */
 export function declaredUniforms(
-  { labels, defs }: WarpSettings,
-  parameters: readonly Variable[],
+  { uniforms }: HostWarp,
+  { parameters }: HostText,
+  { defs }: WarpSettings,
   target: Target,
 ): Declared[] {
   const all = new Set(
-    [...labels.values()].flatMap((label) => [
+    uniforms.inShader.flatMap(({ label }) => [
       label,
       `${label}Size`,
       samplingUniforms(label).settings,
     ]),
   )
   if (target === 'wgsl') for (const name of uniformsIn(defs)) all.add(name)
-  return parameters.filter(({ name }) => all.has(name)).map(declaredOf)
+  return parameters.filter(({ name }) => all.has(name))
 }
 
-/** The numbers of each of the option `uniforms` for one call, by what the shader calls it; functions are asked once, if at all. */
-export type Values = ReadonlyMap<string, () => number[]>
+/**
+ * Maps names to values for one call: the inputs of the canvas, and the uniforms of the option or the values that the call gives
+ * in their place. Each is read once, if at all.
+ */
+export type CallValues = Readonly<Record<string, number | number[]>>
 
-export function valuesOf(given: WarpUniforms, { uniforms, labels }: WarpSettings): Values {
-  const all = new Map<string, () => number[]>()
-  for (const [name, { shape, numbers, image }] of uniforms) {
-    if (image) continue
-    const replaced =
-      Object.hasOwn(given, name) && numbersFor(`The warp's uniform "${name}"`, shape, given[name])
-    all.set(
-      labels.get(name)!,
-      lazily(() => replaced || numbers('The function that createWarp returned')),
-    )
-  }
-  return all
-}
-
-/** What p5 knows of a warp's inputs before it draws; see compile/frame.ts. */
-export function knownTo(kept: KeptWarp, { uniforms, labels }: WarpSettings): Known {
-  const numbers = new Set(Object.keys(inputs).map((name) => kept.inputs[name]))
-  const names = new Set(
-    [...labels].flatMap(([name, label]) => (uniforms.get(name)!.image ? [] : label)),
+export function valuesOf(canvas: Canvas, given: WarpUniforms, { uniforms }: HostWarp): CallValues {
+  const ofInputs = Object.entries(inputs).map(
+    ([name, { read }]) => [name, () => read(canvas)] as const,
   )
-  return ({ name, number }) => numbers.has(number) || names.has(name)
-}
-
-/** What is computed once a frame, for `setFrame`. */
-export function frameFor(kept: KeptWarp, known: Known) {
-  const frame = frameOf(kept, known)
-  const byNumber = new Map(
-    Object.entries(inputs).map(([name, { read }]) => [kept.inputs[name], read]),
-  )
-  return (canvas: Canvas, values: Values) =>
-    frame?.(({ name, number }) => {
-      const read = byNumber.get(number)
-      return read ? [read(canvas)].flat() : values.get(name)!()
-    }) ?? {}
+  const ofUniforms = [...uniforms.declared].flatMap(([name, { numbers, image }]) => {
+    if (image) return []
+    const replaced = Object.hasOwn(given, name) && uniforms.numbersFor(name, given[name])
+    const read = () => scalarOrArray(replaced || numbers('The function that createWarp returned'))
+    return [[name, read] as const]
+  })
+  const properties = [...ofInputs, ...ofUniforms].map(([name, read]) => [
+    name,
+    { enumerable: true, get: lazily(read) },
+  ])
+  return Object.defineProperties({}, Object.fromEntries(properties) as PropertyDescriptorMap)
 }
 
 const declaration = /\buniform\s+(?:\w+p\s+)?(?:float|vec[234]|mat[234]|sampler2D)\s+[\w\s,]+;/g
@@ -133,10 +129,10 @@ const valueFor = (name: string) =>
 
 /** A parameter that neither p5 nor `defs` declares would break the shader, and p5 would print all of it. */
 export function refuseUndeclared(
-  parameters: readonly Variable[],
+  { uniforms }: HostWarp,
+  { parameters }: HostText,
   shader: Shader,
-  own: readonly Declared[],
-  { uniforms }: WarpSettings,
+  ours: readonly Declared[],
   defs: string,
   target: Target,
 ) {
@@ -147,14 +143,13 @@ export function refuseUndeclared(
       `createWarp: on a WEBGPU canvas the option "defs" declares no uniforms so; ${valueFor(uniform[1]!)}.`,
     )
   const declared = new Set(`${shader.vertSrc()} ${defs}`.match(/\w+/g))
-  for (const { name } of own) declared.add(name)
-  for (const parameter of parameters) {
-    const { name, shape } = parameter
+  for (const { name } of ours) declared.add(name)
+  for (const { name, type } of parameters) {
     if (/^(?!gl_)[A-Za-z_]\w*$/.test(name) && !declared.has(name))
       throw new WarpError(
-        uniforms.has(name)
-          ? `createWarp: the warp reads "${name}" by glsl.${shape[1] > 1 ? `${typeOf(shape)}Param` : 'param'}; a uniform of the option "uniforms" is read as uniforms.${name}.`
-          : `createWarp: the warp reads "${name}", which nothing declares; ${isWgsl ? valueFor(name) : `add the option { defs: "uniform ${glslType(declaredOf(parameter).type)} ${name};" }`}.`,
+        uniforms.declared.has(name)
+          ? `createWarp: the warp reads "${name}" by glsl.${type === 'float' ? 'param' : `${type}Param`}; a uniform of the option "uniforms" is read as uniforms.${name}.`
+          : `createWarp: the warp reads "${name}", which nothing declares; ${isWgsl ? valueFor(name) : `add the option { defs: "uniform ${glslType(type)} ${name};" }`}.`,
       )
   }
 }
@@ -163,7 +158,7 @@ export function setInputs(
   shader: Shader,
   inputs: readonly Declared[],
   canvas: Canvas,
-  frame: FrameUniforms,
+  frame: FrameConstants,
 ) {
   for (const { uniform, read } of inputsAmong(inputs)) shader.setUniform(uniform, read(canvas))
   for (const [name, values] of Object.entries(frame))
@@ -174,15 +169,15 @@ export function setInputs(
 function setDeclared(
   shader: Shader,
   given: WarpUniforms,
-  { uniforms, labels }: WarpSettings,
-  values: Values,
+  { declared, labelOf }: HostWarp['uniforms'],
+  values: CallValues,
 ) {
-  for (const [name, { image }] of uniforms) {
-    const label = labels.get(name)!
+  for (const [name, { image }] of declared) {
+    const label = labelOf(name)
     // One that the warp never reads does not reach the shader.
     if (!shader.uniforms[label]) continue
     if (image) setImage(shader, label, name, Object.hasOwn(given, name) ? given[name] : image())
-    else shader.setUniform(label, unlisted(values.get(label)!()))
+    else shader.setUniform(label, values[name])
   }
 }
 
@@ -200,7 +195,7 @@ function setImage(shader: Shader, label: string, name: string, image: unknown) {
   shader.setUniform(label, p5Image(name, image))
   const texture = shader.uniforms[label]!.texture!
   const { settings } = samplingUniforms(label)
-  if (shader.uniforms[settings]) shader.setUniform(settings, samplingNumbers(texture))
+  if (shader.uniforms[settings]) shader.setUniform(settings, samplingNumbers(samplingOf(texture)))
   if (shader.uniforms[`${label}Size`])
     shader.setUniform(`${label}Size`, [texture.width, texture.height])
 }
@@ -209,11 +204,12 @@ function setImage(shader: Shader, label: string, name: string, image: unknown) {
 export function setUniforms(
   shader: Shader,
   given: WarpUniforms,
-  settings: WarpSettings,
-  values: Values,
+  { uniforms }: HostWarp,
+  { defs }: WarpSettings,
+  values: CallValues,
 ) {
-  const { defs, uniforms: declared } = settings
-  setDeclared(shader, given, settings, values)
+  const { declared, names } = uniforms
+  setDeclared(shader, given, uniforms, values)
   const words = new Set(defs.match(/\w+/g))
   for (const [name, value] of Object.entries(given)) {
     if (declared.has(name)) continue
@@ -222,7 +218,7 @@ export function setUniforms(
     else if (!words.has(name))
       throw new WarpError(
         declared.size
-          ? `The warp has no uniform "${name}"; there are ${listed(declared)}.`
+          ? `The warp has no uniform "${name}"; there are ${names.join(', ')}.`
           : `The warp has no uniform "${name}"; createWarp's option "uniforms" must declare it: { uniforms: { ${name}: 0.5 } }.`,
       )
   }

@@ -1,7 +1,6 @@
 // How far a warped object extends, for culling: boxes from `bounds`, which are never too small, again when something changed.
 import { type BatchedMesh, Box3, type InstancedMesh, Matrix4, Sphere, Vector3 } from 'three'
-import type { CpuWarp } from '../cpu/cpu-warp.js'
-import type { ThreeWarp } from './kept.js'
+import type { ThreeWarp } from './three-warp.js'
 import { type Warpable, boxOf, isMoved, poseState, posedBox, posedFrom, sphereOf } from './pose.js'
 import { remembered } from './remembered.js'
 import type { WarpSpace } from './settings.js'
@@ -12,19 +11,25 @@ const everything = () =>
 
 /** A box around all that the warp makes of one. */
 export function warpedBox(warp: ThreeWarp, object: Warpable, box: Box3): Box3 {
-  return warp.runs ? boundsBy(warp.cpu, warp, object, box) : everything()
+  return warp.runs ? boundsBy('position', warp, object, box) : everything()
 }
 
-function boundsBy(cpu: CpuWarp, warp: ThreeWarp, object: Warpable, box: Box3): Box3 {
+function boundsBy(
+  place: 'position' | 'offset',
+  warp: ThreeWarp,
+  object: Warpable,
+  box: Box3,
+): Box3 {
   if (box.isEmpty()) return box
   const { uv } = object.geometry.attributes
-  const uvs = warp.reads.has('uv') && uv ? rangeOf(uv as never) : undefined
+  const uvs = warp.reads('uv') && uv ? rangeOf(uv as never) : undefined
   if (isInfinite(box) || (uvs && ![...uvs.min, ...uvs.max].every(isFiniteFloat)))
     return everything()
-  const { min, max } = cpu.bounds(
-    { min: box.min.toArray(), max: box.max.toArray(), ...(uvs && { uvs }) },
-    { uniforms: warp.given() },
-  )
+  const { min, max } = warp.boundsNow(place, {
+    min: box.min.toArray(),
+    max: box.max.toArray(),
+    ...(uvs && { uvs }),
+  })
   const bounds = new Box3(new Vector3().fromArray(min), new Vector3().fromArray(max))
   // Bounds are empty if the warp is NaN everywhere. A GPU may compute something else, so the object is drawn.
   return bounds.isEmpty() ? everything() : bounds
@@ -48,7 +53,7 @@ export function stateOf(warp: ThreeWarp, object: Warpable): number[] {
   return [
     ...warp.numbers(),
     ...[drawRange.start, drawRange.count, index?.version ?? 0],
-    ...(warp.reads.has('color') ? fillOf(object.material) : []),
+    ...(warp.reads('color') ? fillOf(object.material) : []),
     ...placeState(object, warp.settings.space),
   ]
 }
@@ -154,7 +159,7 @@ function extentOfOne(warp: ThreeWarp, object: Warpable): Extent {
 /** Two ways of bounding, by where the warp takes a box and by how far it moves a sphere; the smaller sphere counts. */
 function warpedExtent(warp: ThreeWarp, object: Warpable, { box, sphere }: Extent): Extent {
   const warped = whole(warpedBox(warp, object, box))
-  const by = boundsBy(warp.offsets, warp, object, box)
+  const by = boundsBy('offset', warp, object, box)
   if (isInfinite(by) || by.isEmpty()) return warped
   const moved = new Sphere(
     by.getCenter(new Vector3()).add(sphere.center),
@@ -205,7 +210,7 @@ function extentInWorld(warp: ThreeWarp, object: Warpable, before: Extent): Exten
  */
 export function extentInBatch(warp: ThreeWarp, object: Warpable): (rest: Extent) => Extent {
   if (warp.settings.space !== 'world') return (rest) => warpedExtent(warp, object, rest)
-  const by = boundsBy(warp.offsets, warp, object, aroundInWorld(object).box)
+  const by = boundsBy('offset', warp, object, aroundInWorld(object).box)
   if (isInfinite(by)) return () => whole(everything())
   const back = new Matrix4().copy(object.matrixWorld).invert().setPosition(0, 0, 0)
   const farthest = Math.max(...cornersOf(by).map((corner) => corner.applyMatrix4(back).length()))

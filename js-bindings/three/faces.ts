@@ -1,7 +1,7 @@
 // Which side of a triangle is the outer one: where a warp mirrors all of space, it is the one that the renderer takes for the back.
 import { BackSide, FrontSide, type Material, ShaderChunk, type Side } from 'three'
-import { orientationName } from '../compile/host-names.js'
-import type { ThreeWarp } from './kept.js'
+import { shaderNames } from '../compile/hosts.js'
+import type { ThreeWarp } from './three-warp.js'
 
 /** Empty for a warp that never mirrors. */
 export const declareOrientation = ({ mirrors }: ThreeWarp): string[] =>
@@ -9,11 +9,11 @@ export const declareOrientation = ({ mirrors }: ThreeWarp): string[] =>
     ? []
     : [
         mirrors
-          ? `const float ${orientationName} = -1.0;`
-          : `uniform highp float ${orientationName};`,
+          ? `const float ${shaderNames.orientation} = -1.0;`
+          : `uniform highp float ${shaderNames.orientation};`,
       ]
 
-const isFront = `( gl_FrontFacing == ( ${orientationName} > 0.0 ) )`
+const isFront = `( gl_FrontFacing == ( ${shaderNames.orientation} > 0.0 ) )`
 
 /** A fragment shader for WebGLRenderer, in which double-sided materials light the side that is seen. */
 export function orientFaces(fragmentShader: string, warp: ThreeWarp): string {

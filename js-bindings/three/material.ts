@@ -7,13 +7,13 @@ import {
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three'
+import { shaderNames } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { millisUniform, orientationName } from '../compile/host-names.js'
 import { describeOfThree, spriteError } from './describe.js'
 import { orientFaces } from './faces.js'
-import { type ThreeWarp, keep } from './kept.js'
+import { ThreeWarp } from './three-warp.js'
 import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
-import type { ThreeUniforms, UniformHandles, ValuesOf } from './uniforms.js'
+import { type ThreeUniforms, type UniformHandles, type ValuesOf, inShader } from './uniforms.js'
 import { checkChunks, weave } from './weave.js'
 import { fillOf } from './surface.js'
 
@@ -53,7 +53,7 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
   const method = 'warpMaterial'
   const settings = readOptions(method, options)
   checkMaterial(method, material)
-  const warp = keep(offset as never, settings)
+  const warp = new ThreeWarp(offset as never, settings)
   const woven = weaveInto(material, warp)
   const shadows = shadowMaterials(warp, () => material)
   return {
@@ -129,19 +129,21 @@ interface OfNodes {
   positionNode?: { id: number }
 }
 
-/** Weaves the warp into a clone of the material, or into itself where it is shared. */
+/** Weaves the warp into a clone of the material, or into itself where it is shared. `fill` is the material of the surface. */
 export function weaveInto(
   material: Material,
   warp: ThreeWarp,
-  fill: () => Material = () => material,
+  {
+    fill = () => material,
+    isShared = warp.settings.isShared,
+  }: { fill?: () => Material; isShared?: boolean } = {},
 ): Woven {
-  const { isShared } = warp.settings
   const made: Material = isShared ? material : material.clone()
   const { onBeforeCompile, customProgramCacheKey } = material
   const earlierKey = customProgramCacheKey.call(material)
   const isOwn = Object.hasOwn(material, 'onBeforeCompile')
   const isOwnKey = Object.hasOwn(material, 'customProgramCacheKey')
-  const uniforms = inShader(warp, fill)
+  const uniforms = uniformsFor(warp, fill)
   const woven = new Map<string, string>()
   made.onBeforeCompile = function (
     this: Material,
@@ -156,7 +158,7 @@ export function weaveInto(
     shader.vertexShader = woven.get(source)!
     shader.fragmentShader = orientFaces(shader.fragmentShader, warp)
   }
-  const key = `warpjet ${warp.key()} ${earlierKey}`
+  const key = `warpjet ${warp.key} ${earlierKey}`
   made.customProgramCacheKey = function (this: Material & OfNodes) {
     // WebGPURenderer copies this into a material of nodes, which knows better.
     const { customProgramCacheKey } = Object.getPrototypeOf(this) as Material
@@ -180,10 +182,10 @@ export function weaveInto(
   }
 }
 
-function inShader(warp: ThreeWarp, fill: () => Material) {
+function uniformsFor(warp: ThreeWarp, fill: () => Material) {
   return {
-    [millisUniform]: warp.millis,
-    ...(warp.reads.has('color') && {
+    [shaderNames.millis]: warp.millis,
+    ...(warp.reads('color') && {
       warpjetFill: {
         get value() {
           return fillOf(fill())
@@ -191,19 +193,19 @@ function inShader(warp: ThreeWarp, fill: () => Material) {
       },
     }),
     ...(warp.mirrors === undefined && {
-      [orientationName]: {
+      [shaderNames.orientation]: {
         get value() {
-          return warp.isMirrored() ? -1 : 1
+          return warp.isMirroredNow() ? -1 : 1
         },
       },
     }),
-    ...Object.fromEntries(warp.uniforms.map(({ label, inShader }) => [label, inShader])),
+    ...Object.fromEntries(warp.uniforms.inShader.map((each) => [each.label, inShader(each)])),
     ...Object.fromEntries(
-      Object.keys(warp.frame()).map((name) => [
+      Object.keys(warp.frameNow()).map((name) => [
         name,
         {
           get value() {
-            return warp.frame()[name]
+            return warp.frameNow()[name]
           },
         },
       ]),
@@ -221,15 +223,14 @@ export function shadowMaterials(
     own.customDepthMaterial?.clone() ?? new MeshDepthMaterial({ depthPacking: RGBADepthPacking })
   const distance = own.customDistanceMaterial?.clone() ?? new MeshDistanceMaterial()
   const wovenIn = (made: Material, from: Material | undefined) => {
-    made.vertexColors = surface().vertexColors && warp.reads.has('color')
+    made.vertexColors = surface().vertexColors && warp.reads('color')
     const source = from ?? made
-    const kept = { ...warp, settings: { ...warp.settings, isShared: true } }
     if (from) {
       made.onBeforeCompile = from.onBeforeCompile
       const { customProgramCacheKey } = from
       made.customProgramCacheKey = () => customProgramCacheKey.call(source)
     }
-    return weaveInto(made, kept, surface).material
+    return weaveInto(made, warp, { fill: surface, isShared: true }).material
   }
   return {
     customDepthMaterial: wovenIn(depth, own.customDepthMaterial),

@@ -19,12 +19,11 @@ import {
   Vector4,
 } from 'three'
 import * as TSL from 'three/tsl'
-import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
-import { type Shape, imageShape, typeOf } from '../core/expression/shapes.js'
-import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
-import type { ThreeWarp, Turned } from './kept.js'
+import { shaderNames, variationAttribute, variationNames } from '../compile/hosts.js'
 import type { WarpSpace } from './settings.js'
 import { fillOf } from './surface.js'
+import type { ThreeWarp, Turned } from './three-warp.js'
+import { valueNow } from './uniforms.js'
 
 /** A node of three.js, whose own types tell what each may do by what it holds: too much for text that a function returns. */
 export interface AnyNode {
@@ -119,7 +118,7 @@ function orientFaces(builder: Builder, warp: ThreeWarp, uniforms: Record<string,
   if (warp.mirrors === false || Object.hasOwn(builder, 'getFrontFacing')) return
   const getFrontFacing = builder.getFrontFacing.bind(builder)
   builder.getFrontFacing = () => {
-    const orientation = uniforms[orientationName]!.build(builder, 'float')
+    const orientation = uniforms[shaderNames.orientation]!.build(builder, 'float')
     return `( ${getFrontFacing()} == ( ${orientation} > 0.0 ) )`
   }
 }
@@ -186,30 +185,34 @@ const values: Record<string, () => object | number> = {
 
 /** Nodes that have the values of the moment when they are sent. */
 function uniformsOf(warp: ThreeWarp): Record<string, AnyNode> {
-  const number = (shape: Shape, read: () => unknown) =>
-    make.uniform(values[typeOf(shape)]!()).onObjectUpdate((_, self) => {
+  const number = (type: string, read: () => unknown) =>
+    make.uniform(values[type]!()).onObjectUpdate((_, self) => {
       const now = read()
       if (typeof now === 'number') return now
       ;(self.value as Vector3).fromArray(now as number[])
       return self.value
     })
   return {
-    [millisUniform]: number([1, 1], () => warp.millis.value),
-    [orientationName]: number([1, 1], () => (warp.isMirrored() ? -1 : 1)),
+    [shaderNames.millis]: number('float', () => warp.millis.value),
+    [shaderNames.orientation]: number('float', () => (warp.isMirroredNow() ? -1 : 1)),
     warpjetColor: make.uniform(new Vector4()).onObjectUpdate(({ object }, self) => {
       ;(self.value as Vector4).fromArray(fillOf(object.material))
       return self.value
     }),
     ...Object.fromEntries(
-      Object.keys(warp.frame()).map((name) => [name, number([1, 4], () => warp.frame()[name])]),
+      Object.keys(warp.frameNow()).map((name) => [
+        name,
+        number('vec4', () => warp.frameNow()[name]),
+      ]),
     ),
     ...Object.fromEntries(
-      warp.uniforms.map(({ label, shape, inShader }) => [
-        label,
-        shape === imageShape
-          ? imageOf(() => inShader.value as Texture)
-          : number(shape, () => inShader.value),
-      ]),
+      warp.uniforms.inShader.map((uniform) => {
+        const read = () => valueNow(uniform)
+        return [
+          uniform.label,
+          uniform.image ? imageOf(read as () => Texture) : number(uniform.type, read),
+        ]
+      }),
     ),
   }
 }
@@ -261,7 +264,7 @@ const names: Record<string, string> = {
   normal: 'warpjetNormal',
   uv: 'warpjetUv',
   color: 'warpjetColor',
-  millis: millisUniform,
+  millis: shaderNames.millis,
   ...Object.fromEntries(variationNames.map((name) => [name, `warpjet_${name}`])),
 }
 
@@ -277,7 +280,11 @@ const wgslTypes: Record<string, string> = {
 
 /** What the function takes, by name and type. */
 function parametersOf(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): [string, string][] {
-  const { attributes, frame } = warp.write(isWebGPU ? 'wgsl' : 'glsl300', turned, namesIn(isWebGPU))
+  const { attributes, frame } = warp.textFor(
+    isWebGPU ? 'wgsl' : 'glsl300',
+    turned,
+    namesIn(isWebGPU),
+  )
   const read = new Set(attributes.map(({ name }) => name))
   const optional: [string, string][] = [
     ['uv', 'vec2'],
@@ -291,9 +298,9 @@ function parametersOf(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): [stri
     ...optional
       .filter(([name]) => read.has(name))
       .map(([name, type]): [string, string] => [names[name]!, type]),
-    [millisUniform, 'float'],
+    [shaderNames.millis, 'float'],
     ...frame.map((name): [string, string] => [name, 'vec4']),
-    ...warp.uniforms.map(({ label, shape }): [string, string] => [label, typeOf(shape)]),
+    ...warp.uniforms.inShader.map(({ label, type }): [string, string] => [label, type]),
   ]
 }
 
@@ -304,19 +311,21 @@ const namesIn = (isWebGPU: boolean) => ({
 
 /** One function, which gives the position, or the columns position, normal and tangent. */
 function functionFor(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): Call {
-  const text = warp.write(isWebGPU ? 'wgsl' : 'glsl300', turned, namesIn(isWebGPU))
+  const text = warp.textFor(isWebGPU ? 'wgsl' : 'glsl300', turned, namesIn(isWebGPU))
   const parameters = parametersOf(warp, turned, isWebGPU)
-  const name = `warpjet_${warp.key()}_${turned}`
+  const name = `warpjet_${warp.key}_${turned}`
   const vec3 = isWebGPU ? 'vec3f' : 'vec3'
   const mat3 = isWebGPU ? 'mat3x3f' : 'mat3'
   const type = turned === 'position' ? vec3 : mat3
   // A normal of zero, where the surface collapses, is left to its neighbours.
   const normal = isWebGPU
-    ? `select(${outputs.normal}, warpjetNormal * 1e-6, all(${outputs.normal} == vec3f(0.0)))`
-    : `(${outputs.normal} == vec3(0.0) ? warpjetNormal * 1e-6 : ${outputs.normal})`
-  const tangent = turned === 'tangent' ? `${outputs.tangent}.xyz` : `${vec3}(0.0)`
+    ? `select(${shaderNames.normal}, warpjetNormal * 1e-6, all(${shaderNames.normal} == vec3f(0.0)))`
+    : `(${shaderNames.normal} == vec3(0.0) ? warpjetNormal * 1e-6 : ${shaderNames.normal})`
+  const tangent = turned === 'tangent' ? `${shaderNames.tangent}.xyz` : `${vec3}(0.0)`
   const result =
-    turned === 'position' ? outputs.position : `${mat3}(${outputs.position}, ${normal}, ${tangent})`
+    turned === 'position'
+      ? shaderNames.position
+      : `${mat3}(${shaderNames.position}, ${normal}, ${tangent})`
   const body = `{\n${text.code}\nreturn ${result};\n}`
   if (isWebGPU) {
     const given = parameters.map(([name, type]) => `${name}: ${wgslTypes[type]}`)

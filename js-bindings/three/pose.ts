@@ -12,9 +12,12 @@ import {
   Sphere,
   Vector3,
 } from 'three'
-import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
-import { numbersOf } from '../core/inputs/geometry.js'
-import type { Vertices } from '../core/inputs/vertices.js'
+import {
+  type Vertices,
+  attributeNumbers,
+  variationAttribute,
+  variationNames,
+} from '../compile/hosts.js'
 
 /** What can be warped. */
 export type Warpable = Mesh | Points | Line
@@ -46,13 +49,13 @@ export function poseState(object: Warpable): number[] {
 export function verticesOf(object: Warpable, isPosed: boolean, fill: number[]): Vertices {
   const { geometry } = object
   const { position, normal, uv, color } = geometry.attributes
-  const vertices: Record<string, Float32Array> = { positions: numbersOf(position!, 3) }
-  if (normal) vertices.normals = numbersOf(normal, 3)
-  if (uv) vertices.uvs = numbersOf(uv, 2)
+  const vertices: Record<string, Float32Array> = { positions: attributeNumbers(position!, 3) }
+  if (normal) vertices.normals = attributeNumbers(normal, 3)
+  if (uv) vertices.uvs = attributeNumbers(uv, 2)
   vertices.colors = colorsOf(object, color, position!.count, fill)
   for (const name of variationNames) {
     const attribute = geometry.attributes[variationAttribute(name)]
-    if (attribute) vertices[`${name}s`] = numbersOf(attribute, 3)
+    if (attribute) vertices[`${name}s`] = attributeNumbers(attribute, 3)
   }
   if (isPosed && isMoved(object)) pose(object, vertices)
   return vertices as unknown as Vertices
@@ -60,7 +63,7 @@ export function verticesOf(object: Warpable, isPosed: boolean, fill: number[]): 
 
 function colorsOf(object: Warpable, color: Attribute | undefined, count: number, fill: number[]) {
   const [material] = [object.material].flat()
-  if (color && material?.vertexColors) return numbersOf(color, 4, 1)
+  if (color && material?.vertexColors) return attributeNumbers(color, 4, 1)
   const colors = new Float32Array(4 * count)
   for (let i = 0; i < count; i++) colors.set(fill, 4 * i)
   return colors
@@ -94,7 +97,7 @@ function morphed(object: Warpable, normals: Float32Array) {
   morphAttributes.normal?.forEach((attribute, target) => {
     const influence = influences[target] ?? 0
     if (influence === 0) return
-    const to = numbersOf(attribute, 3)
+    const to = attributeNumbers(attribute, 3)
     for (let i = 0; i < turned.length; i++)
       turned[i]! += influence * (to[i]! - (morphTargetsRelative ? 0 : normals[i]!))
   })
@@ -111,7 +114,7 @@ function boundsAtRest(attribute: Attribute) {
   const version = versionOf(attribute)
   const known = boxes.get(attribute)
   if (known?.version === version) return known
-  const positions = numbersOf(attribute, 3)
+  const positions = attributeNumbers(attribute, 3)
   const box = new Box3().setFromArray(positions)
   const center = box.getCenter(new Vector3())
   const sphere = new Sphere(center, box.isEmpty() ? -1 : farthest(positions, center))
@@ -166,7 +169,7 @@ function boxesOfBones(geometry: BufferGeometry) {
   const known = bonesOf.get(geometry)
   if (known?.version === version) return known.boxes
   let boxes: Map<number, Box3> | undefined = new Map<number, Box3>()
-  const [indices, weights] = [numbersOf(skinIndex!, 4), numbersOf(skinWeight!, 4)]
+  const [indices, weights] = [attributeNumbers(skinIndex!, 4), attributeNumbers(skinWeight!, 4)]
   for (let i = 0; i < position!.count && boxes; i++) {
     place.fromBufferAttribute(position as BufferAttribute, i)
     let sum = 0

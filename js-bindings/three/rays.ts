@@ -14,7 +14,7 @@ import {
 } from 'three'
 import { withOtherSide } from './faces.js'
 import { instancesOf, sphereAround, stateOf, warpedBox } from './extent.js'
-import type { ThreeWarp } from './kept.js'
+import type { ThreeWarp } from './three-warp.js'
 import { type Warpable, posedBox } from './pose.js'
 import { remembered } from './remembered.js'
 import { warpedGeometry } from './surface.js'
@@ -103,7 +103,7 @@ function castHere(warp: ThreeWarp, object: Warpable, own: Raycast) {
       ...(isRest && { getVertexPosition: (object as Mesh).getVertexPosition }),
       ...(isMany && { boundingSphere: extent, boundingBox: null }),
     })
-    const hits = cast(own, standIn, warp.isMirrored(), raycaster)
+    const hits = cast(own, standIn, warp.isMirroredNow(), raycaster)
     for (const hit of hits.filter(isPlace)) intersects.push({ ...hit, object })
   }
 }
@@ -128,7 +128,7 @@ function castInWorld(warp: ThreeWarp, object: Warpable, own: Raycast) {
       const standIn = standInFor(object, warped, { matrixWorld: identity })
       const ownHere = isMany ? (Mesh.prototype.raycast as Raycast) : own
       // A matrix that mirrors has turned the triangles over, since they are in the world here.
-      const isReversed = warp.isMirrored() !== toWorld.determinant() < 0
+      const isReversed = warp.isMirroredNow() !== toWorld.determinant() < 0
       const hits = cast(ownHere, standIn, isReversed, raycaster)
       for (const hit of hits.filter(isPlace))
         intersects.push({

@@ -2,7 +2,7 @@
 import type { Material, Mesh } from 'three'
 import { WarpError } from '../errors/errors.js'
 import { noteReplaced } from '../errors/notes.js'
-import type { ThreeWarp } from './kept.js'
+import type { ThreeWarp } from './three-warp.js'
 import { nameOf } from './describe.js'
 import { type Woven, checkMaterial, weaveInto } from './material.js'
 import type { WarpSpace } from './settings.js'

@@ -1,8 +1,7 @@
 // The options of `warp` and `warpMaterial`, checked.
+import type { UniformExpressions, Vec3, WarpInputs } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
 import { checkOptions } from '../options/options.js'
-import type { UniformExpressions, UniformValue, WarpInputs } from '../core/types/types.js'
-import type { Vec3 } from '../core/types/expressions.js'
 import type { PlainOf, ThreeUniforms } from './uniforms.js'
 
 /**
@@ -40,7 +39,7 @@ export type ThreeOffset<Values = {}> = (
 export interface Settings {
   method: string
   space: WarpSpace
-  uniforms: Readonly<Record<string, UniformValue>> | undefined
+  uniforms: object | undefined
   isShared: boolean
   surfaceVariation: false | undefined
 }
@@ -60,5 +59,5 @@ export function readOptions(method: string, options: WarpOptions<object> = {}): 
     throw new WarpError(
       `${method}: the option "surfaceVariation" can only be false, but is ${describe(surfaceVariation)}; addSurfaceVariation(geometry) says how a geometry varies.`,
     )
-  return { method, space, uniforms: uniforms as never, isShared: share, surfaceVariation }
+  return { method, space, uniforms, isShared: share, surfaceVariation }
 }

@@ -9,9 +9,8 @@ import {
   Sphere,
   Vector3,
 } from 'three'
-import { variationNames } from '../core/inputs/inputs.js'
-import { type Vertices, allowNonFinite } from '../core/inputs/vertices.js'
-import type { ThreeWarp } from './kept.js'
+import { type Vertices, variationNames } from '../compile/hosts.js'
+import type { ThreeWarp } from './three-warp.js'
 import { type Warpable, verticesOf } from './pose.js'
 
 /** `toWorld` is for a warp of that space: the geometry is in it then. */
@@ -24,9 +23,7 @@ export function warpedGeometry(
   const { geometry } = object
   const vertices = verticesOf(object, !isRest, fillOf(object.material))
   const placed = toWorld ? inWorld(vertices, toWorld) : vertices
-  const { positions, normals } = warp.cpu.evaluate(allowNonFinite(placed), {
-    uniforms: warp.given(),
-  })
+  const { positions, normals } = warp.evaluateNow(placed)
   const made = new BufferGeometry()
   Object.assign(made.attributes, geometry.attributes, {
     position: new BufferAttribute(positions, 3),

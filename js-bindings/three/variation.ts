@@ -1,7 +1,7 @@
 // How normals and uvs vary over a geometry, for offsets that depend on them: kept with it, as attributes.
 import { BufferAttribute, type BufferGeometry } from 'three'
+import { variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
-import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
 import { describeOfThree } from './describe.js'
 import { fromBufferGeometry } from './geometry.js'
 

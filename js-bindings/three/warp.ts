@@ -10,12 +10,12 @@ import {
   type Raycaster,
   Sphere,
 } from 'three'
+import { variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
 import { noteApproximation } from '../errors/notes.js'
-import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
 import { describeOfThree, nameOf, spriteError } from './describe.js'
 import { type Extent, extentInBatch, extentOf, movedBox, stateOf } from './extent.js'
-import { type ThreeWarp, keep } from './kept.js'
+import { ThreeWarp } from './three-warp.js'
 import {
   type ShadowMaterials,
   type Warped,
@@ -55,13 +55,13 @@ export function warp<const Uniforms extends ThreeUniforms = {}>(
 ): WarpedObject<ValuesOf<Uniforms>> {
   const settings = readOptions('warp', options)
   const parts = partsOf(settings, object)
-  const kept = keep(offset as never, settings)
-  for (const part of parts) checkInputs(kept, part)
+  const made = new ThreeWarp(offset as never, settings)
+  for (const part of parts) checkInputs(made, part)
   const materials = new Map<Material, Woven>()
-  const done = parts.map((part) => putOn(kept, part, materials))
+  const done = parts.map((part) => putOn(made, part, materials))
   return {
-    uniforms: kept.handles as never,
-    update: updateOf(kept),
+    uniforms: made.handles as never,
+    update: updateOf(made),
     bounds: () => boundsOf(object, done),
     raycast: (raycaster, intersects) =>
       done.forEach(({ raycast }) => raycast(raycaster, intersects)),
@@ -100,15 +100,15 @@ function partsOf({ method }: Settings, object: Object3D): Warpable[] {
 }
 
 /** What the offset reads of each vertex is there. */
-function checkInputs({ reads, settings }: ThreeWarp, part: Warpable) {
+function checkInputs(warp: ThreeWarp, part: Warpable) {
   const remedies = {
     normal: 'call geometry.computeVertexNormals() first',
     uv: 'give it texture coordinates first',
   }
-  for (const [name, remedy] of Object.entries(remedies))
-    if (reads.has(name) && !part.geometry.attributes[name])
+  for (const name of ['normal', 'uv'] as const)
+    if (warp.reads(name) && !part.geometry.attributes[name])
       throw new WarpError(
-        `${settings.method}: the offset reads ${name}, but the geometry of ${nameOf(part)} has no attribute "${name}"; ${remedy}.`,
+        `${warp.settings.method}: the offset reads ${name}, but the geometry of ${nameOf(part)} has no attribute "${name}"; ${remedies[name]}.`,
       )
 }
 

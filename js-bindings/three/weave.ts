@@ -3,13 +3,11 @@
  * makes either is taken out of `main` and put together, in the order in which it depends on each other, in front of
  * what uses it.
  */
+import { type HostText, shaderNames, variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
-import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
-import { typeOf } from '../core/expression/shapes.js'
 import { declareOrientation } from './faces.js'
-import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
-import type { Text, ThreeWarp, Turned } from './kept.js'
 import type { WarpSpace } from './settings.js'
+import type { ThreeWarp, Turned } from './three-warp.js'
 
 /** The chunks of three.js that make the position and the normal, in our order; those of a later version may be missing. */
 const atRest = ['beginnormal_vertex', 'begin_vertex']
@@ -97,9 +95,9 @@ function declarationsFor(warp: ThreeWarp, texts: Written[]) {
     (variationNames as string[]).includes(name),
   )
   return [
-    `uniform highp float ${millisUniform};`,
+    `uniform highp float ${shaderNames.millis};`,
     'uniform highp vec4 warpjetFill;',
-    ...warp.uniforms.map(({ label, shape }) => `uniform highp ${typeOf(shape)} ${label};`),
+    ...warp.uniforms.inShader.map(({ label, type }) => `uniform highp ${type} ${label};`),
     ...[...new Set(texts.flatMap(({ text }) => text.frame))].map(
       (name) => `uniform highp vec4 ${name};`,
     ),
@@ -111,14 +109,14 @@ function declarationsFor(warp: ThreeWarp, texts: Written[]) {
 
 interface Written {
   turned: Turned
-  text: Text
+  text: HostText
 }
 
 /** With tangents and without, or without normals. */
 const textsFor = (warp: ThreeWarp, isLit: boolean, mayHaveTangents: boolean): Written[] =>
   turnedBy(isLit, mayHaveTangents).map((turned) => ({
     turned,
-    text: warp.write('glsl300', turned, namesIn(warp.settings.space)),
+    text: warp.textFor('glsl300', turned, namesIn(warp.settings.space)),
   }))
 
 function turnedBy(isLit: boolean, mayHaveTangents: boolean): Turned[] {
@@ -126,7 +124,7 @@ function turnedBy(isLit: boolean, mayHaveTangents: boolean): Turned[] {
   return mayHaveTangents ? ['tangent', 'normal'] : ['normal']
 }
 
-const byTangent = (texts: Written[], part: (text: Text) => string) =>
+const byTangent = (texts: Written[], part: (text: HostText) => string) =>
   texts.length === 1
     ? part(texts[0]!.text)
     : `#ifdef USE_TANGENT\n${part(texts[0]!.text)}\n#else\n${part(texts[1]!.text)}\n#endif`
@@ -151,7 +149,7 @@ function namesIn(space: WarpSpace): Record<string, string> {
 function statements(warp: ThreeWarp, isLit: boolean, texts: Written[]) {
   const code = byTangent(texts, ({ code }) => code)
   const color =
-    warp.reads.has('color') || texts[0]!.text.attributes.some(({ name }) => name === 'color')
+    warp.reads('color') || texts[0]!.text.attributes.some(({ name }) => name === 'color')
   return `{
 ${color ? colorOfVertex : ''}${isWorld(warp.settings.space) ? inWorld(code, isLit, texts) : inGeometry(code, isLit)}
 }`
@@ -167,12 +165,12 @@ vec4 warpjetColor = warpjetFill;
 `
 
 const inGeometry = (code: string, isLit: boolean) => `${code}
-transformed = ${outputs.position};${
+transformed = ${shaderNames.position};${
   isLit
     ? `
-objectNormal = ${outputs.normal};
+objectNormal = ${shaderNames.normal};
 #ifdef USE_TANGENT
-objectTangent = ${outputs.tangent}.xyz;
+objectTangent = ${shaderNames.tangent}.xyz;
 #endif`
     : ''
 }`
@@ -208,12 +206,12 @@ ${gradients ? gradientsInWorld : ''}${variation
 vec4 warpjetTangent = vec4( warpjetLinear * objectTangent, tangent.w );
 #endif
 ${code}
-transformed = ( inverse( warpjetToWorld ) * vec4( ${outputs.position}, 1.0 ) ).xyz;${
+transformed = ( inverse( warpjetToWorld ) * vec4( ${shaderNames.position}, 1.0 ) ).xyz;${
     isLit
       ? `
-objectNormal = ${outputs.normal} * warpjetLinear;
+objectNormal = ${shaderNames.normal} * warpjetLinear;
 #ifdef USE_TANGENT
-objectTangent = warpjetBack * ${outputs.tangent}.xyz;
+objectTangent = warpjetBack * ${shaderNames.tangent}.xyz;
 #endif`
       : ''
   }
@@ -238,7 +236,7 @@ const bitangentsOf = ({ mirrors }: ThreeWarp, text: string) =>
         including('normal_vertex'),
         `${include('normal_vertex')}
 #if defined( USE_TANGENT ) && ! defined( FLAT_SHADED )
-vBitangent *= ${orientationName};
+vBitangent *= ${shaderNames.orientation};
 #endif`,
       )
 

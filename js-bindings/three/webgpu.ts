@@ -3,7 +3,7 @@ import type { Material } from 'three'
 import type { Node } from 'three/webgpu'
 import { WarpError } from '../errors/errors.js'
 import { spriteError } from './describe.js'
-import { type ThreeWarp, keep } from './kept.js'
+import { ThreeWarp } from './three-warp.js'
 import {
   type Warped,
   type Woven,
@@ -88,7 +88,7 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
   const method = 'warpMaterial'
   const settings = readOptions(method, options)
   checkMaterial(method, material)
-  const warp = keep(offset as never, settings)
+  const warp = new ThreeWarp(offset as never, settings)
   const woven = weaveInto(material, warp)
   return {
     material: woven.material as Kind,
@@ -108,7 +108,7 @@ export function warpNode<const Uniforms extends ThreeUniforms = {}>(
   offset: ThreeOffset<ValuesOf<Uniforms>>,
   options: WarpOptions<Uniforms> = {},
 ): WarpNode<ValuesOf<Uniforms>> {
-  const warp = keep(offset as never, readOptions('warpNode', options))
+  const warp = new ThreeWarp(offset as never, readOptions('warpNode', options))
   return {
     node: nodeFor(warp) as unknown as Node,
     uniforms: warp.handles as never,

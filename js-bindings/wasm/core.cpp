@@ -167,6 +167,16 @@ std::vector<Variable> inputs(const Module& module) {
   return all;
 }
 
+// The inputs that the results depend on.
+std::vector<Variable> inputsReadBy(const Module& module, const Words& results) {
+  std::vector<Variable> read;
+  for (const std::uint32_t i : inputsRead(module, results)) {
+    const Input& input = module.graph.input(i);
+    read.push_back({input.label, input.shape, i});
+  }
+  return read;
+}
+
 std::vector<Variable> results(const Module& module) {
   std::vector<Variable> all;
   for (std::uint32_t i = 0; i < module.outputs.size(); ++i)
@@ -210,8 +220,8 @@ CpuProgram makeProgram(const Module& module, const Words& wanted) {
 }
 
 // Whether a program reads each of its inputs, which have so many numbers.
-std::vector<std::uint8_t> inputsRead(const Words& words, std::uint32_t instructions,
-                                     const Words& sizes) {
+std::vector<std::uint8_t> inputsOfProgramRead(const Words& words, std::uint32_t instructions,
+                                              const Words& sizes) {
   const Program program{words, instructions};
   std::vector<std::uint8_t> all;
   std::uint32_t first = 0;
@@ -301,6 +311,7 @@ EMSCRIPTEN_BINDINGS(core) {
   class_<Module>("Module")
       .constructor(&openModule, allow_raw_pointers())
       .function("inputs", &inputs)
+      .function("inputsRead", &inputsReadBy)
       .function("results", &results)
       .function("separate", &separate)
       .function("write", &writeText)
@@ -308,7 +319,7 @@ EMSCRIPTEN_BINDINGS(core) {
 
   function("operationNames", &operationNames);
   function("operationFlags", &operationFlags);
-  function("inputsRead", &inputsRead);
+  function("inputsRead", &inputsOfProgramRead);
   function("evaluate", &evaluateInDouble);
   function("memoryInUse", &memoryInUse);
 }

@@ -41,6 +41,9 @@ struct Module {
   std::vector<NodeId> roots() const;
 };
 
+// The numbers of the inputs that these results depend on, in ascending order.
+std::vector<std::uint32_t> inputsRead(const Module& module, std::span<const std::uint32_t> results);
+
 // Plain words that say the same, without what no output needs; they need neither the module nor
 // its memory.
 std::vector<std::uint32_t> save(const Module& module);

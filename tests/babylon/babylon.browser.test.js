@@ -105,13 +105,24 @@ const mirroring = {
   },
 }
 
+/** A wave after more than a day: by the input millis, or by its phase as double or as float32 has it. */
+const late = 98_765_432
+const phases = { exact: (late / 90) % (2 * Math.PI), rounded: Math.fround(late / 90) % (2 * Math.PI) }
+function addWave(material, by) {
+  const warp = new BabylonWarp(material, ({ glsl, position, millis, uniforms }) => {
+    const phase = by === 'millis' ? millis.div(90) : uniforms.phase
+    return glsl.vec3(position.y.mult(4).add(phase).sin().mult(0.25), 0, 0)
+  }, { uniforms: { phase: phases[by] ?? 0 } })
+  warp.millis = late
+}
+
 /** Its normals left as they were, in the one language and in the other. */
 function withoutNormals(warp, material) {
   const { getCustomCode } = warp
   warp.getCustomCode = (...args) => {
     const code = getCustomCode.apply(warp, args)
-    const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL.replaceAll('normalUpdated = warpjetTurned;', '')
-    return code && { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: text }
+    const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL?.replaceAll('normalUpdated = warpjetTurned;', '')
+    return text ? { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: text } : code
   }
   material.markDirty(true)
 }
@@ -155,6 +166,7 @@ window.draw = async (backend, kind, way) => {
   mirroring[way.replace('mirroring, ', '')]?.(material)
   if (way === 'shifted') move(knot, Matrix.Translation(...amount))
   if (way === 'by an image') byImage(material, scene)
+  if (way.startsWith('wave by ')) addWave(material, way.replace('wave by ', ''))
   if (way.startsWith('sampled by')) bySampling(material, scene, way === 'sampled by hand')
   if (['warped', 'without its normals', 'without its shadow'].includes(way)) {
     const warp = warped(material)
@@ -223,12 +235,17 @@ window.pick = async () => {
 window.mistakes = async () => {
   const { scene, material } = sceneOn(await engineFor('webgl'), 'Standard')
   const warp = warped(material)
+  const warpOther = (offset, uniforms) =>
+    new BabylonWarp(new StandardMaterial('other', scene), offset, { uniforms })
   const said = [
     () => (warp.values.linaer = 3),
     () => (warp.values.shift = 'x'),
     () => (warp.values.shift = [0, NaN, 0]),
     () => (warp.millis = 'x'),
     () => new BabylonWarp(material, offset),
+    () => warpOther(({ glsl, mouse }) => glsl.vec3(mouse, 0)),
+    () => warpOther(({ glsl }) => glsl.vec3(glsl.param('wind'), 0, 0)),
+    () => warpOther(({ glsl }) => glsl.vec3(0, 0, 0), { map: { width: 1, height: 1 } }),
   ].map((work) => {
     try {
       work()
@@ -314,6 +331,15 @@ for (const backend of ['webgl', 'webgpu'])
         assert.deepEqual(printed(), [])
       })
 
+    test('a wave is exact at 98,765,432 milliseconds', async () => {
+      const expected = await draw(backend, 'Standard', 'wave by exact')
+      const shown = await draw(backend, 'Standard', 'wave by millis')
+      assert.equal(differing(shown, expected), 0)
+      const rounded = differing(await draw(backend, 'Standard', 'wave by rounded'), expected)
+      assert.ok(rounded > 30, `${rounded} pixels differ where the phase is a float32`)
+      assert.deepEqual(printed(), [])
+    })
+
     test('an image among the uniforms', async () => {
       const [shown, expected] = [
         await draw(backend, 'Standard', 'by an image'),
@@ -351,7 +377,11 @@ test('mistakes are told in a sentence, and what was set before stays', async () 
     /^WarpError: The warp's uniform "shift" /,
     /^WarpError: BabylonWarp: millis must be a number of milliseconds, .* is the text "x"\.$/,
     /^WarpError: BabylonWarp: the material "standard" is warped already/,
+    /^WarpError: BabylonWarp: the offset reads mouse, which Babylon\.js does not have; declare it, as in \{ uniforms: \{ myMouse: \[0, 0\] \} \}\.$/,
+    /^WarpError: BabylonWarp: the offset reads "wind" by glsl\.param, which no shader of Babylon\.js declares; /,
+    /^WarpError: The warp's uniform "map" must be a texture of Babylon\.js, but is /,
   ]
+  assert.equal(said.length, expected.length)
   said.forEach((text, i) => assert.match(text, expected[i]))
   assert.equal(isKept, true)
 })

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "bench.hpp"
 #include "eval/program.hpp"
 #include "noise/table.hpp"
@@ -53,6 +55,33 @@ TEST_F(ModuleTest, WhatIsKeptSaysTheSameInEveryLanguage) {
     EXPECT_EQ(textOf(kept, *dialect), text);
     EXPECT_EQ(textOf(load(save(kept)), *dialect), text);
   }
+}
+
+TEST_F(ModuleTest, TellsWhichInputsAResultDependsOn) {
+  const int turn = builder.input("gen", "turn", {1, 1});
+  const int unread = builder.input("gen", "unread", {1, 1});
+  builder.push(v2);
+  const int image = builder.callTexture({Filter::Bicubic, Wrap::Mirror}, "picture");
+  builder.output("gen", "a", call("sin", {call("mult", {v3, turn})}));
+  builder.output("gen", "b", image);
+  builder.output("gen", "c", call("sub", {unread, unread}));
+  ASSERT_TRUE(builder.finish()) << builder.problem();
+  const Module kept = load(save(builder.module()));
+  const auto namesRead = [&](std::initializer_list<std::uint32_t> results) {
+    std::set<std::string> names;
+    for (const std::uint32_t input : inputsRead(kept, std::vector(results)))
+      names.insert(kept.graph.input(input).label);
+    return names;
+  };
+  const auto labelOf = [&](int handle) {
+    return builder.graph().input(builder.inputOf(handle)).label;
+  };
+  EXPECT_EQ(namesRead({0}), (std::set<std::string>{labelOf(v3), "turn"}));
+  // The size of an image is an input without a name.
+  EXPECT_EQ(namesRead({1}), (std::set<std::string>{labelOf(v2), "picture", ""}));
+  EXPECT_EQ(namesRead({2}), std::set<std::string>{});
+  EXPECT_EQ(namesRead({0, 1}),
+            (std::set<std::string>{labelOf(v2), labelOf(v3), "turn", "picture", ""}));
 }
 
 TEST_F(ModuleTest, NobodyChangesIt) {

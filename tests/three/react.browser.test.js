@@ -16,7 +16,7 @@ import { createElement as e, Suspense, StrictMode, act } from 'react'
 import { createRoot, extend, useFrame } from '@react-three/fiber'
 import * as THREE from 'three'
 import { Warp } from 'warpjet/react'
-import { settledHeap } from '../support/browser/three/heap.js'
+import { settledHeap } from '../../tests/support/browser/three/heap.js'
 
 extend(THREE)
 globalThis.IS_REACT_ACT_ENVIRONMENT = true

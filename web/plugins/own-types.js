@@ -17,7 +17,7 @@ const optionsOf = {
   'three/warp.ts warp': [['three/settings.ts', 'WarpOptions']],
   'three/material.ts warpMaterial': [['three/settings.ts', 'WarpOptions']],
   'compile/compile-warp.ts compileWarp': [
-    ['compile/warp-text.ts', 'WarpOptions'],
+    ['compile/warp-options.ts', 'WarpOptions'],
     ['core/module/result.ts', 'CompileOptions'],
   ],
 }

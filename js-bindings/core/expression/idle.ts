@@ -1,6 +1,6 @@
 // Notes about expressions that nothing is made of: conditions, since JavaScript's `if` and `?:` take each as true and nobody would
 // know, and vectors that a sketch meant to change as it would a p5.Vector.
-import { fileOf, nameIn, stackLines } from './source-lines.js'
+import { fileOf, nameIn, stackLines } from '../../errors/source-lines.js'
 
 const noted = new Set<string>()
 

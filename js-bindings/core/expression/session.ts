@@ -8,7 +8,7 @@ import { describeShape } from '../../errors/describe.js'
 import { isCallable } from '../../options/options.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
 import { noteIdle, noteUnused } from './idle.js'
-import { callerOutside } from './source-lines.js'
+import { callerOutside } from '../../errors/source-lines.js'
 import type { HostSampling } from './sampling.js'
 import { failed, needsPartials } from '../../wasm/tables.js'
 

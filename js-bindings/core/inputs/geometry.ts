@@ -37,14 +37,14 @@ export function arraysOf({ attributes, index }: Geometry) {
   for (const [name, [attribute, size]] of Object.entries(geometryAttributes)) {
     const given = attributes[attribute] as Attribute | undefined
     // Colours without alpha are opaque.
-    if (given) arrays[name] = numbersOf(given, size, 1)
+    if (given) arrays[name] = attributeNumbers(given, size, 1)
   }
   if (index) arrays.indices = Uint32Array.from(index.array)
   return arrays
 }
 
 /** An attribute's numbers, as floats; `missing` is what it has too few of. */
-export function numbersOf(attribute: Attribute, size: number, missing = 0): Float32Array {
+export function attributeNumbers(attribute: Attribute, size: number, missing = 0): Float32Array {
   const { count, itemSize } = attribute
   if (isPlain(attribute, size)) return attribute.array as Float32Array
   const numbers = new Float32Array(count * size).fill(missing)

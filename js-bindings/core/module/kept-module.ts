@@ -108,6 +108,10 @@ const nameOf = ([, name]: Naming) => name
 export const inputsOf = (kept: KeptModule): Variable[] =>
   reading(kept, (module) => withReads(kept, module.inputs()))
 
+/** Finds the inputs that results depend on. `results` are their numbers. */
+export const inputsReadBy = (kept: KeptModule, results: readonly number[]): Variable[] =>
+  reading(kept, (module) => withReads(kept, module.inputsRead(results)))
+
 /** The results, in their order. */
 export const resultsOf = (kept: KeptModule): Variable[] =>
   reading(kept, (module) => module.results())

@@ -1,16 +1,15 @@
 /** In the place of a sketch's hook that moves positions: one that calls it, and turns the normal by its exact derivative. */
-import { asOwn } from '../../errors/operators.js'
 import { compileWarp } from '#text-compiler'
-import type { WarpText } from '../../compile/warp-text.js'
+import { type OffsetFunction, type Target, drawInputs } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
+import { asOwn } from '../../errors/operators.js'
 import { glslOffset } from '../../glsl-source/offset.js'
-import { drawInputs } from '../../core/inputs/inputs.js'
-import type { Target } from '../../core/module/kept-module.js'
-import type { OffsetFunction } from '../../core/types/types.js'
 import { aboveStrands, glslOf } from './strands-wgsl.js'
 import { type ModifiedShader, isWgsl } from './modified-shader.js'
 import { checkReadable, inStrandsWords, isOfStrands, withoutRandom } from './unreadable-hooks.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
+
+type CompiledText = ReturnType<typeof compileWarp>
 
 export type Hooks = Record<string, string>
 
@@ -33,7 +32,7 @@ export interface Weaving {
     own: string
     text: string
     turned: string
-    warp: WarpText
+    warp: CompiledText
   }) => Hooks
 }
 
@@ -42,7 +41,7 @@ export interface MovingHooks {
   declarations: string[]
   texts: string[]
   /** Hooks whose normals depend on how normal and uv vary over the surface. */
-  varying: { name: string; warp: WarpText }[]
+  varying: { name: string; warp: CompiledText }[]
 }
 
 /** New hooks that call the sketch's own and turn the normal; nothing where no position moves. */

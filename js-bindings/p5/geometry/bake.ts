@@ -2,11 +2,8 @@
  * A warp that is called inside `buildGeometry()`, or after `beginGeometry()`: p5 collects vertices there and draws nothing, so the CPU
  * moves them, with the uniforms of that call.
  */
+import { type Vertices, arrayNames, lazily, variationNames } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
-import { lazily } from '../../core/module/lazily.js'
-import { arrayNames, type Vertices } from '../../core/inputs/vertices.js'
-import { unlisted } from '../../core/inputs/declared-uniforms.js'
-import { variationNames } from '../../core/inputs/inputs.js'
 import {
   type BuiltShape,
   type GeometryBuilder,
@@ -16,9 +13,9 @@ import {
   rendererOf,
   stateOf,
 } from '../host.js'
-import { type MadeWarp, onCpu } from '../made-warps.js'
+import type { MadeWarp } from '../made-warps.js'
 import { variationOf } from '../variation/shape-variation.js'
-import { type Values, type WarpUniforms, inputsNow } from '../sketch-uniforms.js'
+import type { CallValues, WarpUniforms } from '../sketch-uniforms.js'
 import { nameOf } from '../variation/variation-buffers.js'
 
 /** Moves the vertices of a shape, which p5 calls `name`. */
@@ -38,7 +35,7 @@ export function bakeIntoGeometry(
   made: MadeWarp,
   shader: Shader,
   given: WarpUniforms,
-  values: Values,
+  values: CallValues,
 ) {
   const renderer = rendererOf(made.canvas)!
   const builder = renderer.geometryBuilder
@@ -111,18 +108,11 @@ function addMoved(
 const vectorLike = (vector: Vector, x: number, y: number, z: number) =>
   Object.assign(vector.copy!(), { x, y, z })
 
-function bakeOf(made: MadeWarp, given: WarpUniforms, values: Values): Bake {
+function bakeOf(made: MadeWarp, given: WarpUniforms, values: CallValues): Bake {
   const { canvas, warp, settings } = made
-  const { labels, uniforms } = settings
-  const cpu = lazily(() => onCpu(made))
-  const declared = [...labels].filter(([name]) => !uniforms.get(name)!.image)
-  const others = Object.entries(given).filter(([name]) => !labels.has(name))
-  const all = lazily(() => ({
-    ...inputsNow(canvas),
-    instance: 0,
-    ...Object.fromEntries(declared.map(([name, label]) => [name, unlisted(values.get(label)!())])),
-    ...Object.fromEntries(others),
-  }))
+  const cpu = lazily(() => warp.cpu())
+  const others = Object.entries(given).filter(([name]) => !warp.uniforms.declared.has(name))
+  const all = lazily(() => ({ ...values, instance: 0, ...Object.fromEntries(others) }))
   return (shape, name) => {
     const mesh = verticesOf(shape, stateOf(rendererOf(canvas)!).curFillColor as number[])
     if (warp.varies && settings.surfaceVariation !== false) {

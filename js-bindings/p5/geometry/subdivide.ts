@@ -1,10 +1,9 @@
 /** `subdivide` of a p5.Geometry, by a number or by a warp: one of `compileWarp`, or what `createWarp` returned. */
-import type { Uniforms } from '../../core/inputs/vertices.js'
 import type { Evaluates } from '../../mesh/bake.js'
 import type { Makers, WarpModel } from './model.js'
 import type { AdaptiveOptions, LevelsOptions } from '../../mesh/subdivide.js'
 import { emptyModel } from './load-model.js'
-import { madeWarpOf, onCpu } from '../made-warps.js'
+import { madeWarpOf } from '../made-warps.js'
 import { importMesh } from '#mesh'
 import { withOwnErrors } from '../page/own-errors.js'
 import { inputsNow } from '../sketch-uniforms.js'
@@ -22,8 +21,8 @@ function withWarpOnCpu(options: AdaptiveOptions): AdaptiveOptions {
   if (!made) return options
   return {
     ...options,
-    warp: onCpu(made),
-    uniforms: { ...inputsNow(made.canvas), ...options.uniforms } as Uniforms,
+    warp: made.warp.cpu(),
+    uniforms: { ...inputsNow(made.canvas), ...options.uniforms } as AdaptiveOptions['uniforms'],
   }
 }
 

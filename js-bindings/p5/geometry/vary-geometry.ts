@@ -1,8 +1,7 @@
 // For the p5 addon: how a p5.Geometry varies, kept with it as properties of its vertices, which p5 2.x hands to shaders as
 // attributes. It stands here, and not in the addon, because it is of use only with this module.
+import { arrayNames, variationAttribute, variationNames } from '../../compile/hosts.js'
 import { WarpError, describe } from '../../errors/errors.js'
-import { variationAttribute, variationNames } from '../../core/inputs/inputs.js'
-import { arrayNames } from '../../core/inputs/vertices.js'
 import { type SurfaceVariation, findVariation } from '../../mesh/surface-variation.js'
 
 /** What is used of a p5.Geometry. */

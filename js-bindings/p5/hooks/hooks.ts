@@ -1,7 +1,6 @@
 /** Which style of hooks a canvas's shaders have, and p5's shaders with a warp in them. */
 import { beside } from './beside.js'
-import type { WarpText } from '../../compile/warp-text.js'
-import type { Target } from '../../core/module/kept-module.js'
+import type { HostText, Target } from '../../compile/hosts.js'
 import { forgetLastShape } from '../variation/variation-buffers.js'
 import { readsVariation, variationVariables } from '../variation/variation-text.js'
 import type { Shader } from '../host.js'
@@ -37,5 +36,5 @@ export function weave(base: Shader, style: HookStyle, woven: Woven, type: WovenT
 }
 
 /** What lines have, which is a place alone: no surface with a normal, no fill. */
-export const isOfLines = ({ attributes }: WarpText) =>
+export const isOfLines = ({ attributes }: HostText) =>
   attributes.every(({ name }) => name === 'position')

@@ -1,25 +1,15 @@
 /**
  * What p5's shaders are like: each kind of hooks is a style, which says by what names a warp reads a vertex, and which hooks
- * put its results back. `struct-hooks.ts` is p5 2.x, `value-hooks.ts` p5 1.11, `wgsl-hooks.ts` p5 2.x on WebGPU.
+ * put its results back. All of our names in p5's shaders start with warpjet, so that they meet none of the sketch's. `struct-hooks.ts` is p5 2.x, `value-hooks.ts` p5 1.11, `wgsl-hooks.ts` p5 2.x on WebGPU.
  */
-import type { WarpText } from '../../compile/warp-text.js'
-import type { Declared } from '../../core/module/result.js'
-import type { Target } from '../../core/module/kept-module.js'
+import type { Declared, HostText, Target } from '../../compile/hosts.js'
 import type { Turn } from './beside.js'
 import type { Modifications, Shader } from '../host.js'
 import type { WarpSpace, WarpType } from '../settings.js'
 
-/** All of our names in p5's shaders start with warpjet, so that they meet none of the sketch's. */
-export const results = {
-  offset: 'warpjetOffset',
-  position: 'warpjetMoved',
-  normal: 'warpjetTurned',
-  jacobian: 'warpjetSlope',
-}
-
 /** A warp's text, to be put into a shader. */
 export interface Woven {
-  text: WarpText
+  text: HostText
   space: WarpSpace
   /** Text of the sketch for above it. */
   defs: string
@@ -55,7 +45,7 @@ export interface HookStyle {
 export const targetOf = (renderer: { webglVersion?: string; GL?: unknown }): Target =>
   renderer.GL ? (renderer.webglVersion === 'webgl' ? 'glsl100' : 'glsl300') : 'wgsl'
 
-export const readsInstance = ({ uniforms }: WarpText) =>
+export const readsInstance = ({ uniforms }: HostText) =>
   uniforms.some(({ name }) => name === 'instance')
 
 /** GLSL for above the hooks. */

@@ -3,14 +3,15 @@
  * the last hook keeps the normal in a varying of ours, and colours are worked out from that.
  */
 import {
+  type Declared,
   type VariationInput,
   variationAttribute,
   variationNames,
-} from '../../core/inputs/inputs.js'
+} from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
-import { variationIn, variationVariables } from '../variation/variation-text.js'
-import type { Declared } from '../../core/module/result.js'
+import { type TextOfVertex, variationIn, variationVariables } from '../variation/variation-text.js'
 import type { Modifications, Shader } from '../host.js'
+import type { WarpSpace } from '../settings.js'
 import { hookIn, turnInStruct } from './struct-hooks.js'
 import { type HookStyle, type Woven, readsInstance } from './styles.js'
 
@@ -121,18 +122,21 @@ export function addAttributes(
     .replace('HOOK_beforeVertex();', `${globals.join('')}  HOOK_beforeVertex();`)
 }
 
+/** A text, and the space of the offset. */
+interface InSpace {
+  text: TextOfVertex
+  space: WarpSpace
+}
+
 /** What the text reads, and beyond a shape's own space all of the normal's, if it reads any. */
-export function attributesOf({ text, space }: Pick<Woven, 'text' | 'space'>) {
+export function attributesOf({ text, space }: InSpace) {
   const read = variationIn(text)
   const isWhole = space !== 'local' && read.some(isOfNormal)
   return variationNames.filter((name) => read.includes(name) || (isWhole && isOfNormal(name)))
 }
 
 /** See `turnedVariation`. `ofCamera` turns normals to view space. */
-export function variation(
-  woven: Pick<Woven, 'text' | 'space'>,
-  ofCamera = 'model.uNormalMatrix',
-): string {
+export function variation(woven: InSpace, ofCamera = 'model.uNormalMatrix'): string {
   const { space } = woven
   const names = attributesOf(woven)
   if (names.length === 0) return ''

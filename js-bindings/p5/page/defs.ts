@@ -1,6 +1,6 @@
 /** Mistakes in the option `defs`, told before p5 prints the whole of a broken shader. */
-import { WarpError } from '../../errors/errors.js'
 import { shorten } from '../../errors/describe.js'
+import { WarpError } from '../../errors/errors.js'
 import type { Renderer, Shader } from '../host.js'
 import { placeOf } from './places.js'
 

@@ -2,10 +2,10 @@
  * Functions of p5 and of JavaScript's Math that work on numbers alone: while an offset function runs, each says what to write
  * instead where it is handed an expression. Afterwards they are what they were.
  */
+import type { OffsetFunction } from '../../compile/hosts.js'
 import { isExpression } from '../../errors/describe.js'
 import { WarpError } from '../../errors/errors.js'
 import { guardedKey } from '../../errors/operators.js'
-import type { OffsetFunction } from '../../core/types/types.js'
 import { type Canvas, sketchOf } from '../host.js'
 
 const alike =

@@ -1,6 +1,6 @@
 /** Where in the sketch a WarpError comes from, added to its sentence. */
+import { fileOf, nameIn, stackLines } from '../../errors/source-lines.js'
 import { WarpError } from '../../errors/errors.js'
-import { fileOf, nameIn, stackLines } from '../../core/expression/source-lines.js'
 
 /** p5's own files, by whatever name they are served. */
 const isOfP5 = (file: string) =>

@@ -1,5 +1,5 @@
 /** How normal and uv vary over the shapes that p5 computes by angles. */
-import { variationNames } from '../../core/inputs/inputs.js'
+import { variationNames } from '../../compile/hosts.js'
 import type { Shape, Vector } from '../host.js'
 import { type Triple, add, cross, times } from '../geometry/triple.js'
 

@@ -2,7 +2,7 @@
  * How normal and uv vary over a shape, by vertex: what turns the light of an offset that depends on them. p5's own shapes have
  * formulas; others are taken triangle by triangle, which is exact where they are flat.
  */
-import { type VariationInput, variationNames } from '../../core/inputs/inputs.js'
+import { type VariationInput, variationNames } from '../../compile/hosts.js'
 import { byFormula, formulaOf } from './formula-variation.js'
 import type { Shape } from '../host.js'
 import { byTriangles } from './triangle-variation.js'

@@ -2,11 +2,7 @@
  * Hands p5 how shapes vary as attributes of its own kind: a p5.Geometry has them as arrays beside its vertices, made when a shader
  * first asks, and every renderer that draws with a warp that reads them has buffers of them.
  */
-import {
-  type VariationInput,
-  variationAttribute,
-  variationNames,
-} from '../../core/inputs/inputs.js'
+import { type VariationInput, variationAttribute, variationNames } from '../../compile/hosts.js'
 import type { Renderer, Shader, Shape } from '../host.js'
 import { type Variation, variationOf } from './shape-variation.js'
 

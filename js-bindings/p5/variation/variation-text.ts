@@ -1,9 +1,11 @@
 /** How normals and uvs vary over a shape, as text of a shader that is handed it by attributes. */
-import { variationAttribute, variationNames } from '../../core/inputs/inputs.js'
-import type { WarpText } from '../../compile/warp-text.js'
+import { type HostText, variationAttribute, variationNames } from '../../compile/hosts.js'
+
+/** A text with the attributes that it reads. */
+export type TextOfVertex = Pick<HostText, 'attributes'>
 
 /** Whether the text reads how the surface varies. */
-export const readsVariation = (text: WarpText) => variationIn(text).length > 0
+export const readsVariation = (text: TextOfVertex) => variationIn(text).length > 0
 
 /** What the text reads for each input: `variationIn` makes it of the attribute. */
 export const variationVariables = Object.fromEntries(
@@ -11,7 +13,7 @@ export const variationVariables = Object.fromEntries(
 )
 
 /** Those that the text reads. */
-export const variationIn = ({ attributes }: WarpText) =>
+export const variationIn = ({ attributes }: TextOfVertex) =>
   attributes.flatMap(({ name }) => variationNames.filter((each) => each === name))
 
 /** GLSL for above a shader that reads any. */

@@ -1,13 +1,12 @@
 // What a warp is called in the shaders of a host: all of it begins with warpjet, so that it meets nobody else's names.
 
-export const outputs = {
+export const shaderNames = {
   offset: 'warpjetOffset',
   position: 'warpjetMoved',
   normal: 'warpjetTurned',
   tangent: 'warpjetSwung',
-}
-
-/** 1, or -1 where the warp mirrors all of space. */
-export const orientationName = 'warpjetOrientation'
-
-export const millisUniform = 'warpjetMillis'
+  jacobian: 'warpjetSlope',
+  /** 1, or -1 where the warp mirrors all of space. */
+  orientation: 'warpjetOrientation',
+  millis: 'warpjetMillis',
+} as const

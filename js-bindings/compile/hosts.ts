@@ -1,0 +1,35 @@
+// The façade for adapters of hosts: all that they import of core, compile and cpu.
+export { HostWarp } from './host-warp.js'
+export type { Host } from './host.js'
+export type { FrameConstants } from './frame.js'
+export type { HostText } from './warp-text.js'
+export type { HostUniform } from './host-uniforms.js'
+export {
+  type ImageSampling,
+  type Wrap,
+  samplingNumbers,
+  samplingUniforms,
+} from './image-sampling.js'
+export type { Result } from './recorded-warp.js'
+export { shaderNames } from './shader-names.js'
+export { arraysOf, attributeNumbers, geometryAttributes } from '../core/inputs/geometry.js'
+export {
+  type VariationInput,
+  drawInputs,
+  variationAttribute,
+  variationNames,
+} from '../core/inputs/inputs.js'
+export { componentsOf, imageFor, scalarOrArray } from '../core/inputs/uniform-values.js'
+export { type Vertices, arrayNames } from '../core/inputs/vertices.js'
+export type { Target } from '../core/module/kept-module.js'
+export { lazily } from '../core/module/lazily.js'
+export type { Declared } from '../core/module/result.js'
+export type { Vec3 } from '../core/types/expressions.js'
+export type {
+  OffsetFunction,
+  UniformExpressions,
+  UniformOptions,
+  UniformOverrides,
+  UniformValues,
+  WarpInputs,
+} from '../core/types/types.js'

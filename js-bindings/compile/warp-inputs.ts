@@ -1,0 +1,54 @@
+// The argument of an offset function: the inputs of a vertex and of a draw call, as expressions.
+import { callable, createBuilder } from '../core/expression/builder.js'
+import type { Expression } from '../core/expression/expression.js'
+import type { Session } from '../core/expression/session.js'
+import { inputSizes, variationInputs } from '../core/inputs/inputs.js'
+import { lazyObject } from '../core/lazy-object.js'
+import type { WarpInputs } from '../core/types/types.js'
+import { didYouMean, refusing } from '../errors/nearest.js'
+
+const part = (session: Session, vector: Expression, i: number) =>
+  session.swizzle('xyz'[i]!, vector, [i])
+
+/** Maps names that other shaders use to ours, for "did you mean". */
+const meant = {
+  time: 'millis',
+  frameCount: 'millis',
+  texCoord: 'uv',
+  texcoord: 'uv',
+  vertex: 'position',
+  pos: 'position',
+  resolution: 'size',
+}
+
+/** The inputs that an offset function gets under their own names. */
+const givenNames = Object.keys(inputSizes).filter(
+  (name) => name !== 'tangent' && !(name in variationInputs),
+)
+
+/** Components that have names of their own. */
+const namedParts = {
+  mouseX: ['mouse', 0],
+  mouseY: ['mouse', 1],
+  width: ['size', 0],
+  height: ['size', 1],
+} as const
+
+const offsetInputs = new Map(
+  ['glsl', ...givenNames, ...Object.keys(namedParts)].map((name) => [name, true]),
+)
+
+export function warpInputs(session: Session, inputs: Record<string, Expression>): WarpInputs {
+  // Also for an offset that does not read it: it gives expressions their methods.
+  const glsl = createBuilder(session)
+  const make = (name: string) => {
+    if (name === 'glsl') return glsl
+    const [vector, i] = namedParts[name as keyof typeof namedParts] ?? []
+    // p5 has millis(), and a component may be called too.
+    return callable(name, vector ? part(session, inputs[vector]!, i!) : inputs[name]!)
+  }
+  const names = [...offsetInputs.keys()]
+  const unknown = (name: string) =>
+    `An offset function gets no "${name}"; ${didYouMean(name, names, `it gets ${names.join(', ')}, and uniforms by the option "uniforms".`, meant)}`
+  return lazyObject(refusing(unknown), { names: offsetInputs, make }) as WarpInputs
+}

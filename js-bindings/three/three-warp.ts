@@ -1,0 +1,112 @@
+// A warp for three.js, whatever it is put on: texts for both renderers, and the same warp on the CPU, at the time of `update`.
+import {
+  type FrameConstants,
+  type HostText,
+  HostWarp,
+  type OffsetFunction,
+  type Result,
+  type Target,
+  type Vertices,
+  shaderNames,
+} from '../compile/hosts.js'
+import { remembered } from './remembered.js'
+import type { Settings } from './settings.js'
+import { type UniformHandle, handlesOf } from './uniforms.js'
+import { three } from './values.js'
+
+/** The last of position, normal and tangent that a text computes. */
+export type Turned = 'position' | 'normal' | 'tangent'
+
+const resultsOf: Record<Turned, readonly Result[]> = {
+  position: ['offset', 'position'],
+  normal: ['offset', 'position', 'normal'],
+  tangent: ['offset', 'position', 'normal', 'tangent'],
+}
+
+interface Box {
+  min: number[]
+  max: number[]
+  uvs?: { min: number[]; max: number[] } | undefined
+}
+
+export class ThreeWarp extends HostWarp {
+  /** Maps the user's names to uniforms, as three.js has them. */
+  readonly handles: Readonly<Record<string, UniformHandle<unknown>>>
+  /** In milliseconds. */
+  readonly millis = { value: 0 }
+  /** `true` if it mirrors all of space with the present uniforms. */
+  readonly isMirroredNow = remembered(
+    () => this.numbers(),
+    () => this.isMirrored(this.given),
+  )
+  private readonly texts = new Map<string, HostText>()
+  private hash: string | undefined
+
+  /** Calls the offset function. */
+  constructor(
+    offset: OffsetFunction,
+    readonly settings: Settings,
+  ) {
+    super(settings.method, offset, {
+      host: three,
+      uniforms: settings.uniforms,
+      target: 'glsl300',
+      names: { millis: shaderNames.millis },
+      tangents: true,
+      surfaceVariation: settings.surfaceVariation ?? true,
+    })
+    this.handles = handlesOf(settings.method, this.uniforms)
+  }
+
+  textFor(target: Target, turned: Turned, names: Record<string, string>): HostText {
+    const key = JSON.stringify([target, turned, names])
+    let text = this.texts.get(key)
+    if (!text) this.texts.set(key, (text = this.text(target, resultsOf[turned], { names })))
+    return text
+  }
+
+  /** The numbers that the place of a vertex depends on now. */
+  numbers(): number[] {
+    return this.state(this.given)
+  }
+
+  frameNow(): FrameConstants {
+    return this.frame(this.given)
+  }
+
+  /** Moves vertices with the present uniforms. Some may have numbers that are not finite. */
+  evaluateNow(vertices: Vertices) {
+    return this.evaluate(vertices, this.given)
+  }
+
+  /** Bounds of the places that the warp makes of a box now, or of how far it moves them. */
+  boundsNow(place: 'position' | 'offset', box: Box) {
+    return this.cpu(place).bounds(box, { uniforms: this.given })
+  }
+
+  /** Warps of equal text have equal keys. */
+  get key(): string {
+    return (this.hash ??= this.hashOfText())
+  }
+
+  private get given() {
+    return { millis: this.millis.value }
+  }
+
+  private hashOfText() {
+    const { code, declarations } = this.text('glsl300', resultsOf.tangent)
+    const types = this.uniforms.inShader.map(({ type }) => type)
+    return hash([this.settings.space, types, code, declarations].join('\n'))
+  }
+}
+
+/** 64 bits, of two hashes that begin and multiply differently. */
+function hash(text: string) {
+  let [low, high] = [0x811c9dc5, 0x9747b28c]
+  for (let i = 0; i < text.length; i++) {
+    low = Math.imul(low ^ text.charCodeAt(i), 0x01000193)
+    high = Math.imul(high ^ text.charCodeAt(i), 0x5bd1e995)
+    high ^= high >>> 13
+  }
+  return `${(low >>> 0).toString(36)}${(high >>> 0).toString(36)}`
+}
