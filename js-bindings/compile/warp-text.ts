@@ -1,5 +1,7 @@
 // From an offset function to the module of its warp, once, and from there to texts.
-import { callable, createBuilder, operationNumber } from '../core/expression/builder.js'
+import { createBuilder } from '../core/expression/builder.js'
+import { callable } from '../core/expression/methods.js'
+import { operationNumber } from '../core/expression/operations.js'
 import {
   type Compiled,
   type CompileOptions,
@@ -30,6 +32,7 @@ import {
 import { lazyObject } from '../core/lazy-object.js'
 import { didYouMean, refusing } from '../errors/nearest.js'
 import { checkCallback, checkOptions } from '../options/options.js'
+import { Place } from '../options/place.js'
 import type {
   OffsetFunction,
   UniformOptions,
@@ -417,7 +420,7 @@ function checkOffset(session: Session, method: string, offset: unknown): Express
     throw new WarpError(
       `${method}: ${expected}, but returned ${describe(offset)}${offset === undefined ? ' (is its "return" missing?)' : offset instanceof Promise ? ' (leave its "async" out)' : ''}.`,
     )
-  const vector = toExpression(session, method, offset, 'the offset')
+  const vector = toExpression(session, offset, new Place(method, 'the offset'))
   const [columns, rows] = session.shapeOf(vector)
   if (columns !== 1 || rows !== 3)
     throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)

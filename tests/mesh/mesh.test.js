@@ -269,7 +269,7 @@ describe('where the bytes come from', () => {
     await rejects(() => loadMesh(exportGLB(mesh), { resolve: 7 }), /"resolve".*the number 7/)
     await rejects(
       () => loadMesh(exportGLB(mesh), { resolver: () => buffer }),
-      /^loadMesh: there is no option "resolver"; there are resolve, as, decoders\./,
+      /^loadMesh: there is no option "resolver"; did you mean resolve\? There are resolve, as, decoders\./,
     )
   })
 })
@@ -493,10 +493,10 @@ describe('subdivide', () => {
     refused({ levels: 1.5 }, /"levels" must be a whole number from 0 to 15/)
     refused({ levels: 1, maxTriangles: 0 }, /"maxTriangles" must be a whole number/)
     refused({ levels: 1, maxTriangles: 2 ** 28 + 1 }, /"maxTriangles" must be .* from 1 to 2\^28,/)
-    refused({ levels: 1, maxTriangle: 1 }, /^subdivide: there is no option "maxTriangle"; there/)
+    refused({ levels: 1, maxTriangle: 1 }, /^subdivide: there is no option "maxTriangle"; did you mean maxTriangles\? There/)
     refused(
       { warp: twist, tolerance: 1, angel: 1 },
-      /^subdivide: there is no option "angel"; there/,
+      /^subdivide: there is no option "angel"; did you mean angle\? There/,
     )
     refused({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
   })

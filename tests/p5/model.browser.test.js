@@ -332,7 +332,7 @@ for (const [version, p5] of p5InThisRun) {
           `loadWarpModel: ${url}/none.glb cannot be loaded; the server answered 404.`,
           errors[3][1],
           'loadWarpModel: there is no option "size"; there are normalize, flipY, decoders.',
-          'loadWarpModel: the options must be an object, but are the boolean true.',
+          'loadWarpModel: expected an object of options, got the boolean true.',
         ],
       )
       assert.match(errors[3][1], /^loadWarpModel: .*\.$/)

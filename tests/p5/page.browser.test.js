@@ -76,9 +76,9 @@ for (const [version, p5] of p5InThisRun) {
 
     test('says in a WarpError what is wrong, and goes on drawing', async () => {
       const cases = {
-        'createWarp(3)': /a function was expected, but the number 3 came/,
+        'createWarp(3)': /expected a function, got the number 3/,
         'createWarp(() => 3)': /must return a vec3/,
-        'createWarp(warp, 3)': /options must be an object/,
+        'createWarp(warp, 3)': /expected an object of options, got/,
         'createWarp(warp, { colour: 1 })': /no option "colour"/,
         'createWarp(warp, { type: "shiny" })': /"type" must be "specular" or "normal"/,
         'createWarp(warp, { space: "moon" })': /"space" must be "local" or "world" or "camera"/,

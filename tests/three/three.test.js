@@ -404,7 +404,7 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
     ],
     'an offset that is none': [
       () => warp(mesh, 5),
-      /^warp: a function was expected, but the number 5 came/,
+      /^warp: expected a function, got the number 5/,
     ],
     'an offset that gives a number': [
       () => warp(mesh, () => 5),

@@ -5,7 +5,8 @@ import { WarpError, describe } from '../../errors/errors.js'
 import { Expression, toExpression } from './expression.js'
 import type { KeptModule, Target } from '../module/kept-module.js'
 import { describeShape } from '../../errors/describe.js'
-import { isCallable } from '../../options/options.js'
+import { isCallable } from '../../options/guards.js'
+import { Place } from '../../options/place.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
 import { noteIdle, noteUnused } from './idle.js'
 import { callerOutside } from './source-lines.js'
@@ -112,9 +113,7 @@ export class Session {
   input(label: unknown, [columns, rows]: Shape, method: string): Expression {
     const id = this.open(method)
     if (typeof label !== 'string')
-      throw new WarpError(
-        `${method}: the name of a shader variable was expected, but ${describe(label)} came.`,
-      )
+      throw new Place(method).expected('the name of a shader variable', describe(label))
     return this.expression(this.core.input(id, method, label, columns, rows))
   }
 
@@ -308,9 +307,8 @@ export class Session {
     const partialOf = (given: unknown, i: number) =>
       toExpression(
         this,
-        name,
         isCallable(given) ? given(...(operands as never[])) : given,
-        `derivative ${i + 1}`,
+        new Place(name, `derivative ${i + 1}`),
       )
     this.nesting++
     let partials: Expression[]
@@ -366,5 +364,5 @@ const conditions = new Set(['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'no
 /** The name of a result must be a text; whether it will do, a language says. */
 export function resultName(name: unknown, method: string): string {
   if (typeof name === 'string') return name
-  throw new WarpError(`${method}: the name of a result must be a text, but is ${describe(name)}.`)
+  throw new Place(method, 'the name of a result').expected('a text', describe(name))
 }
