@@ -3,6 +3,7 @@
  * source, and makes `glsl.source` work wherever an offset function gets `glsl`.
  */
 import { registerFrontEnd } from './glsl-source/call.js'
+import { registerExactNormals } from './p5/exact-normals/register.js'
 
 export { WarpError } from './errors/errors.js'
 export { differentiate, type DifferentiateOptions } from './glsl-source/differentiate.js'
@@ -11,3 +12,4 @@ export { glslOffset, type GlslOffset, type GlslOffsetOptions } from './glsl-sour
 export type { GlslOptions } from './glsl-source/options.js'
 
 registerFrontEnd()
+registerExactNormals()

@@ -1,5 +1,5 @@
 // `differentiate`: a function of shader text as the text of one that gives its derivatives too.
-import { compile } from '../compile/compile.js'
+import { compile } from '#text-compiler'
 import { WarpError, describe } from '../errors/errors.js'
 import { checkOptions } from '../options/options.js'
 import type { Builder } from '../core/expression/builder.js'

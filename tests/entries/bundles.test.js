@@ -45,8 +45,10 @@ test('files keep their names from one release to the next', () => {
     'operating',
     'p5-addon',
     'p5-hooks',
+    'surface-variation',
     'three-warp',
     'translating',
+    'with-mesh',
   ]
   assert.deepEqual(
     files.filter((file) => file.startsWith('dist/shared/')),
@@ -211,5 +213,9 @@ test('no module imports what a bundler cannot follow', () => {
     for (const [, asked] of read(file).matchAll(/\bimport\s*\(([^)]*)\)/g))
       // Node alone runs what bundlers are asked to leave as it is.
       if (!asked.includes('/* webpackIgnore: true */'))
-        assert.match(asked, /^(["'])(\.\.\/mesh\.js|https:.*|meshoptimizer|draco3dgltf)\1$/, file)
+        assert.match(
+          asked,
+          /^(["'])(\.\/(?:surface-variation|with-mesh)\.js|https:.*|meshoptimizer|draco3dgltf)\1$/,
+          file,
+        )
 })

@@ -1,10 +1,11 @@
 // What `npm i warpjet` brings.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { readFileSync, readdirSync } from 'node:fs'
+import { existsSync, readFileSync, readdirSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
+import { bundles, declared, sources } from '../../.scripts/lib/entries.mjs'
 
 const root = fileURLToPath(new URL('../../', import.meta.url))
 
@@ -38,28 +39,21 @@ test('the package holds what a user needs and nothing else', () => {
     'package.json',
     'web/gallery.png',
   ])
-  const modules = [
-    'warpjet',
-    'text',
-    'p5',
-    'p5.browser',
-    'autodiff',
-    'mesh',
-    'deformers',
-    'cli',
-    'three',
-    'three.webgpu',
-    'babylon',
-    'react',
-  ]
-  const single = ['warpjet.min', 'mesh.min', 'p5.warpjet.min', 'warpjet.deformers.min']
-  for (const file of [...modules, ...single])
-    assert.ok(
-      files.some(({ path }) => path === `dist/${file}.js`),
-      file,
-    )
-  assert.ok(files.some(({ path }) => path === 'dist/types/index.d.ts'))
+  const packed = new Set(files.map(({ path }) => path))
+  const ours = bundles.filter((file) => file !== 'dist/memory.js')
+  for (const file of [...ours, ...declared.map((name) => `dist/types/${name}.d.ts`)])
+    assert.ok(packed.has(file), file)
   assert.ok(!files.some(({ path }) => path.startsWith('dist/memory.')))
+})
+
+test('files with side effects are files of the package and their sources', () => {
+  const { sideEffects } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  for (const file of sideEffects) assert.ok(existsSync(`${root}${file}`), file)
+  // A bundler must keep what an entry does when it is loaded.
+  const acts = (file) => /^[\w.]+\(/m.test(readFileSync(`${root}${file}`, 'utf8'))
+  const acting = sources.filter(acts)
+  assert.ok(acting.includes('js-bindings/glsl.ts'))
+  for (const file of acting) assert.ok(sideEffects.includes(`./${file}`), file)
 })
 
 test('every entry loads in Node, without a DOM and without p5', async () => {
@@ -80,17 +74,10 @@ test('every entry loads in Node, without a DOM and without p5', async () => {
 
 test('require loads every entry, in the versions of Node that package.json names', () => {
   const require = createRequire(import.meta.url)
-  for (const entry of [
-    '',
-    '/text',
-    '/p5',
-    '/autodiff',
-    '/mesh',
-    '/deformers',
-    '/three',
-    '/three/webgpu',
-    '/react',
-  ])
+  const { exports } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  const entries = Object.keys(exports).filter((key) => exports[key].default?.startsWith('./dist/'))
+  assert.ok(entries.length > 10)
+  for (const entry of entries.map((key) => key.slice(1)))
     assert.ok(Object.keys(require(`warpjet${entry}`)).length, entry)
   // The first of each line that has require for modules.
   const { engines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))

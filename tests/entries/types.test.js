@@ -126,11 +126,11 @@ test('an editor says what operations do', () => {
 
 test('an editor says something of all that an expression and the builder have', () => {
   const program = ts.createProgram(
-    [`${root}dist/types/index.d.ts`],
+    [`${root}dist/types/warpjet.d.ts`],
     ts.convertCompilerOptionsFromJson(optionsFor(modules, 'bundler'), project).options,
   )
   const checker = program.getTypeChecker()
-  const source = program.getSourceFile(`${root}dist/types/index.d.ts`)
+  const source = program.getSourceFile(`${root}dist/types/warpjet.d.ts`)
   const exported = checker.getExportsOfModule(checker.getSymbolAtLocation(source))
   const silent = ['Scalar', 'Vec2', 'Vec3', 'Vec4', 'Mat2', 'Mat3', 'Mat4', 'Glsl'].flatMap(
     (name) => {

@@ -325,7 +325,32 @@ test('an expression that is printed says what it is', async () => {
   for (const text of components) assert.match(text, /^["'`]an expression of warpjet["'`]\(.{1,60}$/)
 })
 
-test('what JavaScript takes without a word is noted, with the line', async () => {
+test('a condition that decides nothing is noted, with the line', async () => {
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5InThisRun[0][1], '/dist/p5.warpjet.min.js'],
+    `function setup() {
+  createCanvas(20, 20, WEBGL)
+  noLoop()
+  createWarp(({ glsl, position }) => {
+    if (position.y.gt(0)) return glsl.vec3(1, 0, 0)
+    return glsl.vec3(0, 0, 0)
+  })
+  createWarp(({ glsl, position }) => glsl.vec3(position.x.lt(0) ? 1 : 2, !position.y.lt(0) ? 3 : 4, 0))
+  done = true
+}`,
+  )
+  await leavePage(page)
+  const note = `A condition decides nothing (line): JavaScript's if, ?:, && and ! take every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
+  assert.deepEqual(messages.map(withoutLine), [note, note])
+  const numbers = messages.map((text) => +/line (\d+)\)/.exec(text)[1])
+  assert.equal(numbers[1] - numbers[0], 3)
+})
+
+const withoutLine = (text) => text.replace(/ \(\S+, line \d+\)/, ' (line)')
+
+test('what operators read otherwise than JavaScript is noted', async () => {
   const scripts = [p5InThisRun[0][1], '/dist/p5.warpjet.min.js', '/dist/warpjet.operators.min.js']
   const { page, messages } = await runSketch(
     browser,
@@ -337,11 +362,6 @@ const methods = (offset) => createWarp((inputs) => offset(inputs), { scope: { of
 function setup() {
   createCanvas(20, 20, WEBGL)
   noLoop()
-  methods(({ glsl, position }) => {
-    if (position.y.gt(0)) return glsl.vec3(1, 0, 0)
-    return glsl.vec3(0, 0, 0)
-  })
-  methods(({ glsl, position }) => glsl.vec3(position.x.lt(0) ? 1 : 2, !position.y.lt(0) ? 3 : 4, 0))
   methods(({ glsl }) => glsl.vec3(0, millis(), 0))
   methods(({ glsl, millis, position }) => glsl.vec3(position.x.gt(0).ifElse(millis(), position().y), 0, 0))
   createWarp(({ position }) => {
@@ -355,18 +375,12 @@ function setup() {
   )
   const said = await page.evaluate('window.said')
   await leavePage(page)
-  const plain = (text) => text.replace(/ \(\S+, line \d+\)/, ' (line)')
-  const idle = `A condition decides nothing (line): JavaScript's if, ?:, && and ! take every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
-  assert.deepEqual(messages.map(plain), [
-    idle,
-    idle,
+  assert.deepEqual(messages.map(withoutLine), [
     "createWarp: p5's millis() stands still in a warp; take the millis that the offset function is given, as in ({ glsl, millis }) => ….",
     'list.push(x) stands in an if that is decided for each vertex, on the GPU, so it is called once, in any case, while the warp is made; set a variable there, or let JavaScript decide the if by numbers.',
   ])
   assert.equal(
-    plain(said),
+    withoutLine(said),
     'An if that is decided for each vertex returns something in one of its ways only; let the other return something too, such as return [0, 0, 0] at the end. (line)',
   )
-  const numbers = messages.slice(0, 2).map((text) => +/line (\d+)\)/.exec(text)[1])
-  assert.equal(numbers[1] - numbers[0], 3)
 })

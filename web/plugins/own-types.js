@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url'
 const path = (file) => fileURLToPath(new URL(`../../js-bindings/${file}`, import.meta.url))
 
 /** Entries whose functions sketches call, by host. */
-const entries = { p5: 'globals.ts', three: 'three.ts', both: 'index.ts' }
+const entries = { p5: 'globals.ts', three: 'three.ts', both: 'warpjet.ts' }
 
 /** Where the options of a function are declared, by its file and its name. */
 const optionsOf = {

@@ -1,6 +1,6 @@
 /** In the place of a sketch's hook that moves positions: one that calls it, and turns the normal by its exact derivative. */
 import { asOwn } from '../../errors/operators.js'
-import { compileWarp } from '../../compile/compile-warp-text.js'
+import { compileWarp } from '#text-compiler'
 import type { WarpText } from '../../compile/warp-text.js'
 import { WarpError } from '../../errors/errors.js'
 import { glslOffset } from '../../glsl-source/offset.js'

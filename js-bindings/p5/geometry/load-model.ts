@@ -1,6 +1,6 @@
 /** `loadWarpModel`: a file as a p5.Geometry. */
 import type { LoadModelOptions, Makers, WarpModel } from './model.js'
-import { importMesh } from './mesh-module.js'
+import { importMesh } from '#mesh'
 import { withOwnErrors } from '../page/own-errors.js'
 
 export type { LoadModelOptions, WarpModel } from './model.js'

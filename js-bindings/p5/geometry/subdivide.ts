@@ -5,7 +5,7 @@ import type { Makers, WarpModel } from './model.js'
 import type { AdaptiveOptions, LevelsOptions } from '../../mesh/subdivide.js'
 import { emptyModel } from './load-model.js'
 import { madeWarpOf, onCpu } from '../made-warps.js'
-import { importMesh } from './mesh-module.js'
+import { importMesh } from '#mesh'
 import { withOwnErrors } from '../page/own-errors.js'
 import { inputsNow } from '../sketch-uniforms.js'
 

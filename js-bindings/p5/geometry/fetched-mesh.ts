@@ -1,6 +1,6 @@
 /**
- * `mesh-module.ts` for the single script, which has 'warpjet/mesh' as a file beside it. A relative import would not do: a
- * script from another server, such as a CDN, has no address of its own to start from.
+ * Loads the mesh module for the page's main script: it is the file mesh.min.js beside that. A relative import would not do,
+ * since a script from another server, such as a CDN, has no address of its own to start from.
  */
 import { WarpError } from '../../errors/errors.js'
 import { version } from '../../generated/version.js'

@@ -1,2 +1,0 @@
-/** Loads the mesh module when it is first needed; a bundler makes it a file of its own. */
-export const importMesh = (_method: string) => import('./with-mesh.js')
