@@ -51,8 +51,7 @@ const computed = <Given, Value>(settings: Settings<Value>): Kind<Computed<Value>
   read(option, place) {
     const { default: standard, expected, rows, acceptsConstant, make } = settings
     const given = option === undefined ? standard : option
-    const method = `${place.method}: ${place.subject}`
-    const compute = isCallable(given) ? readOperators(given, { method }) : undefined
+    const compute = isCallable(given) ? readOperators(given, { method: `${place}` }) : undefined
     const wrong = (got: string) =>
       compute
         ? place.error(

@@ -12,6 +12,10 @@ export class Place {
     private readonly path = '',
   ) {}
 
+  toString(): string {
+    return this.subject ? `${this.method}: ${this.subject}` : this.method
+  }
+
   /** Another part of the same call. */
   part(subject: string): Place {
     return new Place(this.method, subject)
