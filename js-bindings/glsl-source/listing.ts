@@ -1,6 +1,6 @@
 // From shader text to a plain list of operations, once; it knows no session and outlives the wasm's memory.
 import { type GlslModule, type SourceHandle, getGlsl } from '../wasm/glsl.js'
-import { WarpError } from '../errors/errors.js'
+import type { Place } from '../options/place.js'
 import type { Shape } from '../core/expression/shapes.js'
 
 /** What a text calls from outside: a parameter of a function, or a uniform or attribute of the text. */
@@ -35,14 +35,14 @@ export interface Listing {
 
 /** Does some work with a text that was read, and closes it whatever happens. Throws a `WarpError` with line, column and a caret. */
 export function withSource<Result>(
-  method: string,
+  place: Place,
   text: string,
   work: (source: OpenSource) => Result,
 ): Result {
   const glsl = getGlsl()
   const handle = glsl.openSource(text)
   try {
-    return work(new OpenSource(method, glsl, handle))
+    return work(new OpenSource(place, glsl, handle))
   } finally {
     if (!glsl.isBroken) glsl._closeSource(handle)
   }
@@ -52,7 +52,7 @@ export class OpenSource {
   readonly functions: FunctionHead[]
 
   constructor(
-    private readonly method: string,
+    private readonly place: Place,
     private readonly glsl: GlslModule,
     private readonly handle: SourceHandle,
   ) {
@@ -62,19 +62,19 @@ export class OpenSource {
 
   private refuseProblem() {
     const problem = this.glsl.sourceProblem(this.handle)
-    if (problem) throw new WarpError(`${this.method}: ${problem}`)
+    if (problem) throw this.place.error(problem)
   }
 
   /** The one of that name; without a name `offset`, or the last. */
   find(name: string | undefined): FunctionHead {
-    const { functions, method } = this
+    const { functions, place } = this
     if (functions.length === 0)
-      throw new WarpError(`${method}: the source has no function; write one that gives a value.`)
+      throw place.error('the source has no function; write one that gives a value.')
     const named = functions.filter((each) => each.name === (name ?? 'offset'))
     if (named.length > 0) return named.at(-1)!
     if (name === undefined) return functions.at(-1)!
-    throw new WarpError(
-      `${method}: the source has no function "${name}"; there are ${functions.map((each) => each.name).join(', ')}.`,
+    throw place.error(
+      `the source has no function "${name}"; there are ${functions.map((each) => each.name).join(', ')}.`,
     )
   }
 
