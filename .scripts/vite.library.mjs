@@ -14,8 +14,6 @@ const external = [
   '@react-three/fiber',
   /^@babylonjs\//,
   /^node:/,
-  'meshoptimizer',
-  'draco3dgltf',
 ]
 
 const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`

@@ -3,7 +3,7 @@ import { describe } from '../errors/errors.js'
 import { anything, optional } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
 import { type KindsOf, object } from '../options/schema.js'
-import { importFromWorkingFolder } from './sources.js'
+import { importFromWorkingFolder, importPackage } from './sources.js'
 
 /** `MeshoptDecoder` of the package meshoptimizer. */
 export interface MeshoptDecoder {
@@ -27,7 +27,7 @@ export interface DracoDecoderModule {
 
 /**
  * Decoders of compressed glTF files. The default of each is the page's global `MeshoptDecoder` or `DracoDecoderModule`, or the
- * installed package.
+ * package: in Node the installed one, in a page the one that an import map names. A project with a bundler gives its decoder.
  */
 export interface Decoders {
   /** For `EXT_meshopt_compression` and `KHR_meshopt_compression`: `MeshoptDecoder` of the package meshoptimizer. */
@@ -48,7 +48,6 @@ export type Codec = keyof Decoders
 interface Source {
   global: string
   package: string
-  find(): Promise<unknown>
   /** Resolves to a ready decoder made from the caller's value; `undefined` if that is no decoder. */
   prepare(given: unknown): Promise<unknown>
 }
@@ -60,7 +59,6 @@ const sources: Record<Codec, Source> = {
   meshopt: {
     global: 'MeshoptDecoder',
     package: 'meshoptimizer',
-    find: () => import('meshoptimizer'),
     async prepare(given) {
       const decoder = await given
       if (!isObject(decoder) || typeof decoder.decodeGltfBuffer !== 'function') return undefined
@@ -71,7 +69,6 @@ const sources: Record<Codec, Source> = {
   draco: {
     global: 'DracoDecoderModule',
     package: 'draco3dgltf',
-    find: () => import('draco3dgltf'),
     async prepare(given) {
       let module: unknown = await given
       // A CommonJS package is the default export of its module in Node.
@@ -111,9 +108,9 @@ export async function findDecoder(
       : place.part(`the global ${source.global}`)
     throw where.expected(`the decoder of the package ${source.package}`, describe(given))
   }
-  for (const find of [source.find, () => importFromWorkingFolder(source.package)])
+  for (const find of [importPackage, importFromWorkingFolder])
     try {
-      const decoder = await source.prepare(memberOr(await find(), source.global))
+      const decoder = await source.prepare(memberOr(await find(source.package), source.global))
       if (decoder) return decoder
     } catch {
       // The package is not installed, or a page has no way to it.

@@ -178,6 +178,13 @@ export function resolveBeside(model: URL, place: Place, canDoWithout = false): R
   }
 }
 
+/**
+ * A package that is installed beside this library in Node, or that the page's import map names. Bundlers leave the import as it
+ * is: webpack would fail where the package is missing, and where it is there, on what it imports of Node.
+ */
+export const importPackage = (name: string): Promise<unknown> =>
+  import(/* @vite-ignore */ /* webpackIgnore: true */ name)
+
 /** A package that is installed where Node was started, which need not be where this library is, as with npx. */
 export async function importFromWorkingFolder(name: string): Promise<unknown> {
   const here = node()

@@ -213,9 +213,5 @@ test('no module imports what a bundler cannot follow', () => {
     for (const [, asked] of read(file).matchAll(/\bimport\s*\(([^)]*)\)/g))
       // Node alone runs what bundlers are asked to leave as it is.
       if (!asked.includes('/* webpackIgnore: true */'))
-        assert.match(
-          asked,
-          /^(["'])(\.\/(?:surface-variation|with-mesh)\.js|https:.*|meshoptimizer|draco3dgltf)\1$/,
-          file,
-        )
+        assert.match(asked, /^(["'])(\.\/(?:surface-variation|with-mesh)\.js|https:.*)\1$/, file)
 })

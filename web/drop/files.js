@@ -1,5 +1,6 @@
 /** Models as the page gets them: from the visitor's files, or from the gallery. */
 import { loadMesh } from '../../dist/mesh.js'
+import { MeshoptDecoder } from 'meshoptimizer'
 import dracoWasm from 'draco3dgltf/draco_decoder_gltf.wasm?url'
 import { airplane } from '../models/airplane.js'
 import { bunny } from '../models/bunny.js'
@@ -9,8 +10,9 @@ const readable = /\.(glb|gltf|obj|stl)$/i
 
 const advice = 'drop a .glb, a .gltf or .obj with its files, or an .stl'
 
-/** Draco's decoder, fetched when a model needs it; that of meshopt is found by the library itself. */
 const decoders = {
+  meshopt: MeshoptDecoder,
+  // Fetched when a model needs it.
   draco: async () => {
     const { default: draco } = await import('draco3dgltf')
     return draco.createDecoderModule({ locateFile: () => dracoWasm })
