@@ -1,6 +1,7 @@
 // The options of `warp` and `warpMaterial`, checked.
-import { WarpError, describe } from '../errors/errors.js'
-import { checkOptions } from '../options/options.js'
+import { anything, boolean, kind, oneOf, optional } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
 import type { UniformExpressions, UniformValue, WarpInputs } from '../core/types/types.js'
 import type { Vec3 } from '../core/types/expressions.js'
 import type { PlainOf, ThreeUniforms } from './uniforms.js'
@@ -11,8 +12,6 @@ import type { PlainOf, ThreeUniforms } from './uniforms.js'
  * when all of these are done.
  */
 export type WarpSpace = 'local' | 'rest' | 'world'
-
-const spaces: readonly WarpSpace[] = ['local', 'rest', 'world']
 
 export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
   /** `'local'` unless given. */
@@ -45,20 +44,18 @@ export interface Settings {
   surfaceVariation: false | undefined
 }
 
-export function readOptions(method: string, options: WarpOptions<object> = {}): Settings {
-  checkOptions(method, options, ['space', 'uniforms', 'share', 'surfaceVariation'])
-  const { space = 'local', uniforms, share = false, surfaceVariation } = options
-  if (!spaces.includes(space))
-    throw new WarpError(
-      `${method}: the option "space" must be 'local', 'rest' or 'world', but is ${describe(space)}.`,
-    )
-  if (typeof share !== 'boolean')
-    throw new WarpError(
-      `${method}: the option "share" must be true or false, but is ${describe(share)}.`,
-    )
-  if (surfaceVariation !== undefined && surfaceVariation !== false)
-    throw new WarpError(
-      `${method}: the option "surfaceVariation" can only be false, but is ${describe(surfaceVariation)}; addSurfaceVariation(geometry) says how a geometry varies.`,
-    )
-  return { method, space, uniforms: uniforms as never, isShared: share, surfaceVariation }
+const options = object({
+  space: oneOf(['local', 'rest', 'world'], 'local'),
+  uniforms: anything<object>(),
+  share: boolean(false),
+  surfaceVariation: optional(
+    kind<false>('only false', (given) => given === false, {
+      advice: () => 'addSurfaceVariation(geometry) says how a geometry varies',
+    }),
+  ),
+} satisfies KindsOf<WarpOptions<object>>)
+
+export function readOptions(method: string, given?: WarpOptions<object>): Settings {
+  const { uniforms, share, ...others } = options.read(given, new Place(method))
+  return { method, ...others, uniforms: uniforms as never, isShared: share }
 }

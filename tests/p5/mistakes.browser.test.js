@@ -150,14 +150,11 @@ const calls = {
     'createWarp: expected an object of options, got the text "world".',
   [`createWarp(still, { spaces: 'world' })`]:
     'createWarp: there is no option "spaces"; did you mean space? There are uniforms, type, space, defs, surfaceVariation, stroke, returns, shader, hooks, scope.',
-  [`createWarp(still, { space: 'wold' })`]:
-    'createWarp: the option "space" must be "local" or "world" or "camera", but is the text "wold".',
-  [`createWarp(still, { type: 'phong' })`]:
-    'createWarp: the option "type" must be "specular" or "normal", but is the text "phong".',
+  [`createWarp(still, { space: 'wold' })`]: `createWarp: expected 'local', 'world' or 'camera' for the option "space", got the text "wold".`,
+  [`createWarp(still, { type: 'phong' })`]: `createWarp: expected 'specular' or 'normal' for the option "type", got the text "phong".`,
   [`createWarp(still, { stroke: 'red' })`]:
-    'createWarp: the option "stroke" must be true or false, but is the text "red".',
-  [`createWarp(still, { returns: 'normal' })`]:
-    'createWarp: the option "returns" must be "offset" or "position", but is the text "normal".',
+    'createWarp: expected true or false for the option "stroke", got the text "red".',
+  [`createWarp(still, { returns: 'normal' })`]: `createWarp: expected 'offset' or 'position' for the option "returns", got the text "normal".`,
   [`createWarp(still, { uniforms: { amount: 'big' } })`]:
     'createWarp: the uniform "amount" must be a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that gives one of them, but is the text "big".',
   'createWarp(warpjet.compilWarp)':

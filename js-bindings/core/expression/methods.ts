@@ -131,6 +131,11 @@ function defineComponents(name: string, indices: readonly number[]) {
   })
 }
 
+export function rejectMore(name: string, others: readonly unknown[]) {
+  if (others.length > 0)
+    throw new WarpError(`${name}: it takes fewer arguments; ${describe(others[0])} is too many.`)
+}
+
 /**
  * An expression that gives itself when it is called. A console prints the source of a function, which so begins with what it is:
  * as the name of a property, since minifiers keep those.
@@ -138,10 +143,7 @@ function defineComponents(name: string, indices: readonly number[]) {
 export function callable(name: string, expression: Expression): Expression {
   const [component] = Object.values({
     'an expression of warpjet'(...others: unknown[]) {
-      if (others.length > 0)
-        throw new WarpError(
-          `${name}: it takes fewer arguments; ${describe(others[0])} is too many.`,
-        )
+      rejectMore(name, others)
       return expression
     },
   })
