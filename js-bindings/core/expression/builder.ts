@@ -1,6 +1,5 @@
 // `glsl`, as a sketch gets it: makes inputs and constants, and has every operation as a function. Operations are also
 // methods of expressions.
-import { describe } from '../../errors/describe.js'
 import { WarpError } from '../../errors/errors.js'
 import { frontEndKey } from '../../errors/front-end.js'
 import { didYouMean, refusing } from '../../errors/nearest.js'
@@ -10,7 +9,7 @@ import { madeOf, meantByFunctions, methodsOf, operationLists, sameAs } from './a
 import { gatherNumbers } from './by-component.js'
 import { type Expression, toExpression } from './expression.js'
 import { declareFunction } from './host-functions.js'
-import { installMethods } from './methods.js'
+import { installMethods, rejectMore } from './methods.js'
 import { callNoise, noiseKinds } from './noise.js'
 import { type Operation, getOperations } from './operations.js'
 import { repeat } from './repeat.js'
@@ -104,8 +103,7 @@ const val = new Place('val')
 const constant: Maker =
   (session) =>
   (value, ...others) => {
-    if (others.length > 0)
-      throw val.error(`it takes fewer arguments; ${describe(others[0])} is too many.`)
+    rejectMore(val.method, others)
     return toExpression(session, value, val, 1)
   }
 
