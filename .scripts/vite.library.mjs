@@ -8,13 +8,7 @@ import { path } from './lib/files.mjs'
 const { name, version, license } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
 
 // p5 is the page's own: the addon is handed it, or finds it as a global. So is three. Decoders of models are the user's choice. The command line runs in Node only.
-const external = [
-  'p5',
-  /^(three|react)(\/|$)/,
-  '@react-three/fiber',
-  /^@babylonjs\//,
-  /^node:/,
-]
+const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^@babylonjs\//, /^node:/]
 
 const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
@@ -84,7 +78,10 @@ const sharedFiles = [
     name: 'operating',
     test: /\/js-bindings\/operators\/(runtime|calls|functions|messages|values)\.ts$/,
   },
-  { name: 'translating', test: /\/js-bindings\/operators\/|\/node_modules\/acorn\// },
+  {
+    name: 'translating',
+    test: /\/js-bindings\/operators\/|\/node_modules\/(acorn|magic-string|@jridgewell\/sourcemap-codec)\//,
+  },
 ]
 
 export const moduleBuild = settings(

@@ -20,7 +20,8 @@ import {
 } from './runtime.js'
 import { type Definition, type Surroundings, surroundingsOf } from './surroundings.js'
 import { needsOf, returnsArray } from './needs.js'
-import { translate, unusedName } from './translate.js'
+import { unusedName } from './symbols.js'
+import { translate } from './translate.js'
 import type { Tree } from './tree.js'
 
 /** Values that a text may read by name, since it cannot see the variables around it. */

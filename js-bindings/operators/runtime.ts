@@ -112,6 +112,22 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
       )
     return select(condition, first, second)
   }
+  /** `choose` where a function returns early: the ways call `rest` for what comes after them. */
+  const returning = (
+    condition: unknown,
+    yes: (rest: Thunk) => unknown,
+    no: (rest: Thunk) => unknown,
+    get?: () => unknown[],
+    set?: (all: unknown[]) => void,
+    rest: Thunk = () => undefined,
+  ) =>
+    choose(
+      condition,
+      () => yes(rest),
+      () => no(rest),
+      get,
+      set,
+    )
   const move = (x: unknown, by: number) =>
     isWarped(x) ? glsl.add!(whole(x), by) : typeof x === 'bigint' ? x + BigInt(by) : Number(x) + by
 
@@ -124,6 +140,7 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     >),
     whole,
     choose,
+    returning,
     call,
     method,
     invoke,

@@ -129,7 +129,7 @@ test('NOTICE names every library that is compiled in', () => {
   const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
   // What the linker adds, and what Vite bundles; .cmake/wasm.cmake says which allocator is where.
   const others = ['emscripten', 'emmalloc', 'dlmalloc', 'musl', 'libc++', 'libc++abi', 'libunwind']
-  for (const name of [...others, 'compiler-rt', 'acorn'])
+  for (const name of [...others, 'compiler-rt', 'acorn', 'magic-string'])
     assert.match(notice, new RegExp(`${name.replaceAll('+', '\\+')}(?![+\\w])`), name)
   assert.doesNotMatch(notice, /embind/)
   const linked = readFileSync(`${root}.cmake/wasm.cmake`, 'utf8')
