@@ -3,6 +3,7 @@
 import { isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
+import { Place } from '../options/place.js'
 import { type ReadHelper, callsOf } from './calls.js'
 import { noteOnce, noteReadOnce, sayingSo } from './messages.js'
 import {
@@ -242,7 +243,7 @@ export function withOperators(
   { read, once = [], isPlain = false }: RunOptions = {},
 ): OffsetFunction {
   const run = function (this: unknown, inputs: WarpInputs) {
-    for (const name of once) noteReadOnce('createWarp', name)
+    for (const name of once) noteReadOnce(new Place('createWarp'), name)
     const outer = current
     current = operatorsOf(glslOf(inputs), { ...(read && { read }), isPlain })
     try {
