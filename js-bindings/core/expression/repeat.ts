@@ -1,6 +1,6 @@
 // `glsl.repeat`: its function is called once, and what it made of the state becomes the body of a loop.
 import type { Session } from './session.js'
-import { describe, isExpression } from '../../errors/describe.js'
+import { describe, describeShape, isExpression } from '../../errors/describe.js'
 import { callable, wholeNumber } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { type Expression, toExpression } from './expression.js'
@@ -30,11 +30,8 @@ export function repeat(
   const times = count.read(steps, place.argument(1))
   const next = body.read(step, place.argument(3))
   const state = new StateShape(session, start)
-  const results = session.repeat(
-    times,
-    state.starts,
-    (parts, i) => state.partsOfNext(next(state.from(parts), i)),
-    state.labels,
+  const results = session.repeat(times, state.starts, (parts, i) =>
+    state.partsOfNext(next(state.from(parts), i)),
   )
   return state.from(results)
 }
@@ -44,7 +41,7 @@ class StateShape {
   /** Missing for a state without names. */
   private readonly names: readonly string[] | undefined
   /** What messages call the parts. */
-  readonly labels: readonly string[]
+  private readonly labels: readonly string[]
   readonly starts: readonly Expression[]
 
   constructor(
@@ -86,7 +83,19 @@ class StateShape {
       throw place.error(
         `the function returns "${unknown}", but the state starts with ${names!.join(', ')}; start with it too.`,
       )
-    return this.partsOf(state, 'next value')
+    const nexts = this.partsOf(state, 'next value')
+    nexts.forEach((next, i) => this.rejectOtherShape(next, i))
+    return nexts
+  }
+
+  private rejectOtherShape(next: Expression, i: number) {
+    const [from, to] = [this.starts[i]!, next].map((each) =>
+      describeShape(this.session.shapeOf(each)),
+    )
+    if (from !== to)
+      throw place.error(
+        `${this.labels[i]} starts as ${from}, but the function makes it ${to}; start with ${to}.`,
+      )
   }
 
   /** The parts of a state, in the order in which it starts. */

@@ -2,24 +2,15 @@
 // the callback is over, whatever happened.
 import { type Core, type SessionHandle, getCore, laid } from '../../wasm/core.js'
 import { WarpError, describe } from '../../errors/errors.js'
-import { Expression, toExpression } from './expression.js'
+import { Expression } from './expression.js'
 import type { KeptModule, Target } from '../module/kept-module.js'
-import { describeShape } from '../../errors/describe.js'
-import { isCallable } from '../../options/guards.js'
 import { Place } from '../../options/place.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
-import { noteIdle, noteUnused } from './idle.js'
+import { type HostFunction, partialsOf } from './partials.js'
 import { callerOutside } from './source-lines.js'
 import type { HostSampling } from './sampling.js'
+import { UnusedExpressions } from './unused.js'
 import { failed, needsPartials } from '../../wasm/tables.js'
-
-/** A function of the host from numbers to a number, as the sketch declared it. */
-export interface HostFunction {
-  name: string
-  arity: number
-  /** One for each argument: a number, an expression, or a function from the arguments to one of them. */
-  derivatives: readonly unknown[] | undefined
-}
 
 /** A function of shader text, recorded by itself: numbers go in and come out. */
 export interface Recorded {
@@ -50,10 +41,7 @@ export class Session {
   private readonly core: Core = getCore()
   private readonly recorded = new Map<Recorded, number>()
   private id: SessionHandle | 0
-  /** Maps the handle of an unused expression to its note for the console. */
-  private readonly idle = new Map<number, () => void>()
-  /** Results of `copy()`, and of methods called on them. */
-  private copies: WeakSet<Expression> | undefined
+  private readonly unused = new UnusedExpressions()
   /** The handles of conditions. */
   private readonly conditions = new Set<number>()
   /** How many functions' derivatives are being asked for at this moment. */
@@ -127,13 +115,8 @@ export class Session {
   private push(id: SessionHandle, operands: readonly Expression[]) {
     for (const operand of operands) {
       this.core._push(id, operand.handle)
-      this.use(operand)
+      this.unused.use(operand)
     }
-  }
-
-  /** Says that something is made of it. */
-  use({ handle }: Expression) {
-    this.idle.delete(handle)
   }
 
   /** Returns whether a value is a condition: the result of a comparison, or of logic. */
@@ -144,23 +127,13 @@ export class Session {
   /** Copies the handle, so that a later call on the copy whose result is unused can be noted, as for a p5.Vector. */
   copyOf({ handle }: Expression): Expression {
     const copy = new Expression(this, handle)
-    this.copies ??= new WeakSet()
-    this.copies.add(copy)
+    this.unused.addCopy(copy)
     return copy
   }
 
-  /** To be called with what a method gave: of a copy it is noted if nothing is made of it. */
+  /** To be called with what a method gave. */
   followCopy(copy: Expression, method: string, result: unknown) {
-    if (!this.copies?.has(copy) || !(result instanceof Expression)) return
-    this.copies.add(result)
-    if (result.handle === copy.handle) return
-    const error = new Error()
-    this.idle.set(result.handle, () => noteUnused(method, error))
-  }
-
-  private watch(condition: number) {
-    const error = new Error()
-    this.idle.set(condition, () => noteIdle(error))
+    this.unused.follow(copy, method, result)
   }
 
   /** An operation by its number; a method's first operand is what it is called on. */
@@ -170,11 +143,11 @@ export class Session {
     const handle = (i: number) => (i < few ? operands[i]!.handle : 0)
     for (;;) {
       if (few < operands.length) this.push(id, operands)
-      else if (this.idle.size) operands.forEach((operand) => this.use(operand))
+      else if (this.unused.size) operands.forEach((operand) => this.unused.use(operand))
       const result = this.core._call(id, operation, isMethod, few, handle(0), handle(1), handle(2))
       if (result !== needsPartials) {
         if (conditions.has(method)) {
-          this.watch(result)
+          this.unused.watch(result)
           this.conditions.add(result)
         }
         return this.expression(result)
@@ -185,7 +158,7 @@ export class Session {
 
   swizzle(name: string, value: Expression, indices: readonly number[]): Expression {
     const id = this.open(name)
-    this.use(value)
+    this.unused.use(value)
     const packed = indices.reduce((bits, index, i) => bits | (index << (2 * i)), 0)
     const result = this.core._swizzle(id, value.handle, indices.length, packed)
     if (result === failed) throw new WarpError(`${name}: ${this.core.problem(id)}`)
@@ -243,7 +216,6 @@ export class Session {
     count: number,
     starts: readonly Expression[],
     body: (states: Expression[], step: Expression) => readonly Expression[],
-    names: readonly string[],
   ): Expression[] {
     const id = this.open('repeat')
     const statesFrom = (handle: number) =>
@@ -254,13 +226,6 @@ export class Session {
     let isOpen = true
     try {
       const nexts = body(states, this.expression(step))
-      nexts.forEach((next, i) => {
-        const [from, to] = [starts[i]!, next].map((each) => describeShape(this.shapeOf(each)))
-        if (from !== to)
-          throw new WarpError(
-            `repeat: ${names[i]!} starts as ${from}, but the function makes it ${to}; start with ${to}.`,
-          )
-      })
       isOpen = false
       this.push(id, nexts)
       return statesFrom(this.core._closeRepeat(id))
@@ -291,29 +256,19 @@ export class Session {
   }
 
   private givePartialsOf(id: SessionHandle, call: number) {
-    const { name, arity, derivatives } = this.functions[this.core._functionOfCall(id, call)]!
-    if (!derivatives)
-      throw new WarpError(
-        `${name}: its derivatives are needed here; give glsl.fn the option "derivatives", one for each argument.`,
-      )
-    if (this.nesting === 100)
-      throw new WarpError(
-        `${name}: its derivative needs a derivative of itself; write it with calls of functions instead.`,
-      )
+    const called = this.functions[this.core._functionOfCall(id, call)]!
     const operands = Array.from(
-      { length: arity },
+      { length: called.arity },
       (_, i) => new Expression(this, this.core._argumentOfCall(id, call, i)),
     )
-    const partialOf = (given: unknown, i: number) =>
-      toExpression(
-        this,
-        isCallable(given) ? given(...(operands as never[])) : given,
-        new Place(name, `derivative ${i + 1}`),
+    if (this.nesting === 100)
+      throw new WarpError(
+        `${called.name}: its derivative needs a derivative of itself; write it with calls of functions instead.`,
       )
     this.nesting++
     let partials: Expression[]
     try {
-      partials = Array.from(derivatives, partialOf)
+      partials = partialsOf(this, called, operands)
     } finally {
       this.nesting--
     }
@@ -332,7 +287,7 @@ export class Session {
 
   /** Adds a result under a name. */
   output(name: unknown, value: Expression, method: string) {
-    this.use(value)
+    this.unused.use(value)
     this.core.output(this.open(method), method, resultName(name, method), value.handle)
   }
 
@@ -352,7 +307,7 @@ export class Session {
   finish(): KeptModule {
     const id = this.open('finish')
     if (!this.core._finish(id)) this.refuse()
-    for (const note of this.idle.values()) note()
+    this.unused.noteAll()
     const at = this.core._keptWords(id) / 4
     const words = this.core.HEAPU32.slice(at, at + this.core._keptSize(id))
     return Object.assign(words as KeptModule, { others: this.others })
