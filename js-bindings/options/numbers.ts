@@ -1,6 +1,7 @@
 // The one way in which numbers of a caller are looked at: arrays of them, one by one.
-import { WarpError, describe } from '../errors/errors.js'
+import { describe } from '../errors/errors.js'
 import { isList } from './guards.js'
+import { Place } from './place.js'
 
 /** A test of numbers, and its word in messages. */
 export interface NumberTest {
@@ -60,9 +61,9 @@ export function takeNumbers(numbers: number[], value: unknown): boolean {
   return true
 }
 
-/** `count` finite numbers, as an array; `layout` says more of their order. */
+/** `count` numbers as an array; `layout` says more of their order. */
 export function readNumbers(
-  place: string,
+  place: Place | string,
   value: unknown,
   count: number,
   test = finiteFloat,
@@ -72,8 +73,12 @@ export function readNumbers(
   const fits = isList(list) && list.length === count
   const wrong = fits ? firstWrong(list, test) : -1
   if (fits && wrong < 0) return Array.from(list)
-  const expected =
-    count === 1 ? `a ${test.word}number` : `an array of ${count} ${test.word}numbers${layout}`
-  const came = fits ? `has ${inWords(list[wrong])} among them` : `is ${describe(value)}`
-  throw new WarpError(`${place} must be ${expected}, but ${came}.`)
+  throw Place.of(place).expected(
+    count === 1 ? `a ${test.word}number` : `an array of ${count} ${test.word}numbers${layout}`,
+    !fits
+      ? describe(value)
+      : count === 1
+        ? `${inWords(list[wrong])}`
+        : `one with ${inWords(list[wrong])}`,
+  )
 }

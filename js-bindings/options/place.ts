@@ -12,6 +12,13 @@ export class Place {
     private readonly path = '',
   ) {}
 
+  /** The place that a text such as `evaluate: the mesh` names, for callers that have no place. */
+  static of(place: Place | string): Place {
+    if (typeof place !== 'string') return place
+    const [, method, subject] = /^(.*?)(?:: (.*))?$/s.exec(place)!
+    return new Place(method!, subject)
+  }
+
   toString(): string {
     return this.subject ? `${this.method}: ${this.subject}` : this.method
   }

@@ -3,7 +3,7 @@ import { describe } from '../errors/errors.js'
 import { nearest } from '../errors/nearest.js'
 import { isList } from './guards.js'
 import type { GivenOf, Kind, ValueOf } from './kinds.js'
-import type { Place } from './place.js'
+import { Place } from './place.js'
 
 /** Maps the name of an option → its kind. */
 export type Kinds = Readonly<Record<string, Kind<unknown, any>>>
@@ -43,18 +43,26 @@ export const object = <All extends Kinds>(
 export function rejectUnknownOptions(
   given: unknown,
   known: readonly string[],
-  place: Place,
-  advice = (name: string) => listWithNearest(name, known),
+  at: Place | string,
+  advice?: (name: string) => string,
 ) {
   if (given === undefined) return
   if (typeof given !== 'object' || given === null || isList(given))
-    throw place.expected(place.subject ? 'an object' : 'an object of options', describe(given))
+    throw expectedObject(Place.of(at), given)
   for (const name in given)
     if (Object.hasOwn(given, name) && !known.includes(name))
-      throw place.error(
-        `there is no option "${name}"${place.subject && ` in ${place.subject}`}; ${advice(name)}`,
+      throw unknownOption(
+        Place.of(at),
+        `"${name}"`,
+        (advice ?? ((other) => listWithNearest(other, known)))(name),
       )
 }
+
+const expectedObject = (place: Place, given: unknown) =>
+  place.expected(place.subject ? 'an object' : 'an object of options', describe(given))
+
+const unknownOption = (place: Place, name: string, advice: string) =>
+  place.error(`there is no option ${name}${place.subject && ` in ${place.subject}`}; ${advice}`)
 
 function listWithNearest(name: string, known: readonly string[]) {
   const near = nearest(name, known)

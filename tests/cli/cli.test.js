@@ -402,7 +402,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     )
     await refuses(
       baking('model.glb', 'mouse.js', '--set', 'mouse=1'),
-      /"mouse" must be an array of 2/,
+      /expected an array of 2 finite numbers for the uniform "mouse"/,
     )
     await refuses(baking('gone.glb', 'named.js'), /loadMesh: the file .*gone\.glb does not exist/)
     await refuses(

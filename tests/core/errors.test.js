@@ -525,12 +525,12 @@ test('functions of the shader', () => {
 test('numbers for evaluate', () => {
   const { evaluate } = compile((glsl) => ({ r: glsl.vec2Param('v').x().add(glsl.param('x')) }))
   assert.deepEqual(evaluate({ v: [1, 2], x: 3 }), { r: 4 })
-  refuses(() => evaluate(), /evaluate: "v" must be an array of 2 numbers, but is undefined/)
+  refuses(() => evaluate(), /evaluate: expected an array of 2 numbers for "v", got undefined/)
   refuses(
     () => evaluate({ v: [1], x: 1 }),
-    /"v" must be an array of 2 numbers, but is an array of 1/,
+    /expected an array of 2 numbers for "v", got an array of 1/,
   )
-  refuses(() => evaluate({ v: [1, 2], x: '1' }), /"x" must be a number, but is the text "1"/)
+  refuses(() => evaluate({ v: [1, 2], x: '1' }), /expected a number for "x", got the text "1"/)
 })
 
 test('constants that only a derivative brings together', () => {
