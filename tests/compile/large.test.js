@@ -3,34 +3,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { loadMesh } from '../../dist/mesh.js'
 import { compile, compileWarp } from '../../dist/warpjet.js'
-
-/** The processor's time in microseconds, which other programs disturb little; the shortest of some runs. */
-async function timeOf(work, count, runs = 2) {
-  const times = []
-  while (times.length < runs) {
-    const start = process.cpuUsage()
-    await work(count)
-    const { user, system } = process.cpuUsage(start)
-    times.push(user + system)
-  }
-  return Math.min(...times)
-}
-
-const few = 1500
-const many = 12000
-
-/**
- * Eight times as many take eight times as long; where each is looked for among all, sixty-four times, each time that one
- * looks. A garbage collection or the engine's compiler may lengthen a run: then it is run again.
- */
-async function isLinear(work) {
-  let ratio
-  for (let attempt = 0; attempt < 5; attempt++) {
-    ratio = (await timeOf(work, many)) / (await timeOf(work, few))
-    if (ratio < 24) return
-  }
-  assert.fail(`eight times as many take ${ratio.toFixed(1)} times as long`)
-}
+import { few, isLinear, many, timeOf } from '../support/linear-time.js'
 
 const sumOf = (glsl, count, operand) => {
   let sum = glsl.param('first')
@@ -83,10 +56,6 @@ test('the option uniforms, also on the CPU', async () => {
   const evaluate = (count) =>
     warps.get(count).evaluateAt([0, 0, 0], { uniforms: { ...uniforms(count), first: 0 } })
   await isLinear(evaluate)
-  // It was 0.4 s. The engine compiles what is run in the first calls.
-  warps.set(10_000, make(10_000))
-  const milliseconds = (await timeOf(evaluate, 10_000, 20)) / 1000
-  assert.ok(milliseconds < 50, `${milliseconds} ms`)
 })
 
 /** A .gltf of so many nodes that each have a mesh, an accessor and a view of their own: 340 bytes of JSON each. */

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { compileWarp } from 'warpjet'
 import { differentiate, glslOffset } from 'warpjet/glsl'
+import { isLinear } from '../support/linear-time.js'
 
 const body = (statements, above = '') => `${above}\nvec3 offset(vec3 p) { ${statements} }`
 const quietly = { surfaceVariation: false }
@@ -261,17 +262,6 @@ test('types have the article that they are spoken with', () => {
   )
 })
 
-/** By how much longer 16 times as much takes; the machine may be busy, so that the best of several counts. */
-function growth(make, size) {
-  const time = (text) => {
-    const start = performance.now()
-    glslOffset(text)
-    return performance.now() - start
-  }
-  const best = (text) => Math.min(...Array.from({ length: 9 }, () => time(text)))
-  return best(make(16 * size)) / best(make(size))
-}
-
 const repeated = (count, make) => Array.from({ length: count }, (_, i) => make(i)).join(' ')
 
 const long = {
@@ -295,11 +285,8 @@ const long = {
   macros: (n) => body('return p;', `${repeated(n, (i) => `#define A${i} ${i}\n`)}`),
 }
 for (const [name, make] of Object.entries(long))
-  test(`16 times as many ${name} take about 16 times as long`, () => {
-    const times = growth(make, 750)
-    // Quadratic, it were 256.
-    assert.ok(times < 64, `${times} times as long`)
-  })
+  test(`the time for ${name} is in proportion to their number`, () =>
+    isLinear((count) => glslOffset(make(count))))
 
 test('functions that call each other twice, twenty deep', () => {
   const calls = (first, next, value) =>
