@@ -25,7 +25,7 @@ export interface GlslChoice {
   maxIterations?: number | undefined
 }
 
-/** The same as options of the command line. */
+/** The command line's options for these. */
 export const glslFlags = {
   function: { type: 'string' },
   returns: { type: 'string' },

@@ -37,7 +37,7 @@ interface Settings<Value> {
   default?: unknown
   /** Describes a constant in messages. */
   expected: string
-  /** How many numbers an expression has. */
+  /** The number of components of an expression. */
   rows: 1 | 3
   acceptsConstant(value: unknown): boolean
   /** Makes the value from a constant or an expression. */

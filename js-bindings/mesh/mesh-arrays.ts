@@ -67,7 +67,7 @@ const sizes: Partial<Record<FloatArray, number>> = { uvs: 2, colors: 4, tangents
 /** A geometry of three.js as a mesh. */
 export type MeshOrGeometry = MeshInput | Geometry
 
-/** What was given, a mesh or a geometry, as a mesh. */
+/** Converts a geometry to a mesh. */
 function meshOf(place: Place, given: unknown): unknown {
   if (!isGeometry(given)) return given
   if (given.attributes.position) return arraysOf(given)

@@ -22,9 +22,9 @@ const takers = new Set(
 )
 
 /** What a build calls for each module; `code` with its lines where they were, or nothing if there is nothing to translate. */
-export const translateModule = (code: string): string | undefined => translated(code)?.toString()
+export const translateModule = (code: string): string | undefined => translateCode(code)?.toString()
 
-function translated(code: string): MagicString | undefined {
+function translateCode(code: string): MagicString | undefined {
   if (!/\b(?:createWarp|compileWarp)\s*\(|['"]warpjet\b/.test(code)) return undefined
   let program: Tree
   try {
@@ -210,7 +210,7 @@ export const operators = () => ({
   transform(code: string, id: string) {
     if (!/\.(?:[cm]?[jt]sx?|vue|svelte)(?:\?|$)/.test(id) || /\/node_modules\//.test(id))
       return null
-    const text = translated(code)
+    const text = translateCode(code)
     if (!text) return null
     return { code: text.toString(), map: mapOf(text, id) }
   },
@@ -219,7 +219,7 @@ export const operators = () => ({
 const mapOf = (text: MagicString, source: string) =>
   text.generateMap({ source, includeContent: true, hires: 'boundary' })
 
-/** What is used of a loader's context in webpack. */
+/** The part of webpack's loader context that we need. */
 interface LoaderContext {
   resourcePath: string
   callback(error: null, code: string, map?: object): void
@@ -227,7 +227,7 @@ interface LoaderContext {
 
 /** A loader of webpack: `module: { rules: [{ test: /\.js$/, use: 'warpjet/operators/plugin' }] }`. */
 export default function loader(this: LoaderContext, code: string) {
-  const text = translated(code)
+  const text = translateCode(code)
   if (text) this.callback(null, text.toString(), mapOf(text, this.resourcePath))
   else this.callback(null, code)
 }

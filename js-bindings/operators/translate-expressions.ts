@@ -69,7 +69,7 @@ export abstract class ExpressionTranslator {
     return JSON.stringify(`Setting ${name} here`)
   }
 
-  /** What stands around a condition of `operands`, only one of which may be computed, if they set something. */
+  /** The text around a condition that selects one of `operands`: if they set something, JavaScript must decide it. */
   private aroundCondition(operands: Tree[]): [before: string, after: string] {
     const property = propertySetIn(operands)
     const [name] = property ? [this.nameOf(property)] : assignedIn(operands)
@@ -106,7 +106,7 @@ export abstract class ExpressionTranslator {
     }
   }
 
-  /** The beginning of a call for a symbol between two operands; nothing if it stays JavaScript's. */
+  /** The beginning of a call for a symbol between two operands; `undefined` if expressions do not define it. */
   private binaryOp(operator: string): string | undefined {
     if (binary[operator]) return this.op(binary[operator])
     return bits.has(operator) ? `${this.op('bits')}'${operator}', ` : undefined
@@ -232,7 +232,7 @@ export abstract class ExpressionTranslator {
     return this.changeMember(node, argument, node.end, end, name)
   }
 
-  /** The arguments of a call, after what `head` says, which stands in the place of all from `from` on. */
+  /** Translates the arguments of a call. `head` replaces what is between `from` and the first one. */
   private withArguments(node: Tree, from: number, head: string) {
     const given = node.arguments as Tree[]
     for (const each of given) this.operand(each)

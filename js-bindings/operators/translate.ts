@@ -8,7 +8,7 @@ import { unusedName } from './symbols.js'
 import { ExpressionTranslator, type Translation } from './translate-expressions.js'
 import { childrenOf, type Tree } from './tree.js'
 
-/** What comes after statements: text, and the statements that it stands for, by the block that they are in. */
+/** Text that follows statements, and the statements that it runs, by block. */
 interface Tail {
   then: string
   following: Tree[][]

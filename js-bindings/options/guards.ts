@@ -1,4 +1,4 @@
-// What values are, where their kind decides what is done with them.
+// Tests of values that decide how a value is treated.
 import { isClass, isExpression } from '../errors/describe.js'
 
 /** A function, and neither a class nor a component, which may be called too. */
@@ -13,6 +13,6 @@ export const isList = (value: unknown): value is ArrayLike<number> =>
 export const isFiniteFloat = (value: unknown): value is number =>
   typeof value === 'number' && Number.isFinite(Math.fround(value))
 
-/** What an object itself holds under a name: `constructor` and `toString` every object has, from `Object`. */
+/** Reads an object's own property: every object inherits `constructor` and `toString`. */
 export const own = (object: object, name: string): unknown =>
   Object.hasOwn(object, name) ? Reflect.get(object, name) : undefined

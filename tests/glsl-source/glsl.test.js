@@ -330,14 +330,17 @@ test('variables of the host that are no floats keep their names and types, in ev
   const at = (other) => warp.evaluateAt([0, 0, 0], { uniforms: { ...uniforms, ...other } }).position
   near(at({}), [69999, 4294967 - 70000, 1.5])
   near(at({ on: 0 }), [0, 0, 0])
-  assert.throws(() => at({ n: 0.5 }), /"n" is an int of the shader, a whole number .* but is 0\.5/)
+  assert.throws(
+    () => at({ n: 0.5 }),
+    /expected a whole number .*, as an int of the shader is, for the uniform "n", got 0\.5/,
+  )
   assert.throws(
     () => at({ u: -1 }),
-    /"u" is a uint of the shader, a whole number from 0 to 42949672/,
+    /expected a whole number from 0 to 4294967295, as a uint of the shader is, for the uniform "u"/,
   )
   assert.throws(
     () => at({ on: 2 }),
-    /"on" is a bool of the shader, a whole number from 0 to 1, but/,
+    /expected a whole number from 0 to 1, as a bool of the shader is, for the uniform "on", got /,
   )
 })
 

@@ -20,7 +20,7 @@ const bases = noiseKinds.filter((name): name is BaseNoise => noises[name] === 'b
 const isNumber = (value: unknown) => value instanceof Expression || typeof value === 'number'
 
 const factorName = 'a number above 0, or an expression of one number,'
-/** How an octave differs from the one before. */
+/** The factor from one octave to the next. */
 const factor = (standard: number) =>
   kind<Expression | number, Operand>(
     factorName,

@@ -36,11 +36,11 @@ export function repeat(
   return state.from(results)
 }
 
-/** How the state of a loop is made of expressions: one, or several by name. */
+/** The shape of a loop's state: one expression, or several by name. */
 class StateShape {
   /** Missing for a state without names. */
   private readonly names: readonly string[] | undefined
-  /** What messages call the parts. */
+  /** The names of the parts in messages. */
   private readonly labels: readonly string[]
   readonly starts: readonly Expression[]
 

@@ -21,7 +21,7 @@ function rejectOtherCount(place: Place, given: readonly unknown[], counts: reado
     throw place.expected(`${count} argument${count === 1 ? '' : 's'}`, `${given.length}`)
 }
 
-/** How many components a vector of one of these sizes has. */
+/** The number of components of a vector, which must be one of these sizes. */
 function rowsOf(x: Expression, place: Place, sizes: readonly number[]) {
   const [columns, rows] = shapeOf(x)
   if (columns === 1 && sizes.includes(rows)) return rows
