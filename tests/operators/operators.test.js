@@ -392,7 +392,10 @@ test('what only JavaScript can decide says so', () => {
       () => compileWarp(operators(offset)),
       /^WarpError: .* cannot wait for a condition/,
     )
-  assert.throws(() => operators(3), /^WarpError: operators: expected a function, as in .*, got the number 3/)
+  assert.throws(
+    () => operators(3),
+    /^WarpError: operators: expected a function, as in .*, got the number 3/,
+  )
   assert.ok(WarpError)
 })
 
