@@ -78,7 +78,10 @@ const sharedFiles = [
     name: 'operating',
     test: /\/js-bindings\/operators\/(runtime|calls|functions|messages|values)\.ts$/,
   },
-  { name: 'translating', test: /\/js-bindings\/operators\/|\/node_modules\/acorn\// },
+  {
+    name: 'translating',
+    test: /\/js-bindings\/operators\/|\/node_modules\/(acorn|magic-string|@jridgewell\/sourcemap-codec)\//,
+  },
 ]
 
 export const moduleBuild = settings(

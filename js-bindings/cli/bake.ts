@@ -1,7 +1,9 @@
 // `npx warpjet bake`: a warped model as a file.
 import { writeFile } from 'node:fs/promises'
 import { type CompiledWarp, compileWarp } from '../compile/compile-warp.js'
-import { WarpError } from '../errors/errors.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { type Kind, optional, positiveNumber, wholeNumber } from '../options/kinds.js'
+import type { Place } from '../options/place.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
 import { bakeWarp } from '../mesh/bake.js'
 import { exportGLB } from '../mesh/export.js'
@@ -11,10 +13,28 @@ import { subdivide } from '../mesh/subdivide.js'
 import { mostTriangles } from '../wasm/mesh-tables.js'
 import { areOneFile, writing } from './files.js'
 import { Progress, count } from './progress.js'
-import { type UsageError, readArguments, readCount, readPositive } from './usage.js'
-import { blame, glslArguments, readChoice, readWarp } from './warp-file.js'
+import { numeric, readArguments } from './usage.js'
+import { blame, choiceOf, glslFlags, readWarp } from './warp-file.js'
 
-type Wrong = (message: string) => UsageError
+const triangles = wholeNumber({
+  min: 1,
+  max: mostTriangles,
+  maxName: mostTriangles.toLocaleString('en-US'),
+})
+
+/** Uniforms as `--set` has them, such as `mouse=10,20`. */
+const settings: Kind<Uniforms, readonly string[]> = {
+  read: (given, place) =>
+    Object.fromEntries(((given ?? []) as readonly string[]).map((each) => setting(each, place))),
+}
+
+function setting(given: string, place: Place): [name: string, value: number | number[]] {
+  const [, name, text] = /^([^=]+)=(.*)$/s.exec(given) ?? []
+  const numbers = text?.split(',').map((part) => (part.trim() === '' ? NaN : Number(part)))
+  if (name === undefined || !numbers!.every(Number.isFinite))
+    throw place.expected('a name and numbers, as in --set millis=1200,', describe(given))
+  return [name, numbers!.length === 1 ? numbers![0]! : numbers!]
+}
 
 export async function bake(args: string[]): Promise<void> {
   const { values, files, wrong } = readArguments(
@@ -23,10 +43,10 @@ export async function bake(args: string[]): Promise<void> {
     ['a model', 'a warp.js or a file of GLSL'],
     {
       output: { type: 'string', short: 'o' },
-      ...glslArguments,
-      set: { type: 'string', multiple: true, default: [] },
-      subdivide: { type: 'string' },
-      'max-triangles': { type: 'string' },
+      ...glslFlags,
+      set: { type: 'string', multiple: true, kind: settings },
+      subdivide: { type: 'string', kind: numeric(optional(positiveNumber())) },
+      'max-triangles': { type: 'string', kind: numeric(optional(triangles)) },
       quiet: { type: 'boolean', short: 'q', default: false },
     },
   )
@@ -35,21 +55,17 @@ export async function bake(args: string[]): Promise<void> {
   if (output === undefined) throw wrong('bake needs -o and the name of the file to write.')
   if (!/\.glb$/i.test(output)) throw wrong(`bake writes .glb files, but -o is "${output}".`)
   if (await areOneFile(output, model)) throw wrong('bake does not write over the model itself.')
-  const uniforms = readUniforms(values.set, wrong)
-  const { subdivide: distance, 'max-triangles': most } = values
-  if (most !== undefined && distance === undefined)
+  const { set: uniforms, subdivide: tolerance, 'max-triangles': maxTriangles } = values
+  if (maxTriangles !== undefined && tolerance === undefined)
     throw wrong('--max-triangles is about what --subdivide makes, which is missing.')
-  const tolerance = distance === undefined ? undefined : readPositive('subdivide', distance, wrong)
-  const maxTriangles =
-    most === undefined ? undefined : readCount('max-triangles', most, mostTriangles, wrong)
 
   const progress = new Progress(values.quiet)
-  const { offset, uniforms: declared } = await readWarp(file, readChoice(values, wrong), uniforms)
+  const { offset, uniforms: declared } = await readWarp(file, choiceOf(values), uniforms)
   // The text is not needed; baking finds out how the surface varies by itself.
   const warp = await blame(file, () =>
     compileWarp(offset, { uniforms: declared, surfaceVariation: true }),
   )
-  checkUniforms(file, warp, { ...declared, ...uniforms })
+  rejectMissingUniforms(file, warp, { ...declared, ...uniforms })
 
   let mesh = writable(await loadMesh(model))
   for (const warning of mesh.warnings ?? []) progress.step(`Note: ${warning}`)
@@ -104,21 +120,7 @@ function watched(warp: CompiledWarp, progress: Progress): CompiledWarp {
   }
 }
 
-function readUniforms(settings: readonly string[], wrong: Wrong): Uniforms {
-  return Object.fromEntries(
-    settings.map((setting) => {
-      const [, name, text] = /^([^=]+)=(.*)$/s.exec(setting) ?? []
-      const numbers = text?.split(',').map((part) => (part.trim() === '' ? NaN : Number(part)))
-      if (name === undefined || !numbers!.every(Number.isFinite))
-        throw wrong(
-          `--set takes a name and numbers, as in --set millis=1200, but "${setting}" came.`,
-        )
-      return [name, numbers!.length === 1 ? numbers![0]! : numbers!]
-    }),
-  )
-}
-
-function checkUniforms(file: string, warp: CompiledWarp, uniforms: object) {
+function rejectMissingUniforms(file: string, warp: CompiledWarp, uniforms: object) {
   const missing = warp.uniforms.find(({ name }) => !Object.hasOwn(uniforms, name))
   if (!missing) return
   // A text reads what is no float as `float(n)`, or in halves.

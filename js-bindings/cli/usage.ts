@@ -1,5 +1,8 @@
 // How a command line is read.
 import { type ParseArgsConfig, parseArgs } from 'node:util'
+import { WarpError } from '../errors/errors.js'
+import type { Kind } from '../options/kinds.js'
+import { Place } from '../options/place.js'
 
 /** A command line that cannot be meant. */
 export class UsageError extends Error {
@@ -11,8 +14,6 @@ export class UsageError extends Error {
     super(message)
   }
 }
-
-type Options = NonNullable<ParseArgsConfig['options']>
 
 /** What JavaScript calls options, as the command line does. */
 const flags: Readonly<Record<string, string>> = {
@@ -28,8 +29,25 @@ const flags: Readonly<Record<string, string>> = {
 export const withFlags = (sentence: string) =>
   sentence.replace(/(?:the|its) option "?(\w+)"?/g, (all, name: string) => flags[name] ?? all)
 
+/** An option of the command line, as Node reads it; with a kind, its value is read by that. */
+export type Flag = ParseArgsConfig['options'] extends infer All | undefined
+  ? All[keyof All] & { kind?: Kind<unknown, any> }
+  : never
+
+type Flags = Readonly<Record<string, Flag>>
+
+type Parsed<Known extends Flags> = ReturnType<typeof parse<Known>>['values']
+
+type Values<Known extends Flags> = {
+  [Name in keyof Known]: Known[Name] extends { kind: Kind<infer Value, any> }
+    ? Value
+    : Name extends keyof Parsed<Known>
+      ? Parsed<Known>[Name]
+      : undefined
+}
+
 /** The options of a command, and its files, of which it needs exactly as many as `files` names. */
-export function readArguments<const Known extends Options>(
+export function readArguments<const Known extends Flags>(
   command: string,
   args: string[],
   files: readonly string[],
@@ -44,10 +62,34 @@ export function readArguments<const Known extends Options>(
     )
   const missing = files[positionals.length]
   if (missing) throw wrong(`${command} needs ${missing}.`)
-  return { values: parsed.values, files: positionals, wrong }
+  try {
+    return { values: readFlags(command, options, parsed.values), files: positionals, wrong }
+  } catch (error) {
+    throw error instanceof WarpError ? wrong(error.message) : error
+  }
 }
 
-function parse<const Known extends Options>(command: string, args: string[], options: Known) {
+const readFlags = <Known extends Flags>(
+  command: string,
+  options: Known,
+  given: Readonly<Record<string, unknown>>,
+) =>
+  Object.fromEntries(
+    Object.entries(options).map(([name, { kind }]) => [
+      name,
+      kind ? kind.read(given[name], new Place(command, `--${name}`)) : given[name],
+    ]),
+  ) as Values<Known>
+
+/** A number that is written as text. */
+export const numeric = <Value>({ read }: Kind<Value, number>): Kind<Value, string> => ({
+  read(given, place) {
+    const number = typeof given === 'string' && given.trim() ? Number(given) : NaN
+    return read(Number.isNaN(number) ? given : number, place)
+  },
+})
+
+function parse<const Known extends Flags>(command: string, args: string[], options: Known) {
   try {
     return parseArgs({ args, options, allowPositionals: true })
   } catch (error) {
@@ -55,25 +97,4 @@ function parse<const Known extends Options>(command: string, args: string[], opt
     const [sentence] = (error as Error).message.split(/\. |\n/)
     throw new UsageError(`${command}: ${sentence!.replace(/\.$/, '')}.`, `${command} `)
   }
-}
-
-/** A whole number above 0, as an option has it. */
-export function readCount(
-  name: string,
-  text: string,
-  most: number,
-  wrong: (message: string) => UsageError,
-) {
-  const value = readPositive(name, text, wrong)
-  if (Number.isInteger(value) && value <= most) return value
-  throw wrong(
-    `--${name} must be a whole number, at most ${most.toLocaleString('en-US')}, but is "${text}".`,
-  )
-}
-
-/** A number above 0, as an option has it. */
-export function readPositive(name: string, text: string, wrong: (message: string) => UsageError) {
-  const value = Number(text)
-  if (text.trim() !== '' && value > 0 && value < Infinity) return value
-  throw wrong(`--${name} must be a number above 0, but is "${text}".`)
 }

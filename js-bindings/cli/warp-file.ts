@@ -3,7 +3,8 @@ import { readFile } from 'node:fs/promises'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { mostIterations } from '../glsl-source/options.js'
-import { type UsageError, readCount } from './usage.js'
+import { numeric } from './usage.js'
+import { optional, wholeNumber } from '../options/kinds.js'
 import { WarpError, describe } from '../errors/errors.js'
 import { glslOffset } from '../glsl-source/offset.js'
 import { inputSizes } from '../core/inputs/inputs.js'
@@ -24,27 +25,25 @@ export interface GlslChoice {
   maxIterations?: number | undefined
 }
 
-/** The same as arguments. */
-export const glslArguments = {
+/** The command line's options for these. */
+export const glslFlags = {
   function: { type: 'string' },
   returns: { type: 'string' },
-  'max-iterations': { type: 'string' },
+  'max-iterations': {
+    type: 'string',
+    kind: numeric(optional(wholeNumber({ min: 1, max: mostIterations }))),
+  },
 } as const
 
-interface GlslArguments {
+export const choiceOf = (values: {
   function?: string | undefined
   returns?: string | undefined
-  'max-iterations'?: string | undefined
-}
-
-export function readChoice(
-  { function: name, returns, 'max-iterations': most }: GlslArguments,
-  wrong: (message: string) => UsageError,
-): GlslChoice {
-  const maxIterations =
-    most === undefined ? undefined : readCount('max-iterations', most, mostIterations, wrong)
-  return { function: name, returns, maxIterations }
-}
+  'max-iterations'?: number | undefined
+}): GlslChoice => ({
+  function: values.function,
+  returns: values.returns,
+  maxIterations: values['max-iterations'],
+})
 
 /**
  * Runs the file, or reads it, where its name says that it is shader text: its uniforms then have the types that it says, and the

@@ -13,13 +13,15 @@ import { type Numbers, evaluate } from '../cpu/double.js'
 import { Expression, toExpression } from '../core/expression/expression.js'
 import {
   type KeptModule,
-  checkTarget,
+  targetKind,
   makeProgram,
   resultsOf,
   writeText,
 } from '../core/module/kept-module.js'
 import { lazily } from '../core/module/lazily.js'
-import { checkCallback, checkOptions } from '../options/options.js'
+import { boolean, callback as callbackKind, kind, optional } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
 import type { Expression as AnyExpression, Glsl } from '../core/types/types.js'
 
 export interface CompiledExpressions extends Compiled {
@@ -31,6 +33,9 @@ export interface CompiledExpressions extends Compiled {
   evaluate(inputs?: Readonly<Record<string, Numbers>>): Record<string, number | number[]>
 }
 
+const place = new Place('compile')
+const compileOptions = object({ target: targetKind } satisfies KindsOf<CompileOptions>)
+
 /**
  * Compiles any named expressions. The callback gets the builder and returns them as an object;
  * `glsl.derivative(expression, input)` is an expression too. Throws a `WarpError`.
@@ -39,9 +44,8 @@ export function compile(
   callback: (glsl: Glsl) => Record<string, AnyExpression | number>,
   options: CompileOptions = {},
 ): CompiledExpressions {
-  checkCallback('compile', callback)
-  checkOptions('compile', options, ['target'])
-  const target = checkTarget(options.target)
+  callbackKind.read(callback, place)
+  const { target } = compileOptions.read(options, place)
   const read = readOperators(callback, { method: 'compile' })
   const module = withSession(target, (session) => {
     const results: unknown = read(createBuilder(session) as unknown as Glsl)
@@ -50,7 +54,7 @@ export function compile(
         `compile: the function must return an object of named expressions, such as { height: x.sin() }, but returned ${describeResult(results)}.`,
       )
     for (const [name, value] of Object.entries(results)) {
-      const expression = toExpression(session, 'compile', value, `the result "${name}"`)
+      const expression = toExpression(session, value, place.part(`the result "${name}"`))
       session.output(name, expression, 'compile')
     }
     return session.finish()
@@ -77,23 +81,23 @@ export interface GenSettings extends CompileOptions {
   debug?: boolean
 }
 
+const genPlace = new Place('gen')
+const genSettings = object({
+  target: targetKind,
+  maxDepthPerVariable: optional(
+    kind<number>('a number of at least 1', (given) => typeof given === 'number' && given >= 1),
+  ),
+  debug: boolean(false),
+} satisfies KindsOf<GenSettings>)
+
 /**
  * glsl-autodiff's `gen`: the callback asks for results with `.output(name)` and
  * `.outputDeriv(name, input)`, and the statements come back. The source of a `glsl.fn` is not among
  * them; put it above `main`. Throws a `WarpError`.
  */
 export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): string {
-  checkCallback('gen', callback)
-  checkOptions('gen', settings, ['target', 'maxDepthPerVariable', 'debug'])
-  const { maxDepthPerVariable, debug = false } = settings
-  if (
-    maxDepthPerVariable !== undefined &&
-    !(typeof maxDepthPerVariable === 'number' && maxDepthPerVariable >= 1)
-  )
-    throw new WarpError(
-      `gen: maxDepthPerVariable must be a number of at least 1, but is ${describe(maxDepthPerVariable)}.`,
-    )
-  const target = checkTarget(settings.target)
+  callbackKind.read(callback, genPlace)
+  const { target, maxDepthPerVariable, debug } = genSettings.read(settings, genPlace)
   const read = readOperators(callback, { method: 'gen' })
   const run = (session: Session): [KeptModule, unknown] => {
     const returned: unknown = read(createBuilder(session) as unknown as Glsl)

@@ -1,5 +1,5 @@
 // Calls an offset function, once, and keeps what it did: everything else is written or run from there.
-import { operationNumber } from '../core/expression/builder.js'
+import { operationNumber } from '../core/expression/operations.js'
 import { type Expression, toExpression } from '../core/expression/expression.js'
 import type { Session } from '../core/expression/session.js'
 import { type InputName, inputSizes } from '../core/inputs/inputs.js'
@@ -8,6 +8,7 @@ import { withSession } from '../core/module/result.js'
 import type { OffsetFunction } from '../core/types/types.js'
 import { isExpression } from '../errors/describe.js'
 import { WarpError, describe, describeShape } from '../errors/errors.js'
+import { Place } from '../options/place.js'
 import { turnedResults, warpOperands, warpResults } from '../wasm/tables.js'
 import { warpInputs } from './warp-inputs.js'
 import type { Settings } from './warp-options.js'
@@ -80,7 +81,7 @@ function checkOffset(session: Session, method: string, offset: unknown): Express
     throw new WarpError(
       `${method}: ${expected}, but returned ${describe(offset)}${offset === undefined ? ' (is its "return" missing?)' : offset instanceof Promise ? ' (leave its "async" out)' : ''}.`,
     )
-  const vector = toExpression(session, method, offset, 'the offset')
+  const vector = toExpression(session, offset, new Place(method, 'the offset'))
   const [columns, rows] = session.shapeOf(vector)
   if (columns !== 1 || rows !== 3)
     throw new WarpError(`${method}: ${expected}, but returned ${describeShape([columns, rows])}.`)

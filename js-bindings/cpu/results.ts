@@ -1,5 +1,6 @@
 // The results of a warp on the CPU: which numbers of the program they are, and the arrays that they go into.
-import { WarpError, describe } from '../errors/errors.js'
+import { describe } from '../errors/errors.js'
+import { Place } from '../options/place.js'
 import { noteChecked } from '../core/inputs/vertices.js'
 import type { Sink } from './machine-code.js'
 import { ResultSet } from '../core/module/result-set.js'
@@ -104,8 +105,8 @@ const named = (names: readonly string[], sinks: readonly Sink[]) =>
 function arrayFor(name: string, length: number, given: unknown): Float32Array {
   if (given === undefined) return new Float32Array(length)
   if (given instanceof Float32Array && given.length >= length) return given
-  const came = given instanceof Float32Array ? `has only ${given.length}` : `is ${describe(given)}`
-  throw new WarpError(
-    `evaluate: out.${name} must be a Float32Array of at least ${length} numbers, but ${came}.`,
+  throw new Place('evaluate', `out.${name}`).expected(
+    `a Float32Array of at least ${length} numbers`,
+    given instanceof Float32Array ? `one of ${given.length}` : describe(given),
   )
 }

@@ -1,6 +1,7 @@
 import { asOwn } from '../errors/operators.js'
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
-import { checkWarps, offsetOf } from './warps.js'
+import { Place } from '../options/place.js'
+import { warpsOf } from './warps.js'
 
 /**
  * The sum of the offsets: each warp is given the vertex as it is, so that their order makes no difference. Throws a
@@ -9,10 +10,8 @@ import { checkWarps, offsetOf } from './warps.js'
 export function add<Uniforms extends UniformValues = {}>(
   ...warps: OffsetFunction<Uniforms>[]
 ): OffsetFunction<Uniforms> {
-  checkWarps('add', warps)
+  const all = warpsOf(new Place('add'), warps)
   return asOwn((inputs) =>
-    warps
-      .map((warp, i) => offsetOf('add', i + 1, warp, inputs))
-      .reduce((sum, offset) => sum.add(offset)),
+    all.map((offsetAt) => offsetAt(inputs)).reduce((sum, offset) => sum.add(offset)),
   )
 }

@@ -1,4 +1,3 @@
-import { WarpError } from '../errors/errors.js'
 import type { OffsetFunction, Scalar } from '../core/types/types.js'
 import {
   type AxisOption,
@@ -9,7 +8,10 @@ import {
   number,
   vector,
 } from './kinds.js'
-import { checkDeformerOptions, deformer } from './deformer.js'
+import { optional } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import type { KindsOf } from '../options/schema.js'
+import { readOptions, withFormula } from './deformer.js'
 
 export interface BendOptions {
   /** What it is bent about; `'z'` unless given. */
@@ -36,13 +38,14 @@ export interface BendOptions {
  * out. Throws a `WarpError` for unknown options and wrong values.
  */
 export function bend(options?: BendOptions): OffsetFunction {
-  checkDeformerOptions('bend', options, kinds)
-  const given: BendOptions = { ...options }
-  const about = constantDirection(given.axis ?? 'z')
-  given.along ??= about?.[1] && Math.abs(about[1]) === 1 ? 'x' : 'y'
-  checkDirections(about, constantDirection(given.along))
-  checkRange(given)
-  return deformer('bend', given, kinds, (inputs, values) => {
+  const read = readOptions('bend', options, kinds)
+  const { axis: about = 'z', from, to, along } = options ?? {}
+  const isAboutY = Math.abs(constantDirection(about)?.[1] ?? 0) === 1
+  const line = along ?? (isAboutY ? 'x' : 'y')
+  rejectParallel(constantDirection(about), constantDirection(line))
+  rejectEmptyRange(from, to)
+  const values = { ...read, along: read.along ?? axis().read(line, place) }
+  return withFormula(values, (inputs, values) => {
     const { axis, center, angle, from, to } = values
     const fromCenter = inputs.position.sub(center)
     const line = values.along.sub(axis.mult(values.along.dot(axis))).normalize()
@@ -66,14 +69,16 @@ export function bend(options?: BendOptions): OffsetFunction {
   })
 }
 
+const place = new Place('bend')
+
 const kinds = {
   axis: axis('z'),
-  along: axis('y'),
+  along: optional(axis()),
   center: vector(),
   angle: number(Math.PI / 2),
   from: number(-100),
   to: number(100),
-}
+} satisfies KindsOf<BendOptions>
 
 /** 1 - x² / a (1 - x² / b (1 - …)) */
 const nested = (x: Scalar, [divisor, ...others]: number[]): Scalar =>
@@ -86,16 +91,16 @@ const versineSeries = (x: Scalar) =>
     .mult(x)
     .div(2)
 
-function checkDirections(axis?: number[], along?: number[]) {
+function rejectParallel(axis?: number[], along?: number[]) {
   if (!axis || !along) return
   const cosine = axis.reduce((sum, x, i) => sum + x * along[i]!, 0)
   if (Math.abs(cosine) > 1 - 1e-9)
-    throw new WarpError(
-      'bend: the options "axis" and "along" have the same direction; bend about an axis at right angles to the line.',
+    throw place.error(
+      'the options "axis" and "along" have the same direction; bend about an axis at right angles to the line.',
     )
 }
 
-function checkRange({ from = -100, to = 100 }: BendOptions) {
+function rejectEmptyRange(from: unknown = -100, to: unknown = 100) {
   if (typeof from === 'number' && typeof to === 'number' && !(from < to))
-    throw new WarpError(`bend: the option "to" must be above "from", but is ${to} beside ${from}.`)
+    throw place.option('to').expected(`a number above "from", which is ${from},`, `${to}`)
 }

@@ -1,8 +1,8 @@
 import { asOwn } from '../errors/operators.js'
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import { type NumberOption, number } from './kinds.js'
-import { reader } from './deformer.js'
-import { checkWarps, offsetOf } from './warps.js'
+import { Place } from '../options/place.js'
+import { warpsOf } from './warps.js'
 
 /**
  * From one warp to another: each is given the vertex as it is, and points move on the straight line between where the two
@@ -15,9 +15,8 @@ export function blend<Uniforms extends UniformValues = {}>(
   to: OffsetFunction<Uniforms>,
   amount?: NumberOption,
 ): OffsetFunction<Uniforms> {
-  checkWarps('blend', [from, to])
-  const readAmount = reader('blend: the amount', number(0.5), amount)
-  return asOwn((inputs) =>
-    offsetOf('blend', 1, from, inputs).mix(offsetOf('blend', 2, to, inputs), readAmount(inputs)),
-  )
+  const place = new Place('blend')
+  const [first, second] = warpsOf(place, [from, to])
+  const amountAt = number(0.5).read(amount, place.part('the amount'))
+  return asOwn((inputs) => first!(inputs).mix(second!(inputs), amountAt(inputs)))
 }

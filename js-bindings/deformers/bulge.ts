@@ -5,10 +5,10 @@ import {
   type VectorOption,
   axis,
   number,
-  optional,
   positive,
   vector,
 } from './kinds.js'
+import { optional } from '../options/kinds.js'
 import { deformer } from './deformer.js'
 import { falloff, fromAxis } from './parts.js'
 
@@ -36,7 +36,7 @@ export const bulge = (options?: BulgeOptions): OffsetFunction =>
     options,
     {
       center: vector(),
-      axis: optional(axis('y')),
+      axis: optional(axis()),
       amount: number(0.5),
       radius: positive(100),
     },

@@ -1,7 +1,8 @@
 import { asOwn } from '../errors/operators.js'
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import { inputsAt } from './places.js'
-import { checkWarps, offsetOf } from './warps.js'
+import { Place } from '../options/place.js'
+import { warpsOf } from './warps.js'
 
 /**
  * One warp after the other: the second acts on what the first moved, and so on. It is given the moved position, and as
@@ -18,14 +19,11 @@ import { checkWarps, offsetOf } from './warps.js'
 export function chain<Uniforms extends UniformValues = {}>(
   ...warps: OffsetFunction<Uniforms>[]
 ): OffsetFunction<Uniforms> {
-  checkWarps('chain', warps)
-  return asOwn((inputs) => {
-    let offset = offsetOf('chain', 1, warps[0]!, inputs)
-    for (const [i, warp] of warps.entries())
-      if (i > 0) {
-        const moved = inputsAt(inputs, inputs.position.add(offset))
-        offset = offset.add(offsetOf('chain', i + 1, warp, moved))
-      }
-    return offset
-  })
+  const [first, ...others] = warpsOf(new Place('chain'), warps)
+  return asOwn((inputs) =>
+    others.reduce(
+      (offset, offsetAt) => offset.add(offsetAt(inputsAt(inputs, inputs.position.add(offset)))),
+      first!(inputs),
+    ),
+  )
 }

@@ -5,10 +5,10 @@ import {
   type VectorOption,
   axis,
   number,
-  optional,
   positive,
   vector,
 } from './kinds.js'
+import { optional } from '../options/kinds.js'
 import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
@@ -44,7 +44,7 @@ export const genie = (options?: GenieOptions): OffsetFunction =>
       amount: number(0.5),
       length: positive(300),
       neck: number(0),
-      edge: optional(axis('x')),
+      edge: optional(axis()),
     },
     ({ glsl, position }, { axis, center, amount, length, neck, edge }) => {
       const { along, across } = fromAxis(position, center, axis)

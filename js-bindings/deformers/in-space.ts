@@ -1,7 +1,4 @@
-import { WarpError, describe, describeShape } from '../errors/errors.js'
 import type { Expression } from '../core/expression/expression.js'
-import { asOwn, readOperators } from '../errors/operators.js'
-import { isCallable, isList } from '../options/options.js'
 import type {
   Glsl,
   Mat3,
@@ -11,9 +8,13 @@ import type {
   Vec3,
   WarpInputs,
 } from '../core/types/types.js'
+import { describe, describeShape } from '../errors/describe.js'
+import { asOwn, readOperators } from '../errors/operators.js'
+import { isCallable, isFiniteFloat, isList } from '../options/guards.js'
+import { Place } from '../options/place.js'
 import { type OptionInputs, type OrFunction, isExpression } from './kinds.js'
 import { inputsAt, surfaceOf } from './places.js'
-import { checkWarps, offsetOf } from './warps.js'
+import { warp as warpKind } from './warps.js'
 
 /** 16 numbers, column by column, the last row 0, 0, 0, 1, as in WebGL; an expression, where a mat3 shifts nothing; or a
  * function that gives one of them. */
@@ -37,14 +38,14 @@ export function inSpace<Uniforms extends UniformValues = {}>(
   matrix: MatrixOption,
   warp: OffsetFunction<Uniforms>,
 ): OffsetFunction<Uniforms> {
-  if (!isCallable(matrix) && !isExpression(matrix)) checkNumbers(matrix)
-  checkWarps('inSpace', [warp], 2)
+  if (!isCallable(matrix) && !isExpression(matrix)) rejectNoMatrix(matrix)
+  const offsetAt = warpKind.read(warp, place.argument(2))
   return asOwn((inputs) => {
     const { glsl } = inputs
     const given: unknown = isCallable(matrix)
       ? readOperators(matrix, { method: 'inSpace' })(inputs as OptionInputs)
       : matrix
-    const { linear, shift } = readSpace(inputs, given)
+    const { linear, shift } = spaceOf(inputs, given)
     const determinant = linear.determinant()
     const surface = surfaceOf(inputs)
     const isMirror = isList(given) ? isLeftHanded(given) : undefined
@@ -53,43 +54,43 @@ export function inSpace<Uniforms extends UniformValues = {}>(
       ...surface,
       ...(side !== undefined && { side }),
     })
-    const offset = linear.inverse().mult(offsetOf('inSpace', 2, warp, inside))
+    const offset = linear.inverse().mult(offsetAt(inside))
     return determinant.eq(0).ifElse(glsl.vec3(0), offset)
   })
 }
 
-function readSpace({ glsl, position }: WarpInputs, matrix: unknown): Space {
+function spaceOf({ glsl, position }: WarpInputs, matrix: unknown): Space {
   if (!isExpression(matrix)) {
-    checkNumbers(matrix)
+    rejectNoMatrix(matrix)
     const columns = [0, 4, 8, 12].map((i) => glsl.vec3(matrix[i]!, matrix[i + 1]!, matrix[i + 2]!))
     return { linear: glsl.mat3(...columns.slice(0, 3)), shift: columns[3]! }
   }
   const { session } = position as unknown as Expression
   const [columns, rows] = session.shapeOf(matrix as unknown as Expression)
   if (columns !== rows || columns < 3)
-    refuse(columns > 1 ? 'a matrix of another size' : describeShape([columns, rows]))
+    throw wrong(columns > 1 ? 'a matrix of another size' : describeShape([columns, rows]))
   return columns === 3
     ? { linear: matrix as unknown as Mat3, shift: glsl.vec3(0) }
-    : spaceOf(glsl, matrix as unknown as Mat4)
+    : spaceOfMat4(glsl, matrix as unknown as Mat4)
 }
 
-const spaceOf = (glsl: Glsl, matrix: Mat4): Space => ({
+const spaceOfMat4 = (glsl: Glsl, matrix: Mat4): Space => ({
   linear: glsl.mat3(matrix),
   shift: matrix.column(3).xyz(),
 })
 
-function checkNumbers(matrix: unknown): asserts matrix is ArrayLike<number> {
-  if (!isList(matrix)) refuse(describe(matrix))
+function rejectNoMatrix(matrix: unknown): asserts matrix is ArrayLike<number> {
+  if (!isList(matrix)) throw wrong(describe(matrix))
   const numbers = Array.from(matrix)
-  if (numbers.length !== 16) refuse(`an array of ${numbers.length}`)
-  const wrong = numbers.find((x) => !(typeof x === 'number' && Number.isFinite(Math.fround(x))))
-  if (wrong !== undefined) refuse(`an array with ${describe(wrong)}`)
+  if (numbers.length !== 16) throw wrong(`an array of ${numbers.length}`)
+  const other = numbers.findIndex((x) => !isFiniteFloat(x))
+  if (other >= 0) throw wrong(`an array with ${describe(numbers[other])}`)
   const lastRow = [3, 7, 11, 15].map((i) => numbers[i])
   if (lastRow.some((x, i) => x !== (i === 3 ? 1 : 0)))
-    refuse(`one with the last row ${lastRow.join(', ')}`, ', the last row 0, 0, 0, 1')
+    throw wrong(`one with the last row ${lastRow.join(', ')}`, ', the last row 0, 0, 0, 1')
   if (isFlat([0, 4, 8].map((i) => numbers.slice(i, i + 3))))
-    throw new WarpError(
-      'inSpace: the matrix has the determinant 0, so that no way leads back from its space; no axis may be scaled by 0.',
+    throw place.error(
+      'the matrix has the determinant 0, so that no way leads back from its space; no axis may be scaled by 0.',
     )
 }
 
@@ -112,8 +113,12 @@ function volumeOf(columns: number[][]): number {
   return cross.reduce((sum, x, i) => sum + x * c[i]!, 0)
 }
 
-function refuse(what: string, more = ''): never {
-  throw new WarpError(
-    `inSpace: the matrix must be 16 numbers column by column${more}, a mat4 or mat3, or a function that returns one, but is ${what}.`,
-  )
-}
+const place = new Place('inSpace')
+
+const wrong = (got: string, more = '') =>
+  place
+    .part('the matrix')
+    .expected(
+      `16 numbers column by column${more}, a mat4 or mat3, or a function that returns one`,
+      got,
+    )

@@ -1,9 +1,14 @@
-// What options of deformers may be: numbers, vectors and axes, each a constant, an expression, or a function of what the
-// offset function is given.
-import { isExpression as hasItsShape } from '../errors/describe.js'
-import { isList } from '../options/options.js'
-import { mostSeed } from '../wasm/tables.js'
+// Kinds of options of deformers: numbers, vectors and axes, each a constant, an expression, or a function of the inputs of
+// an offset function. Constants are checked at once, computed values when the warp is made.
+import type { Expression } from '../core/expression/expression.js'
+import type { Shape } from '../core/expression/shapes.js'
 import type { Glsl, Operand, Scalar, Vec3, WarpInputs } from '../core/types/types.js'
+import { describe, describeShape, isExpression as hasItsShape } from '../errors/describe.js'
+import { readOperators } from '../errors/operators.js'
+import { isCallable, isFiniteFloat, isList } from '../options/guards.js'
+import { type Kind, wholeNumber } from '../options/kinds.js'
+import type { Place } from '../options/place.js'
+import { mostSeed } from '../wasm/tables.js'
 
 /** What an offset function is given. Which uniforms there are is said where the warp is made, which is elsewhere. */
 export type OptionInputs = WarpInputs & { uniforms: { readonly [name: string]: any } }
@@ -22,105 +27,121 @@ export type Triple = readonly [Operand, Operand, Operand]
 export type AxisOption = OrFunction<AxisName | Vec3 | Triple>
 export type AxisName = 'x' | 'y' | 'z'
 
-export interface Kind<Value> {
-  /** What stands for an option that is left out. */
-  standard: unknown
-  /** What a constant must be, for messages. */
+export const isExpression = (value: unknown): value is Scalar | Vec3 => hasItsShape(value)
+
+/** A value that is made inside of a warp. */
+export type Computed<Value> = (inputs: WarpInputs) => Value
+
+interface Settings<Value> {
+  /** Stands for `undefined`. Without it, the value is required. */
+  default?: unknown
+  /** Describes a constant in messages. */
   expected: string
-  /** How many numbers an expression has; 0 if only constants will do. */
-  rows: 0 | 1 | 3
-  /** Whether this, which is neither an expression nor a function, will do. */
-  allows(value: unknown): boolean
+  /** The number of components of an expression. */
+  rows: 1 | 3
+  acceptsConstant(value: unknown): boolean
+  /** Makes the value from a constant or an expression. */
   make(glsl: Glsl, value: never): Value
 }
 
-export const isExpression = (value: unknown): value is Scalar | Vec3 => hasItsShape(value)
+const shapes = { 1: 'an expression of one number', 3: 'a vec3' }
 
-const isNumber = (value: unknown) =>
-  typeof value === 'number' && Number.isFinite(Math.fround(value))
+/** The kind of an option that may be computed. Constants are checked when it is read, computed values when they are made. */
+const computed = <Given, Value>(settings: Settings<Value>): Kind<Computed<Value>, Given> => ({
+  read(option, place) {
+    const { default: standard, expected, rows, acceptsConstant, make } = settings
+    const given = option === undefined ? standard : option
+    const compute = isCallable(given) ? readOperators(given, { method: `${place}` }) : undefined
+    const wrong = (got: string) =>
+      compute
+        ? place.error(
+            `expected the function of ${place.subject} to return ${expected} or ${shapes[rows]}, got ${got}.`,
+          )
+        : place.expected(`${expected}, ${shapes[rows]}, or a function that returns one`, got)
+    if (!compute && !isExpression(given) && !acceptsConstant(given)) throw wrong(describe(given))
+    return (inputs) => {
+      const value: unknown = compute ? compute(inputs as never) : given
+      if (isExpression(value)) {
+        const shape = shapeOf(value, inputs, place)
+        if (`${shape}` !== `1,${rows}`) throw wrong(describeShape(shape))
+      } else if (!acceptsConstant(value)) throw wrong(describe(value))
+      return make(inputs.glsl, value as never)
+    }
+  },
+})
+
+function shapeOf(value: unknown, inputs: WarpInputs, place: Place): Shape {
+  const expression = value as Expression
+  const { session } = inputs.position as unknown as Expression
+  if (expression.session === session) return session.shapeOf(expression)
+  throw place.error(
+    `${place.subject} comes from another warp; give a function such as ({ millis }) => millis.div(1000), or make the deformer inside of the offset function.`,
+  )
+}
+
+export const number = (standard?: number) =>
+  computed<NumberOption, Scalar>({
+    default: standard,
+    expected: 'a number',
+    rows: 1,
+    acceptsConstant: isFiniteFloat,
+    make: (glsl, value: number) => glsl.val(value),
+  })
+
+/** A whole number that seeds may be. */
+export const seed = (standard: number) =>
+  wholeNumber({ min: -mostSeed, max: mostSeed, default: standard })
+
+/** The minimum of computed values: formulas divide by them. */
+const smallest = 1e-6
+
+/** A number above 0. */
+export const positive = (standard: number) =>
+  computed<NumberOption, Scalar>({
+    default: standard,
+    expected: 'a number above 0',
+    rows: 1,
+    acceptsConstant: (value) => isFiniteFloat(value) && value > 0,
+    make: (glsl, value: number) =>
+      isExpression(value) ? glsl.max(value, smallest) : glsl.val(value),
+  })
 
 const isTriple = (value: unknown): value is Triple =>
   isList(value) &&
   value.length === 3 &&
-  Array.from(value).every((x) => isNumber(x) || isExpression(x))
+  Array.from(value).every((x) => isFiniteFloat(x) || isExpression(x))
 
-export const number = (standard: number): Kind<Scalar> => ({
-  standard,
-  expected: 'a number',
-  rows: 1,
-  allows: isNumber,
-  make: (glsl, value: number) => glsl.val(value),
-})
-
-/** A whole number, one that seeds may be, which must be there when the deformer is made. */
-export const whole = (standard: number): Kind<number> => ({
-  standard,
-  expected: `a whole number of at most ${mostSeed}`,
-  rows: 0,
-  allows: (value) => Number.isInteger(value) && Math.abs(value as number) <= mostSeed,
-  make: (_, value: number) => value,
-})
-
-export const flag = (standard: boolean): Kind<boolean> => ({
-  standard,
-  expected: 'true or false',
-  rows: 0,
-  allows: (value) => typeof value === 'boolean',
-  make: (_, value: boolean) => value,
-})
-
-/** What is computed and gets no larger than that counts as this: formulas divide by it. */
-const smallest = 1e-6
-
-/** A number above 0. */
-export const positive = (standard: number): Kind<Scalar> => ({
-  standard,
-  expected: 'a number above 0',
-  rows: 1,
-  allows: (value) => isNumber(value) && (value as number) > 0,
-  make: (glsl, value: number) =>
-    isExpression(value) ? glsl.max(value, smallest) : glsl.val(value),
-})
-
-export const vector = (
-  standard: Triple | ((inputs: WarpInputs) => Vec3) = [0, 0, 0],
-): Kind<Vec3> => ({
-  standard,
-  expected: 'an array of 3 finite numbers',
-  rows: 3,
-  allows: isTriple,
-  make: (glsl, value: Vec3 | Triple) => (isExpression(value) ? value : glsl.vec3(...value)),
-})
+export const vector = (standard: Triple | ((inputs: WarpInputs) => Vec3) = [0, 0, 0]) =>
+  computed<VectorOption, Vec3>({
+    default: standard,
+    expected: 'an array of 3 finite numbers',
+    rows: 3,
+    acceptsConstant: isTriple,
+    make: (glsl, value: Vec3 | Triple) => (isExpression(value) ? value : glsl.vec3(...value)),
+  })
 
 const unit = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const
 
-/** A constant direction as three numbers of length 1, or nothing for one that is computed. */
+/** A constant direction as three numbers of length 1; `undefined` for a computed one. */
 export function constantDirection(value: unknown): number[] | undefined {
   if (Object.keys(unit).includes(value as string)) return [...unit[value as AxisName]]
-  if (!isList(value) || !Array.from(value).every(isNumber)) return undefined
+  if (!isList(value) || !Array.from(value).every(isFiniteFloat)) return undefined
   const length = Math.hypot(...Array.from(value))
   return Array.from(value, (x) => x / length)
 }
 
 /** A direction, of length 1 when it is made. */
-export const axis = (standard: AxisName): Kind<Vec3> => ({
-  standard,
-  expected: '"x", "y", "z" or an array of 3 finite numbers that are not all 0',
-  rows: 3,
-  allows: (value) =>
-    (isTriple(value) && Array.from(value).some((x) => x !== 0)) ||
-    Object.keys(unit).includes(value as string),
-  make(glsl, value: AxisName | Vec3 | Triple) {
-    const direction = constantDirection(value)
-    if (direction) return glsl.vec3(...direction)
-    return (isExpression(value) ? value : glsl.vec3(...(value as Triple))).normalize()
-  },
-})
-
-/** Nothing unless it is given. */
-export const optional = <Value>(kind: Kind<Value>): Kind<Value | undefined> => ({
-  ...kind,
-  standard: undefined,
-  allows: (value) => value === undefined || kind.allows(value),
-  make: (glsl, value) => (value === undefined ? undefined : kind.make(glsl, value)),
-})
+export const axis = (standard?: AxisName) =>
+  computed<AxisOption, Vec3>({
+    default: standard,
+    expected: '"x", "y", "z" or an array of 3 finite numbers that are not all 0',
+    rows: 3,
+    acceptsConstant: (value) =>
+      (isTriple(value) && Array.from(value).some((x) => x !== 0)) ||
+      Object.keys(unit).includes(value as string),
+    make(glsl, value: AxisName | Vec3 | Triple) {
+      const direction = constantDirection(value)
+      if (direction) return glsl.vec3(...direction)
+      return (isExpression(value) ? value : glsl.vec3(...(value as Triple))).normalize()
+    },
+  })

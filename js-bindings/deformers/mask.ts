@@ -1,8 +1,8 @@
 import { asOwn } from '../errors/operators.js'
 import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import { type NumberOption, number } from './kinds.js'
-import { reader } from './deformer.js'
-import { checkWarps, offsetOf } from './warps.js'
+import { Place } from '../options/place.js'
+import { warpsOf } from './warps.js'
 
 /**
  * A part of a warp: its offset times `weight`, from 0 for nothing to 1 for all. A weight that varies over the shape, such
@@ -14,7 +14,8 @@ export function mask<Uniforms extends UniformValues = {}>(
   warp: OffsetFunction<Uniforms>,
   weight: NumberOption,
 ): OffsetFunction<Uniforms> {
-  checkWarps('mask', [warp])
-  const readWeight = reader('mask: the weight', { ...number(1), standard: undefined }, weight)
-  return asOwn((inputs) => offsetOf('mask', 1, warp, inputs).mult(readWeight(inputs)))
+  const place = new Place('mask')
+  const [offsetAt] = warpsOf(place, [warp])
+  const weightAt = number().read(weight, place.part('the weight'))
+  return asOwn((inputs) => offsetAt!(inputs).mult(weightAt(inputs)))
 }

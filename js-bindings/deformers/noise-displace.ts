@@ -1,5 +1,5 @@
 import type { OffsetFunction } from '../core/types/types.js'
-import { type NumberOption, type VectorOption, number, positive, vector, whole } from './kinds.js'
+import { type NumberOption, type VectorOption, number, positive, seed, vector } from './kinds.js'
 import { deformer } from './deformer.js'
 
 export interface NoiseDisplaceOptions {
@@ -32,7 +32,7 @@ export const noiseDisplace = (options?: NoiseDisplaceOptions): OffsetFunction =>
       direction: vector(({ normal }) => normal.normalize()),
       center: vector(),
       speed: number(0),
-      seed: whole(0),
+      seed: seed(0),
     },
     ({ glsl, position, millis }, { amount, scale, direction, center, speed, seed }) => {
       const place = position.sub(center).div(scale)

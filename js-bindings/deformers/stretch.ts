@@ -4,10 +4,10 @@ import {
   type NumberOption,
   type VectorOption,
   axis,
-  flag,
   number,
   vector,
 } from './kinds.js'
+import { boolean } from '../options/kinds.js'
 import { deformer } from './deformer.js'
 import { fromAxis } from './parts.js'
 
@@ -33,7 +33,7 @@ export const stretch = (options?: StretchOptions): OffsetFunction =>
   deformer(
     'stretch',
     options,
-    { axis: axis('y'), center: vector(), amount: number(0.5), keepVolume: flag(false) },
+    { axis: axis('y'), center: vector(), amount: number(0.5), keepVolume: boolean(false) },
     ({ position }, { axis, center, amount, keepVolume }) => {
       const { along, across } = fromAxis(position, center, axis)
       if (!keepVolume) return axis.mult(along.mult(amount))

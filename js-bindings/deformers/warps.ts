@@ -1,38 +1,36 @@
-// What all compositions check.
-import { WarpError, describe, describeShape } from '../errors/errors.js'
+// The offset functions that compositions are given.
 import type { Expression } from '../core/expression/expression.js'
-import { readOperators } from '../errors/operators.js'
-import { isCallable } from '../options/options.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
-import { isExpression } from './kinds.js'
+import { describe, describeShape } from '../errors/describe.js'
+import { readOperators } from '../errors/operators.js'
+import { type Kind, callable } from '../options/kinds.js'
+import type { Place } from '../options/place.js'
+import { type Computed, isExpression } from './kinds.js'
 
-export function checkWarps(method: string, warps: readonly unknown[], first = 1) {
-  if (warps.length === 0)
-    throw new WarpError(`${method}: at least one offset function was expected, but none came.`)
-  warps.forEach((warp, i) => {
-    if (!isCallable(warp))
-      throw new WarpError(
-        `${method}: argument ${i + first} must be an offset function, such as twist({ angle: 1 }), but is ${describe(warp)}.`,
-      )
-  })
+const offsetFunction = callable<OffsetFunction>('an offset function, such as twist({ angle: 1 }),')
+
+/** An offset function, whose result is checked where it is made. */
+export const warp: Kind<Computed<Vec3>, OffsetFunction> = {
+  read(given, place) {
+    const offset = readOperators(offsetFunction.read(given, place), { method: place.method })
+    return (inputs) => offsetOf(offset, inputs, place)
+  },
 }
 
-/** The offset of one of the warps; `number` is that of the argument. */
-export function offsetOf(
-  method: string,
-  number: number,
-  warp: OffsetFunction<never>,
-  inputs: WarpInputs,
-): Vec3 {
-  const offset: unknown = readOperators(warp as OffsetFunction, { method })(inputs)
-  const expected = `${method}: the offset function that is argument ${number} must return a vec3`
+/** At least one of them, each an argument. */
+export function warpsOf(place: Place, given: readonly unknown[]): Computed<Vec3>[] {
+  if (given.length === 0) throw place.expected('at least one offset function', 'none')
+  return given.map((each, i) => warp.read(each, place.argument(i + 1)))
+}
+
+function offsetOf(warp: OffsetFunction, inputs: WarpInputs, place: Place): Vec3 {
+  const offset: unknown = warp(inputs)
+  const expected = `expected the offset function that is ${place.subject} to return a vec3`
   if (!isExpression(offset))
-    throw new WarpError(
-      `${expected}, such as glsl.vec3(x, y, z), but returned ${describe(offset)}.`,
-    )
+    throw place.error(`${expected}, such as glsl.vec3(x, y, z), got ${describe(offset)}.`)
   const { session } = inputs.position as unknown as Expression
   const [columns, rows] = session.shapeOf(offset as unknown as Expression)
   if (columns !== 1 || rows !== 3)
-    throw new WarpError(`${expected}, but returned ${describeShape([columns, rows])}.`)
+    throw place.error(`${expected}, got ${describeShape([columns, rows])}.`)
   return offset as Vec3
 }

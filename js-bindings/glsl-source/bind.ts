@@ -1,6 +1,7 @@
 // What a text reads from outside, as expressions.
 import { isExpression } from '../errors/describe.js'
-import { WarpError, describe, describeShape } from '../errors/errors.js'
+import { describe, describeShape } from '../errors/errors.js'
+import type { Place } from '../options/place.js'
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
 import type { Session } from '../core/expression/session.js'
@@ -40,7 +41,7 @@ export const inputNamed = (inputs: Inputs, name: string) =>
  * variable of the host's shader.
  */
 export function bindExternals(
-  method: string,
+  place: Place,
   glsl: Builder,
   externals: readonly External[],
   inputs: Inputs,
@@ -52,46 +53,46 @@ export function bindExternals(
     const { name, type, isAttribute } = external
     if (!isAttribute && isDeclared(name)) {
       if (isWhole(type)) (declared as Marking)[markWhole]?.(name)
-      return checked(method, glsl, external, declared[name])
+      return checked(place, glsl, external, declared[name])
     }
     if (isAttribute && name === instanceID)
-      return inputNamed(inputs, 'instance') ?? parameterOf(method, glsl, external)
+      return inputNamed(inputs, 'instance') ?? parameterOf(place, glsl, external)
     const input = inputTypes[name] === type && inputNamed(inputs, name)
     // The parts of `size` and `mouse` have names, such as height, that a text may well mean otherwise.
     if (input && (isAttribute || Object.hasOwn(drawInputs, name))) return input
     if (!isAttribute) {
-      checkRoot(method, glsl, external)
-      return parameterOf(method, glsl, external)
+      rejectInputName(place, glsl, external)
+      return parameterOf(place, glsl, external)
     }
-    throw new WarpError(
-      `${method}: nothing gives the attribute ${name} its value; a warp knows position, normal, uv, color and ${instanceID}.`,
+    throw place.error(
+      `nothing gives the attribute ${name} its value; a warp knows position, normal, uv, color and ${instanceID}.`,
     )
   }
-  const imageOf = (place: number) => {
-    const { name } = externals[place]!
+  const imageOf = (index: number) => {
+    const { name } = externals[index]!
     return isDeclared(name) ? declared[name] : name
   }
-  const imageSize = (place: number) => {
+  const imageSize = (index: number) => {
     const { target } = glsl.val!(0).session as Session
-    return glsl.vec2Param!(imageSizeText(target, String(imageOf(place))))
+    return glsl.vec2Param!(imageSizeText(target, String(imageOf(index))))
   }
-  const external = (place: number) => {
-    let value = made.get(place)
-    if (!value) made.set(place, (value = find(externals[place]!)))
+  const external = (index: number) => {
+    let value = made.get(index)
+    if (!value) made.set(index, (value = find(externals[index]!)))
     return value
   }
   // A uniform whose value cancels out is read too, so that `evaluate` accepts a value for it.
-  for (const [place, { name, type, isAttribute }] of externals.entries())
+  for (const [index, { name, type, isAttribute }] of externals.entries())
     if (!isAttribute && isParameter(type) && !isDeclared(name) && !Object.hasOwn(inputSizes, name))
-      external(place)
+      external(index)
   return {
     external,
-    texture(place, at, isFetched) {
-      const image = imageOf(place)
+    texture(index, at, isFetched) {
+      const image = imageOf(index)
       const { samplings } = glsl.val!(0).session as Session
       if (!isFetched)
         return glsl.texture!(image, at, samplings.has(String(image)) ? asHostSamples : bySampler)
-      const uv = glsl.div!(glsl.add!(at, 0.5), imageSize(place))
+      const uv = glsl.div!(glsl.add!(at, 0.5), imageSize(index))
       return glsl.texture!(image, uv, { filter: 'nearest', wrap: 'clamp', transform: false })
     },
     imageSize,
@@ -99,32 +100,32 @@ export function bindExternals(
 }
 
 /** In the shader of a warp, `position` is the position, whatever the text declares under that name. */
-function checkRoot(method: string, glsl: Builder, { name }: Named) {
+function rejectInputName(place: Place, glsl: Builder, { name }: Named) {
   const [root = ''] = /^\w+/.exec(name) ?? []
   const { target, inputNames } = glsl.val!(0).session as Session
   const input = inputNames.get(root)
   if (input !== undefined)
-    throw new WarpError(
-      `${method}: the uniform ${root} has the name of an input, ${input}; rename it in the text, such as my${root[0]!.toUpperCase()}${root.slice(1)}.`,
+    throw place.error(
+      `the uniform ${root} has the name of an input, ${input}; rename it in the text, such as my${root[0]!.toUpperCase()}${root.slice(1)}.`,
     )
   if (root.startsWith('gl_') && target === 'wgsl')
-    throw new WarpError(`${method}: WGSL has no ${root}; give its value by a uniform.`)
+    throw place.error(`WGSL has no ${root}; give its value by a uniform.`)
 }
 
 function checked(
-  method: string,
+  place: Place,
   glsl: Builder,
   { name, type, shape }: External,
   declared: unknown,
 ): Value {
   if (typeof declared === 'string')
-    throw new WarpError(
-      `${method}: the uniform ${name} is ${article(type)} in the text, but an image was given.`,
+    throw place.error(
+      `the uniform ${name} is ${article(type)} in the text, but an image was given.`,
     )
   if (typeof declared !== 'number' && !isExpression(declared))
-    throw new WarpError(
-      `${method}: the uniform ${name} must be a number or an expression, but is ${describe(declared)}.`,
-    )
+    throw place
+      .part(`the uniform ${name}`)
+      .expected('a number or an expression', describe(declared))
   if (typeof declared === 'number' && /^u?int$/.test(type)) return halvesOf(glsl, declared)
   const value = typeof declared === 'number' ? glsl.val!(declared) : (declared as Expression)
   const given = value.session.shapeOf(value)
@@ -134,8 +135,8 @@ function checked(
     const { x, y, z, w } = value as unknown as Vec4
     return glsl.mat2!(x(), y(), z(), w())
   }
-  throw new WarpError(
-    `${method}: the uniform ${name} is ${article(type)} in the text, but ${describeShape(given)} was given.`,
+  throw place.error(
+    `the uniform ${name} is ${article(type)} in the text, but ${describeShape(given)} was given.`,
   )
 }
 
@@ -151,7 +152,7 @@ const matrixTypes = /^mat(\d)x(\d)$/
 const isParameter = (type: string) => parameterTypes.test(type) || matrixTypes.test(type)
 
 /** A variable of the host's shader: a parameter of a function, or a uniform. */
-export function parameterOf(method: string, glsl: Builder, { name, type }: Named): Value {
+export function parameterOf(place: Place, glsl: Builder, { name, type }: Named): Value {
   const [, columns, rows] = matrixTypes.exec(type) ?? []
   if (rows && columns !== rows)
     return new Columns(
@@ -159,8 +160,8 @@ export function parameterOf(method: string, glsl: Builder, { name, type }: Named
     )
   const [, word, size] = parameterTypes.exec(type) ?? []
   if (word === undefined)
-    throw new WarpError(
-      `${method}: ${name} is ${article(type)}; only numbers, vectors and matrices can be given.`,
+    throw place.error(
+      `${name} is ${article(type)}; only numbers, vectors and matrices can be given.`,
     )
   if (word === 'float') return glsl.param!(name)
   if (word === 'vec' || word === 'mat') return glsl[`${type}Param`]!(name)
@@ -170,7 +171,7 @@ export function parameterOf(method: string, glsl: Builder, { name, type }: Named
     return session.inputOf(
       { name, type: type as TypeName, half, texts },
       [1, Number(size || 1)],
-      method,
+      place.method,
     )
   }
   return isWhole(type) && session.target !== 'glsl100'

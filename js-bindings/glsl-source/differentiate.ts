@@ -1,15 +1,16 @@
 // `differentiate`: a function of shader text as the text of one that gives its derivatives too.
 import { compile } from '#text-compiler'
-import { WarpError, describe } from '../errors/errors.js'
-import { checkOptions } from '../options/options.js'
+import { anything, kind, optional, text } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
-import { type Target, checkTarget } from '../core/module/kept-module.js'
+import { type Target, targetKind } from '../core/module/kept-module.js'
 import type { Vector } from '../core/types/types.js'
 import { bindExternals, parameterOf } from './bind.js'
 import { functionText } from './function-text.js'
 import { type FunctionHead, type Listing, type Named, withSource } from './listing.js'
-import { type GlslOptions, article, checkSource, readIterations, readName } from './options.js'
+import { type GlslOptions, article, glslKinds, sourceKind } from './options.js'
 import { pack, replay } from './replay.js'
 
 export interface DifferentiateOptions extends GlslOptions {
@@ -21,6 +22,14 @@ export interface DifferentiateOptions extends GlslOptions {
   name?: string
 }
 
+const place = new Place('differentiate')
+const differentiateOptions = object({
+  ...glslKinds,
+  by: anything<string>(),
+  target: targetKind,
+  name: optional(text('the name of a function', /^[a-z_]\w*$/i)),
+} satisfies KindsOf<DifferentiateOptions>)
+
 /**
  * The text of a function with the parameters of the one in `source`. Where that gives a float, the new one,
  * `…Gradient`, gives a vector of the value and then its derivatives by each component of `by`: `vec4 mapGradient(vec3 p)`
@@ -29,29 +38,28 @@ export interface DifferentiateOptions extends GlslOptions {
  *
  * Uniforms stay the shader's. Throws a `WarpError` with the line and column of what is wrong in the text.
  */
-export function differentiate(source: string, options: DifferentiateOptions = {}): string {
-  checkSource('differentiate', source)
-  checkOptions('differentiate', options, ['function', 'maxIterations', 'by', 'target', 'name'])
-  const target = checkTarget(options.target)
-  const { by, shape, listing } = withSource('differentiate', source, (text) => {
-    const head = text.find(readName('differentiate', options.function))
-    const by = readBy(head, options.by)
-    const shape = checkHead(head, by, target)
-    const iterations = readIterations('differentiate', options.maxIterations)
-    return { by, shape, listing: text.list(head, iterations) }
+export function differentiate(source: string, options?: DifferentiateOptions): string {
+  const sourceText = sourceKind.read(source, place.part('the source'))
+  const given = differentiateOptions.read(options, place)
+  const { target } = given
+  const { by, shape, listing } = withSource(place, sourceText, (open) => {
+    const head = open.find(given.function)
+    const by = parameterNamed(head, given.by)
+    const shape = resultShape(head, by, target)
+    return { by, shape, listing: open.list(head, given.maxIterations) }
   })
   const { head } = listing
   const parameters = renameParameters(listing)
-  const name = readNewName(options.name, head.name + (shape.isValue ? 'Gradient' : 'Jacobian'))
+  const name = given.name ?? head.name + (shape.isValue ? 'Gradient' : 'Jacobian')
   const result = freeName(listing)
-  const text = compile(
+  const compiled = compile(
     (glsl) => ({
       [result]: derivativesOf(glsl as unknown as Builder, listing, parameters, by, shape) as never,
     }),
     { target },
   )
   return functionText(target, {
-    ...text,
+    ...compiled,
     result,
     name,
     type: shape.type,
@@ -98,49 +106,42 @@ function derivativesOf(
   { isValue }: ResultShape,
 ): Expression {
   const { head, externals } = listing
-  const operands = parameters.map((each) => parameterOf('differentiate', glsl, each))
-  const outside = bindExternals('differentiate', glsl, externals, {})
+  const operands = parameters.map((each) => parameterOf(place, glsl, each))
+  const outside = bindExternals(place, glsl, externals, {})
   const value = pack(glsl, head.type, replay(glsl, listing, { arguments: operands, ...outside }))
-  const place = head.parameters.findIndex(({ name }) => name === by)
-  // Floats, as checkHead says.
-  const input = operands[place] as Expression
-  const isNumber = head.parameters[place]!.type === 'float'
+  const index = head.parameters.findIndex(({ name }) => name === by)
+  // Floats, as resultShape says.
+  const input = operands[index] as Expression
+  const isNumber = head.parameters[index]!.type === 'float'
   if (isNumber) {
     const slope = glsl.derivative!(value, input)
     return isValue ? glsl.vec2!(value, slope) : slope
   }
   if (!isValue) return glsl.jacobian!(value, input)
   const slopes = glsl.gradient!(value, input) as unknown as Vector
-  const size = Number(head.parameters[place]!.type.at(-1))
+  const size = Number(head.parameters[index]!.type.at(-1))
   return glsl[`vec${size + 1}`]!(value, slopes)
 }
 
-function readBy({ name, parameters }: FunctionHead, by: unknown): string {
-  const names = parameters.map((each) => each.name).join(', ')
-  if (parameters.length === 0)
-    throw new WarpError(`differentiate: ${name} has no parameter to differentiate by.`)
-  if (by === undefined) return parameters[0]!.name
-  if (parameters.some((each) => each.name === by)) return by as string
-  throw new WarpError(
-    `differentiate: the option "by" must be a parameter of ${name}, one of ${names}, but is ${describe(by)}.`,
-  )
+/** The name of the parameter to differentiate by. */
+function parameterNamed({ name, parameters }: FunctionHead, by: unknown): string {
+  const names = parameters.map((each) => each.name)
+  if (names.length === 0) throw place.error(`${name} has no parameter to differentiate by.`)
+  return kind<string>(
+    `a parameter of ${name}, one of ${names.join(', ')},`,
+    (given) => names.includes(given as string),
+    { default: names[0]! },
+  ).read(by, place.option('by'))
 }
 
-function readNewName(name: unknown, usual: string): string {
-  if (name === undefined) return usual
-  if (typeof name === 'string' && /^[a-z_]\w*$/i.test(name)) return name
-  throw new WarpError(
-    `differentiate: the option "name" must be the name of a function, but is ${describe(name)}.`,
-  )
-}
-
-function checkHead(
+/** The type of the result. Throws if there is none. */
+function resultShape(
   { name, type, parameters }: FunctionHead,
   by: string,
   target: Target,
 ): ResultShape {
   const refuse = (why: string): never => {
-    throw new WarpError(`differentiate: ${why}.`)
+    throw place.error(`${why}.`)
   }
   const isFloats = (word: string) => /^(?:float|vec[234])$/.test(word)
   for (const each of parameters)

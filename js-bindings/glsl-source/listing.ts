@@ -1,6 +1,6 @@
 // From shader text to a plain list of operations, once; it knows no session and outlives the wasm's memory.
+import type { Place } from '../options/place.js'
 import * as wasm from '../wasm/glsl.js'
-import { WarpError } from '../errors/errors.js'
 
 export type FunctionHead = wasm.FunctionHead
 
@@ -17,20 +17,20 @@ export interface Listing extends wasm.Listing {
 
 /** Does some work with a text that was read, and closes it whatever happens. Throws a `WarpError` with line, column and a caret. */
 export const withSource = <Result>(
-  method: string,
+  place: Place,
   text: string,
   work: (source: OpenSource) => Result,
 ): Result =>
   wasm.glsl.use(
     ({ Source }) => new Source(text),
-    (source) => work(new OpenSource(method, source)),
+    (source) => work(new OpenSource(place, source)),
   )
 
 export class OpenSource {
   readonly functions: FunctionHead[]
 
   constructor(
-    private readonly method: string,
+    private readonly place: Place,
     private readonly source: wasm.Source,
   ) {
     this.throwProblem()
@@ -39,19 +39,19 @@ export class OpenSource {
 
   private throwProblem() {
     const problem = this.source.problem()
-    if (problem) throw new WarpError(`${this.method}: ${problem}`)
+    if (problem) throw this.place.error(problem)
   }
 
   /** The one of that name; without a name `offset`, or the last. */
   find(name: string | undefined): FunctionHead {
-    const { functions, method } = this
+    const { functions, place } = this
     if (functions.length === 0)
-      throw new WarpError(`${method}: the source has no function; write one that gives a value.`)
+      throw place.error('the source has no function; write one that gives a value.')
     const named = functions.filter((each) => each.name === (name ?? 'offset'))
     if (named.length > 0) return named.at(-1)!
     if (name === undefined) return functions.at(-1)!
-    throw new WarpError(
-      `${method}: the source has no function "${name}"; there are ${functions.map((each) => each.name).join(', ')}.`,
+    throw place.error(
+      `the source has no function "${name}"; there are ${functions.map((each) => each.name).join(', ')}.`,
     )
   }
 

@@ -3,7 +3,9 @@ import type { CpuWarp, EvaluationOptions } from '../cpu/cpu-warp.js'
 import type { WarpedVertices } from '../cpu/results.js'
 import { WarpError, describe } from '../errors/errors.js'
 import { anyNumber, finiteFloat, firstWrong } from '../options/numbers.js'
-import { isList } from '../options/options.js'
+import { isList } from '../options/guards.js'
+import { kind } from '../options/kinds.js'
+import { Place } from '../options/place.js'
 import { type Uniforms, type Vertices, uniformsOf } from '../core/inputs/vertices.js'
 import { type RunningProgram, warpProgram } from '../cpu/warp-program.js'
 import { type Geometry, isGeometry } from '../core/inputs/geometry.js'
@@ -24,6 +26,16 @@ export interface Evaluates extends Pick<CpuWarp, 'evaluate'> {
   /** @internal */
   readonly [warpProgram]?: RunningProgram
 }
+
+/** A warp that runs on the CPU, which one of the `makers` made. */
+export const warpKind = (makers = 'compileWarp') =>
+  kind<Evaluates>(
+    `what ${makers} returns`,
+    (given) => typeof (given as Evaluates | undefined)?.evaluate === 'function',
+  )
+
+const place = new Place('bakeWarp')
+const bakedWarp = warpKind()
 
 /** Whether the warp wants to know how normals and uvs vary over the mesh. */
 export const asksForVariation = (warp: Evaluates) => warp[warpProgram]?.varies ?? false
@@ -50,49 +62,42 @@ export function bakeWarp(
 ): unknown {
   const baked = bake(given, warp, options)
   if (!isGeometry(given)) return baked
-  const isMirrored = isMirroredBy(warp, uniformsOf('bakeWarp', options))
+  const isMirrored = isMirroredBy(warp, uniformsOf(place.method, options))
   return movedGeometry(given, baked, isMirrored, (mesh) => bake(mesh, warp, options))
 }
 
 /** False for a warp made by hand, which says nothing of it. */
 const isMirroredBy = (warp: Evaluates, uniforms: Uniforms | undefined) =>
-  warp[warpProgram]?.isMirrored('bakeWarp', uniforms) ?? false
+  warp[warpProgram]?.isMirrored(place.method, uniforms) ?? false
 
 function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions): Mesh {
-  checkWarp('bakeWarp', warp)
-  const uniforms = uniformsOf('bakeWarp', options)
-  const { copy, variation } = withJob('bakeWarp', (job) => {
+  bakedWarp.read(warp, place.part('the warp'))
+  const uniforms = uniformsOf(place.method, options)
+  const { copy, variation } = withJob(place.method, (job) => {
     putMesh(job, mesh)
     job.act('addNormals')
     return { copy: takeMesh(job), variation: asksForVariation(warp) ? takeVariation(job) : {} }
   })
   const vertices = { ...copy, ...variation }
-  const { positions, normals, tangents } = evaluateFor('bakeWarp', warp, vertices, uniforms)
+  const { positions, normals, tangents } = evaluateFor(place, warp, vertices, uniforms)
   if (!normals)
-    throw new WarpError(
-      'bakeWarp: the warp was compiled with "normals: false", so that it turns none; compile it without.',
+    throw place.error(
+      'the warp was compiled with "normals: false", so that it turns none; compile it without.',
     )
-  checkFinite('position', positions, 3, copy)
-  checkFinite('normal', normals, 3, copy)
-  if (tangents) checkFinite('tangent', tangents, 4, copy)
+  rejectNonFinite('position', positions, 3, copy)
+  rejectNonFinite('normal', normals, 3, copy)
+  if (tangents) rejectNonFinite('tangent', tangents, 4, copy)
   const baked = { ...copy, positions, normals, ...(tangents && { tangents }) }
   return isMirroredBy(warp, uniforms) ? reverseTriangles(baked) : baked
 }
 
-export function checkWarp(method: string, warp: unknown, makers = 'compileWarp') {
-  if (typeof (warp as Evaluates | undefined)?.evaluate === 'function') return
-  throw new WarpError(
-    `${method}: the warp must be what ${makers} returns, but is ${describe(warp)}.`,
-  )
-}
-
-/** `warp.evaluate`, whose sentences then name what the user called. */
+/** Calls `warp.evaluate`, whose messages then name the function that the user called. */
 export function evaluateFor(
-  method: string,
+  place: Place,
   warp: Evaluates,
   vertices: Vertices,
   uniforms?: Uniforms,
-) {
+): WarpedVertices {
   let warped: WarpedVertices
   try {
     warped = warp.evaluate(vertices, { uniforms })
@@ -100,20 +105,19 @@ export function evaluateFor(
     // The warp may be of another script, which has a class of its own.
     const { name, message = '' } = (error ?? {}) as Partial<Error>
     if (name !== 'WarpError') throw error
-    throw new WarpError(message.replace(/^evaluate: /, `${method}: `))
+    throw new WarpError(message.replace(/^evaluate: /, `${place.method}: `))
   }
-  if (!warp[warpProgram]) checkWarped(method, warped, vertices)
+  if (!warp[warpProgram]) rejectOtherArrays(place.part("the warp's evaluate"), warped, vertices)
   return warped
 }
 
-/** What a warp made by hand gives. */
-function checkWarped(method: string, warped: unknown, vertices: Vertices) {
+/** Checks what a warp that was made by hand gives. */
+function rejectOtherArrays(place: Place, warped: unknown, vertices: Vertices) {
   const count = vertices.positions.length / 3
-  const place = `${method}: the warp's evaluate`
+  const expectToGive = (what: string, got: string) =>
+    place.error(`expected ${place.subject} to give ${what}, got ${got}.`)
   if (typeof warped !== 'object' || warped === null)
-    throw new WarpError(
-      `${place} must give { positions, normals }, but ${describe(warped)} came from it.`,
-    )
+    throw expectToGive('{ positions, normals }', describe(warped))
   for (const [name, size] of [
     ['positions', 3],
     ['normals', 3],
@@ -122,23 +126,26 @@ function checkWarped(method: string, warped: unknown, vertices: Vertices) {
     const numbers = (warped as Record<string, unknown>)[name]
     if (numbers === undefined && name !== 'positions') continue
     if (!isList(numbers) || numbers.length !== size * count)
-      throw new WarpError(
-        `${place} must give ${name} as an array of ${size * count} numbers, ${size} for each vertex that it is given, but it is ${isList(numbers) ? `one of ${numbers.length}` : describe(numbers)}.`,
+      throw expectToGive(
+        `${name} as an array of ${size * count} numbers, ${size} for each vertex that it is given`,
+        describe(numbers),
       )
     const wrong = firstWrong(numbers, anyNumber)
-    if (wrong >= 0)
-      throw new WarpError(
-        `${place} must give numbers only, but ${name}[${wrong}] is ${describe(numbers[wrong])}.`,
-      )
+    if (wrong >= 0) throw expectToGive(`a number as ${name}[${wrong}]`, describe(numbers[wrong]))
   }
 }
 
-function checkFinite(name: string, given: ArrayLike<number>, size: number, { positions }: Mesh) {
+function rejectNonFinite(
+  name: string,
+  given: ArrayLike<number>,
+  size: number,
+  { positions }: Mesh,
+) {
   const i = firstWrong(given, finiteFloat)
   if (i < 0) return
   const vertex = Math.floor(i / size)
-  const place = [...positions.subarray(3 * vertex, 3 * vertex + 3)].join(', ')
-  throw new WarpError(
-    `bakeWarp: the warp gives vertex ${vertex} at (${place}) no finite ${name}, but ${given[i]}; check what it does there, such as a division by 0.`,
+  const position = [...positions.subarray(3 * vertex, 3 * vertex + 3)].join(', ')
+  throw place.error(
+    `the warp gives vertex ${vertex} at (${position}) no finite ${name}, but ${given[i]}; check what it does there, such as a division by 0.`,
   )
 }

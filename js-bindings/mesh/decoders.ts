@@ -1,6 +1,8 @@
 // Decoders of compressed models: given by the caller, or found.
-import { WarpError, describe } from '../errors/errors.js'
-import { checkOptions } from '../options/options.js'
+import { describe } from '../errors/errors.js'
+import { anything, optional } from '../options/kinds.js'
+import type { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
 import { importFromWorkingFolder, importPackage } from './sources.js'
 
 /** `MeshoptDecoder` of the package meshoptimizer. */
@@ -43,7 +45,7 @@ export interface Decoders {
 
 export type Codec = keyof Decoders
 
-interface Kind {
+interface Source {
   global: string
   package: string
   /** Resolves to a ready decoder made from the caller's value; `undefined` if that is no decoder. */
@@ -53,7 +55,7 @@ interface Kind {
 const isObject = (value: unknown): value is Record<string, unknown> =>
   (typeof value === 'object' || typeof value === 'function') && value !== null
 
-const kinds: Record<Codec, Kind> = {
+const sources: Record<Codec, Source> = {
   meshopt: {
     global: 'MeshoptDecoder',
     package: 'meshoptimizer',
@@ -85,25 +87,30 @@ const memberOr = (found: unknown, name: string) =>
 
 const isDraco = (value: unknown) => isObject(value) && typeof value.DecoderBuffer === 'function'
 
+/** The kind of the option `decoders`. */
+export const decodersKind = optional(
+  object({ meshopt: anything(), draco: anything() } satisfies KindsOf<Record<Codec, unknown>>),
+)
+
 /** The ready decoder, or `undefined` if none was given or found. */
 export async function findDecoder(
-  method: string,
+  place: Place,
   codec: Codec,
   decoders: Decoders = {},
 ): Promise<unknown> {
-  const kind = kinds[codec]
-  const given: unknown = decoders[codec] ?? (globalThis as Record<string, unknown>)[kind.global]
+  const source = sources[codec]
+  const given: unknown = decoders[codec] ?? (globalThis as Record<string, unknown>)[source.global]
   if (given !== undefined) {
-    const decoder = await kind.prepare(given)
+    const decoder = await source.prepare(given)
     if (decoder) return decoder
-    const place = decoders[codec] ? `the option "decoders.${codec}"` : `the global ${kind.global}`
-    throw new WarpError(
-      `${method}: expected ${place} to be the decoder of the package ${kind.package}, got ${describe(given)}.`,
-    )
+    const where = decoders[codec]
+      ? place.option('decoders').option(codec)
+      : place.part(`the global ${source.global}`)
+    throw where.expected(`the decoder of the package ${source.package}`, describe(given))
   }
   for (const find of [importPackage, importFromWorkingFolder])
     try {
-      const decoder = await kind.prepare(memberOr(await find(kind.package), kind.global))
+      const decoder = await source.prepare(memberOr(await find(source.package), source.global))
       if (decoder) return decoder
     } catch {
       // The package is not installed, or a page has no way to it.
@@ -113,13 +120,6 @@ export async function findDecoder(
 
 /** The end of a message: how to get a decoder. */
 export const adviceFor = (codec: Codec) => {
-  const { global, package: name } = kinds[codec]
+  const { global, package: name } = sources[codec]
   return `install the package ${name}, hand its decoder over as loadMesh(model, { decoders: { ${codec}: … } }), or add its script, which defines ${global}`
-}
-
-export function checkDecoders(
-  method: string,
-  given: unknown,
-): asserts given is Decoders | undefined {
-  checkOptions(`${method}: decoders`, given, Object.keys(kinds))
 }

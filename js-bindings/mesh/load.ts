@@ -1,9 +1,10 @@
 // `loadMesh`: from a file to a mesh.
-import { WarpError, describe } from '../errors/errors.js'
-import { checkOptions } from '../options/options.js'
+import { callable, kind, optional } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { object } from '../options/schema.js'
 import { isGeometry } from '../core/inputs/geometry.js'
 import { geometryAs } from './geometry.js'
-import { type Codec, type Decoders, checkDecoders, findDecoder } from './decoders.js'
+import { type Codec, type Decoders, decodersKind, findDecoder } from './decoders.js'
 import { type Mesh, takeMesh } from './mesh-arrays.js'
 import { type FoundDecoders, unpackParts } from './unpack.js'
 import { type Job, withJob } from './job.js'
@@ -28,6 +29,21 @@ export interface LoadAsOptions<Geometry> extends LoadOptions {
   as: new () => Geometry
 }
 
+const place = new Place('loadMesh')
+
+type MeshClass = new () => unknown
+
+const loadOptions = object({
+  resolve: optional(callable<Resolve>('a function from a URI to bytes')),
+  as: optional(
+    kind<MeshClass>(
+      'the class BufferGeometry of three.js',
+      (as) => typeof as === 'function' && isGeometry(new (as as MeshClass)()),
+    ),
+  ),
+  decoders: decodersKind,
+} satisfies Record<keyof LoadAsOptions<unknown>, unknown>)
+
 type FurtherFiles = Map<string, Uint8Array>
 
 /**
@@ -45,16 +61,11 @@ export function loadMesh<Geometry extends { readonly isBufferGeometry: true }>(
 export function loadMesh(source: Source, options?: LoadOptions): Promise<Mesh>
 export async function loadMesh(
   source: Source,
-  options: LoadOptions & { as?: new () => unknown } = {},
+  options?: LoadOptions & { as?: MeshClass },
 ): Promise<unknown> {
-  checkOptions('loadMesh', options, ['resolve', 'as', 'decoders'])
-  const { as } = options
-  if (as === undefined) return (await readModel(source, options)).mesh
-  if (typeof as !== 'function' || !isGeometry(new as()))
-    throw new WarpError(
-      `loadMesh: the option "as" must be the class BufferGeometry of three.js, but is ${describe(as)}.`,
-    )
-  return geometryAs(as, (await readModel(source, options)).mesh)
+  const { as, resolve, decoders } = loadOptions.read(options, place)
+  const { mesh } = await readModel(source, { resolve, decoders: decoders as Decoders })
+  return as ? geometryAs(as, mesh) : mesh
 }
 
 /** A mesh. `painted` is 1 for each vertex that a material of an .obj gives a colour, otherwise 0; empty if none does. */
@@ -68,20 +79,15 @@ type Step =
   | { missing: string[]; needed?: undefined; model?: undefined }
   | { needed: Codec[]; missing?: undefined; model?: undefined }
 
-/** Reads a model, for `method`, which the user called. */
+/** Reads a model, with options that were checked. */
 export async function readModel(
   source: unknown,
-  { resolve: given, decoders }: LoadOptions,
+  { resolve: given, decoders }: { resolve?: Resolve | undefined; decoders?: Decoders | undefined },
 ): Promise<LoadedModel> {
-  if (given !== undefined && typeof given !== 'function')
-    throw new WarpError(
-      `loadMesh: the option "resolve" must be a function from a URI to bytes, but is ${describe(given)}.`,
-    )
-  checkDecoders('loadMesh', decoders)
-  const place = await locate(source, 'loadMesh')
-  const bytes = await readBytes(place, 'loadMesh')
+  const located = await locate(source, place)
+  const bytes = await readBytes(located, place)
   const resolve =
-    given ?? (place instanceof URL ? resolveBeside(place, 'loadMesh', !isGltf(bytes)) : undefined)
+    given ?? (located instanceof URL ? resolveBeside(located, place, !isGltf(bytes)) : undefined)
 
   const files: FurtherFiles = new Map()
   const asked = new Set<string>()
@@ -98,7 +104,7 @@ export async function readModel(
     for (const uri of step.missing ?? []) asked.add(uri)
     if (step.missing) await gather(step.missing, resolve!, files)
     for (const codec of step.needed ?? [])
-      found.set(codec, await findDecoder('loadMesh', codec, decoders))
+      found.set(codec, await findDecoder(place, codec, decoders))
   }
 }
 
@@ -124,6 +130,6 @@ async function gather(uris: readonly string[], resolve: Resolve, files: FurtherF
   for (const uri of uris) {
     const contents: Bytes | undefined = await resolve(uri)
     if (contents !== undefined)
-      files.set(uri, await readBytes(contents, `loadMesh: resolve("${uri}")`))
+      files.set(uri, await readBytes(contents, new Place(`loadMesh: resolve("${uri}")`)))
   }
 }

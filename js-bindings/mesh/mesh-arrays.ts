@@ -1,7 +1,9 @@
 // What a mesh is here: flat arrays, going in and coming out.
-import { WarpError, describe } from '../errors/errors.js'
+import { describe } from '../errors/errors.js'
 import { finiteFloat, firstWrong, inWords } from '../options/numbers.js'
-import { isList } from '../options/options.js'
+import { isList } from '../options/guards.js'
+import { kind, record, text } from '../options/kinds.js'
+import { Place } from '../options/place.js'
 import { type Geometry, arraysOf, isGeometry } from '../core/inputs/geometry.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import type { Job } from './job.js'
@@ -65,58 +67,78 @@ const sizes: Partial<Record<FloatArray, number>> = { uvs: 2, colors: 4, tangents
 /** A geometry of three.js as a mesh. */
 export type MeshOrGeometry = MeshInput | Geometry
 
-/** What comes in, as a mesh. */
-export function meshOf(method: string, given: unknown): unknown {
+/** Converts a geometry to a mesh. */
+function meshOf(place: Place, given: unknown): unknown {
   if (!isGeometry(given)) return given
   if (given.attributes.position) return arraysOf(given)
-  throw new WarpError(`${method}: the geometry has no attribute "position".`)
+  throw place.error('the geometry has no attribute "position".')
 }
 
 /**
- * Lays the mesh into the job and sees that its arrays fit together; throws a `WarpError` if they do not.
+ * Copies the mesh into the job and sees that its arrays fit together; throws a `WarpError` if they do not.
  */
 export function putMesh(job: Job, given: unknown) {
-  const { method } = job
-  const mesh = meshOf(method, given)
+  const place = new Place(job.method)
+  const mesh = meshOf(place, given)
   if (!isObject(mesh) || !('positions' in mesh))
-    throw new WarpError(
-      `${method}: a mesh such as { positions, normals, indices } was expected, but ${describe(given)} came.`,
-    )
+    throw place.expected('a mesh such as { positions, normals, indices }', describe(given))
   for (const name of floatArrays) {
     const numbers = mesh[name]
     if (numbers === undefined && name !== 'positions') continue
-    job.setFloats(name, checkNumbers(`${method}: ${name}`, numbers), sizes[name])
+    // C++ checks that they are finite.
+    job.setFloats(name, flatArray.read(numbers, place.part(name)), sizes[name])
   }
-  if (mesh.indices !== undefined) job.setIndices(checkIndices(method, mesh.indices))
-  if (mesh.material !== undefined) putMaterial(job, mesh.material)
+  if (mesh.indices !== undefined) job.setIndices(indicesOf(mesh.indices, place))
+  if (mesh.material !== undefined) putMaterial(job, mesh.material, place)
   job.act('checkMesh')
 }
 
-function putMaterial(job: Job, material: unknown) {
-  const place = `${job.method}: material`
-  if (!isObject(material))
-    throw new WarpError(
-      `${place} must be an object such as { baseColor: [1, 1, 1, 1] }, but is ${describe(material)}.`,
-    )
-  const { baseColor = [1, 1, 1, 1], baseColorTexture } = material
-  const color = checkNumbers(`${place}.baseColor`, baseColor)
+const flatArray = kind<ArrayLike<number>>(
+  'a flat array of numbers, such as a Float32Array,',
+  isList,
+)
+
+function indicesOf(given: unknown, place: Place): ArrayLike<number> {
+  const numbers = flatArray.read(given, place.part('indices'))
+  if (numbers instanceof Uint32Array || numbers instanceof Uint16Array) return numbers
+  for (let i = 0; i < numbers.length; i++) {
+    const index: unknown = numbers[i]
+    if (!(Number.isInteger(index) && (index as number) >= 0 && (index as number) < 2 ** 32))
+      throw place
+        .part(`indices[${i}]`)
+        .expected('the number of a vertex, counted from 0,', describe(index))
+  }
+  return numbers
+}
+
+const materialKind = record<Record<string, unknown>>(
+  'an object such as { baseColor: [1, 1, 1, 1] }',
+)
+const mimeTypeKind = text('a text such as "image/png"', undefined, { default: '' })
+
+function putMaterial(job: Job, given: unknown, place: Place) {
+  const part = (name: string) => place.part(`material.${name}`)
+  const { baseColor = [1, 1, 1, 1], baseColorTexture } = materialKind.read(
+    given,
+    place.part('material'),
+  )
+  const color = flatArray.read(baseColor, part('baseColor'))
   if (color.length !== 4 || firstWrong(color, finiteFloat) >= 0)
-    throw new WarpError(
-      `${place}.baseColor must be four finite numbers, red, green, blue and alpha, but is [${Array.from(color).slice(0, 5).map(inWords).join(', ')}].`,
+    throw part('baseColor').expected(
+      'four finite numbers, red, green, blue and alpha,',
+      `[${Array.from(color).slice(0, 5).map(inWords).join(', ')}]`,
     )
   job.setBaseColor(color)
   if (baseColorTexture === undefined) return
-  const { bytes, mimeType = '' } = isObject(baseColorTexture) ? baseColorTexture : {}
+  const isPicture = isObject(baseColorTexture)
+  const { bytes, mimeType } = isPicture ? baseColorTexture : {}
   if (!(bytes instanceof Uint8Array))
-    throw new WarpError(
-      `${place}.baseColorTexture must be { bytes, mimeType } with bytes in a Uint8Array, but ${isObject(baseColorTexture) ? `its bytes are ${describe(bytes)}` : `is ${describe(baseColorTexture)}`}.`,
-    )
-  if (typeof mimeType !== 'string')
-    throw new WarpError(
-      `${place}.baseColorTexture.mimeType must be a text such as "image/png", but is ${describe(mimeType)}.`,
+    throw part('baseColorTexture').expected(
+      '{ bytes, mimeType } with bytes in a Uint8Array',
+      isPicture ? `bytes that are ${describe(bytes)}` : describe(baseColorTexture),
     )
   job.setBytes('picture', bytes)
-  job.setText('mimeType', mimeType)
+  job.setText('mimeType', mimeTypeKind.read(mimeType, part('baseColorTexture.mimeType')))
 }
 
 /** The mesh that the job holds, as arrays of its own. */
@@ -151,24 +173,3 @@ export function reverseTriangles(mesh: Mesh): Mesh {
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null
-
-/** That they are finite is seen in C++. */
-function checkNumbers(place: string, value: unknown): ArrayLike<number> {
-  if (isList(value)) return value
-  throw new WarpError(
-    `${place} must be a flat array of numbers, such as a Float32Array, but is ${describe(value)}.`,
-  )
-}
-
-function checkIndices(method: string, value: unknown): ArrayLike<number> {
-  const numbers = checkNumbers(`${method}: indices`, value)
-  if (numbers instanceof Uint32Array || numbers instanceof Uint16Array) return numbers
-  for (let i = 0; i < numbers.length; i++) {
-    const index: unknown = numbers[i]
-    if (!(Number.isInteger(index) && (index as number) >= 0 && (index as number) < 2 ** 32))
-      throw new WarpError(
-        `${method}: indices[${i}] must be the number of a vertex, counted from 0, but is ${describe(index)}.`,
-      )
-  }
-  return numbers
-}

@@ -1,5 +1,6 @@
 // Where the bytes of a model come from, in browsers and in Node.
 import { WarpError, describe, shorten } from '../errors/errors.js'
+import type { Place } from '../options/place.js'
 
 /** Bytes, or something that has them. */
 export type Bytes = ArrayBuffer | ArrayBufferView | Blob
@@ -39,16 +40,17 @@ export const filesAreClosed =
 class Missing extends WarpError {}
 
 /** The bytes, in an array that may share its memory with the source. */
-export async function readBytes(source: unknown, method: string): Promise<Uint8Array> {
-  if (source instanceof URL) return fetchBytes(source, method)
-  const bytes = await toBytes(source, method)
+export async function readBytes(source: unknown, place: Place): Promise<Uint8Array> {
+  if (source instanceof URL) return fetchBytes(source, place)
+  const bytes = await toBytes(source, place)
   if (bytes) return bytes
-  throw new WarpError(
-    `${method}: a URL, or bytes in an ArrayBuffer, a Uint8Array or a Blob, were expected, but ${describe(source)} came.`,
+  throw place.expected(
+    'a URL, or bytes in an ArrayBuffer, a Uint8Array or a Blob',
+    describe(source),
   )
 }
 
-async function toBytes(source: unknown, method: string): Promise<Uint8Array | undefined> {
+async function toBytes(source: unknown, place: Place): Promise<Uint8Array | undefined> {
   if (source instanceof Uint8Array) return source
   if (ArrayBuffer.isView(source))
     return new Uint8Array(source.buffer, source.byteOffset, source.byteLength)
@@ -58,21 +60,21 @@ async function toBytes(source: unknown, method: string): Promise<Uint8Array | un
       await source.arrayBuffer().catch((error: unknown) => {
         // A file of the user that was moved or changed since it was chosen.
         const reason = error instanceof Error ? ` (${shorten(error.name)})` : ''
-        throw new WarpError(`${method}: the Blob or File cannot be read${reason}.`)
+        throw place.error(`the Blob or File cannot be read${reason}.`)
       }),
     )
   return undefined
 }
 
 /** A text as a URL: relative to the page, or in Node a path unless it says otherwise; anything else as it is. */
-export async function locate(source: unknown, method: string): Promise<unknown> {
+export async function locate(source: unknown, place: Place): Promise<unknown> {
   if (typeof source !== 'string') return source
   if (!/^([a-z][a-z\d+.-]*:\/\/|(file|data|blob):)/i.test(source)) {
     const path = node()?.getBuiltinModule('node:url').pathToFileURL(source)
     if (path) return path
   }
   const url = parsed(source, pageUrl())
-  if (!url) throw new WarpError(`${method}: "${shorten(source)}" is no URL.`)
+  if (!url) throw place.error(`"${shorten(source)}" is no URL.`)
   return url
 }
 
@@ -89,10 +91,10 @@ function parsed(text: string, base?: string | URL): URL | undefined {
   }
 }
 
-async function fetchBytes(url: URL, method: string): Promise<Uint8Array> {
+async function fetchBytes(url: URL, place: Place): Promise<Uint8Array> {
   const files = url.protocol === 'file:' && node()?.getBuiltinModule('node:fs/promises')
-  if (files) return readFile(files, url, method)
-  const sentence = (why: string) => `${method}: ${addressOf(url)} cannot be loaded; ${why}.`
+  if (files) return readFile(files, url, place)
+  const sentence = (why: string) => `${place.method}: ${addressOf(url)} cannot be loaded; ${why}.`
   let response: Response
   try {
     response = await fetch(url)
@@ -119,7 +121,7 @@ function addressOf({ href }: URL): string {
 async function readFile(
   files: NodeModules['node:fs/promises'],
   url: URL,
-  method: string,
+  place: Place,
 ): Promise<Uint8Array> {
   try {
     return await files.readFile(url)
@@ -127,8 +129,8 @@ async function readFile(
     const { code } = error as { code?: string }
     // Percent signs that stand for nothing name no file.
     if (code === 'ENOENT' || error instanceof URIError)
-      throw new Missing(`${method}: the file ${pathOf(url)} does not exist.`)
-    throw new WarpError(`${method}: the file ${pathOf(url)} cannot be read.`)
+      throw new Missing(`${place.method}: the file ${pathOf(url)} does not exist.`)
+    throw place.error(`the file ${pathOf(url)} cannot be read.`)
   }
 }
 
@@ -160,7 +162,7 @@ async function staysIn(folder: string, url: URL): Promise<boolean> {
  * result is empty for a file that does not exist, since a model can do without its pictures; with `canDoWithout` also for one
  * that cannot be loaded for any other reason.
  */
-export function resolveBeside(model: URL, method: string, canDoWithout = false): Resolve {
+export function resolveBeside(model: URL, place: Place, canDoWithout = false): Resolve {
   // A data: or blob: URL has nothing beside it.
   const folder = parsed('.', model)?.href
   return async (uri) => {
@@ -168,7 +170,7 @@ export function resolveBeside(model: URL, method: string, canDoWithout = false):
     if (folder === undefined || !url?.href.startsWith(folder)) return undefined
     if (node() && url.protocol === 'file:' && !(await staysIn(folder, url))) return undefined
     try {
-      return await fetchBytes(url, method)
+      return await fetchBytes(url, place)
     } catch (error) {
       if (error instanceof Missing || (canDoWithout && error instanceof WarpError)) return undefined
       throw error

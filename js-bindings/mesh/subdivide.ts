@@ -1,11 +1,13 @@
 // `subdivide`: more triangles, where a warp needs them.
 import type { CpuWarp } from '../cpu/cpu-warp.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { checkOptions } from '../options/options.js'
+import { describe } from '../errors/errors.js'
+import { anything, positiveNumber, wholeNumber } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
 import { snapshotUniforms } from '../core/inputs/declared-uniforms.js'
 import type { Uniforms } from '../core/inputs/vertices.js'
 import { warpProgram } from '../cpu/warp-program.js'
-import { type Evaluates, asksForVariation, checkWarp, evaluateFor } from './bake.js'
+import { type Evaluates, asksForVariation, evaluateFor, warpKind } from './bake.js'
 import { type Geometry, isGeometry } from '../core/inputs/geometry.js'
 import { type Plain, finerGeometry } from './geometry.js'
 import { type Mesh, type MeshInput, type MeshOrGeometry, putMesh, takeMesh } from './mesh-arrays.js'
@@ -36,6 +38,8 @@ export interface LevelsOptions extends Limit {
   levels: number
 }
 
+const place = new Place('subdivide')
+
 /**
  * The same surface with more vertices, not warped yet. Edges are split until the warped triangles are as near to the
  * warped surface as `tolerance` says, only where that is needed; or, with `levels`, everywhere. No cracks come up, and
@@ -54,21 +58,12 @@ export function subdivide(
   options: AdaptiveOptions | LevelsOptions,
 ): unknown {
   if (typeof options !== 'object' || options === null)
-    throw new WarpError(
-      `subdivide: options such as { warp, tolerance: 0.01 } or { levels: 2 } were expected, but ${describe(options)} came.`,
+    throw place.expected(
+      'options such as { warp, tolerance: 0.01 } or { levels: 2 }',
+      describe(options),
     )
-  const known = 'levels' in options ? ['levels'] : ['warp', 'uniforms', 'tolerance', 'angle']
-  checkOptions('subdivide', options, [...known, 'maxTriangles'])
-  const { maxTriangles = usualTriangles } = options
-  checkNumber(
-    'maxTriangles',
-    maxTriangles,
-    `a whole number from 1 to 2^${Math.log2(mostTriangles)}`,
-    isCount,
-  )
-  const refine =
-    'levels' in options ? uniformly(options, maxTriangles) : adaptively(options, maxTriangles)
-  return withJob('subdivide', (job) => {
+  const refine = 'levels' in options ? uniformly(options) : adaptively(options)
+  return withJob(place.method, (job) => {
     putMesh(job, given)
     job.act('addNormals')
     const warnings = refine(job)
@@ -79,25 +74,33 @@ export function subdivide(
   })
 }
 
-const isCount = (value: number) => Number.isInteger(value) && value >= 1 && value <= mostTriangles
+const maxTriangles = wholeNumber({
+  min: 1,
+  max: mostTriangles,
+  maxName: `2^${Math.log2(mostTriangles)}`,
+  default: usualTriangles,
+})
+const levelsOptions = object({
+  levels: wholeNumber({ max: 15 }),
+  maxTriangles,
+} satisfies KindsOf<LevelsOptions>)
+const adaptiveOptions = object({
+  warp: warpKind(),
+  uniforms: anything<Uniforms>(),
+  tolerance: positiveNumber(),
+  angle: positiveNumber({ max: Infinity, default: 0.17 }),
+  maxTriangles,
+} satisfies KindsOf<AdaptiveOptions>)
 
-function uniformly({ levels }: LevelsOptions, maxTriangles: number) {
-  checkNumber(
-    'levels',
-    levels,
-    'a whole number from 0 to 15',
-    (value) => Number.isInteger(value) && value >= 0 && value <= 15,
-  )
+function uniformly(options: LevelsOptions) {
+  const { levels, maxTriangles } = levelsOptions.read(options, place)
   return (job: Job) => job.refineUniformly(levels, maxTriangles)
 }
 
-function adaptively(options: AdaptiveOptions, maxTriangles: number) {
-  const { warp, tolerance, angle = 0.17 } = options
-  checkWarp('subdivide', warp)
+function adaptively(options: AdaptiveOptions) {
+  const { warp, tolerance, angle, maxTriangles, ...given } = adaptiveOptions.read(options, place)
   const { declared } = (warp as Partial<CpuWarp>)[warpProgram] ?? {}
-  const uniforms = snapshotUniforms('subdivide', declared, options.uniforms)
-  checkNumber('tolerance', tolerance, 'a number above 0', (value) => value > 0 && value < Infinity)
-  checkNumber('angle', angle, 'a number above 0', (value) => value > 0)
+  const uniforms = snapshotUniforms(place.method, declared, given.uniforms)
   return (job: Job) => {
     const varies = asksForVariation(warp)
     if (varies) job.act('addVariation')
@@ -109,26 +112,14 @@ function adaptively(options: AdaptiveOptions, maxTriangles: number) {
         ...(varies && variationOf(vertices)),
         tangents: undefined,
       }
-      const warped = evaluateFor('subdivide', warp, mesh, uniforms)
+      const warped = evaluateFor(place, warp, mesh, uniforms)
       givesNormals ??= warped.normals !== undefined
       if (givesNormals !== (warped.normals !== undefined))
-        throw new WarpError(
-          "subdivide: the warp's evaluate must give normals each time that it is called or never, but gave them only sometimes.",
+        throw place.error(
+          "the warp's evaluate must give normals each time that it is called or never, but gave them only sometimes.",
         )
       vertices.setFloats('positions', warped.positions)
       vertices.setFloats('normals', warped.normals ?? [])
     })
   }
-}
-
-function checkNumber(
-  name: string,
-  value: unknown,
-  expected: string,
-  isRight: (value: number) => boolean,
-) {
-  if (typeof value === 'number' && isRight(value)) return
-  throw new WarpError(
-    `subdivide: the option "${name}" must be ${expected}, but is ${describe(value)}.`,
-  )
 }

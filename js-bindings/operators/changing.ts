@@ -1,4 +1,5 @@
 // Notes about variables that change while a sketch runs, and that an offset function reads only once.
+import type { Place } from '../options/place.js'
 import { noteReadOnce } from './messages.js'
 import { isThere, valueOfGlobal } from './globals.js'
 import type { References } from './resolve.js'
@@ -25,16 +26,16 @@ export function noteChanging(
   references: References,
   given: ReadonlyMap<string, unknown>,
   surroundings: Surroundings,
-  method: string,
+  place: Place,
 ) {
   for (const [name, nodes] of references) {
     for (const { member } of nodes)
       if (isChanging(member ?? '') && member in p5Prototype())
-        noteReadOnce(method, `${name}.${member}`)
+        noteReadOnce(place, `${name}.${member}`)
     if (given.has(name) || !isThere(name)) continue
     const isRead = isChanging(name) || isValue(valueOfGlobal(name))
     if (isRead && (isChanging(name) || isSetLater(name, surroundings.programs(name))))
-      noteReadOnce(method, name)
+      noteReadOnce(place, name)
   }
 }
 

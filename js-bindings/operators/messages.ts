@@ -1,5 +1,6 @@
 // Messages for operators on expressions in a function that could not be translated, and notes that are printed once.
 import { WarpError } from '../errors/errors.js'
+import type { Place } from '../options/place.js'
 
 /** Messages that an operator on an expression, or a function of numbers, brings about. */
 export const isOfOperator = (error: unknown): error is Error =>
@@ -27,7 +28,8 @@ const listNames = (names: readonly string[]) =>
   names.length > 1 ? `it and ${names.slice(1).join(', ')}` : 'it'
 
 export interface Missing {
-  method: string
+  /** The call that the function is for. */
+  place: Place
   /** Names of variables, and `this`, `super`, `#private` and their like. */
   names: readonly string[]
   /** The names among them that are also names of globals. */
@@ -39,28 +41,28 @@ export interface Missing {
 }
 
 /** That the text of a function cannot see what is around it, and what to write. */
-export function cannotSee({ method, names, shadowed, members, helper }: Missing): string {
+export function cannotSee({ place, names, shadowed, members, helper }: Missing): string {
   const text = helper
     ? `operators are read from the text of the function ${helper}, which it calls`
     : "operators are read from the function's text"
   const [name] = names
   if (name === 'this') {
     const values = members.map((member) => `${member}: this.${member}`)
-    return `${method}: ${text}, which cannot see "this" of the object around it; ${
+    return `${place}: ${text}, which cannot see "this" of the object around it; ${
       members.length
-        ? `write ${members.join(', ')} in place of ${members.map((member) => `this.${member}`).join(', ')}, and ${remedy(method, values)}`
+        ? `write ${members.join(', ')} in place of ${members.map((member) => `this.${member}`).join(', ')}, and ${remedy(place, values)}`
         : 'write a plain function, and hand it what it needs'
     }.`
   }
   if (!/^[\p{ID_Start}$_]/u.test(name!) || /^(super|new\.target|arguments)$/.test(name!))
-    return `${method}: ${text}, which cannot see "${name}" of what is around it; write a plain function that takes it as an argument.`
+    return `${place}: ${text}, which cannot see "${name}" of what is around it; write a plain function that takes it as an argument.`
   const isShadowed = names.some((each) => shadowed.has(each))
-  return `${method}: ${text}, which cannot see "${name}" of the sketch around it${
+  return `${place}: ${text}, which cannot see "${name}" of the sketch around it${
     isShadowed ? ', where it is no global' : ''
-  }; ${isShadowed ? '' : `make ${listNames(names)} global, or `}${remedy(method, names)}.`
+  }; ${isShadowed ? '' : `make ${listNames(names)} global, or `}${remedy(place, names)}.`
 }
 
-const remedy = (method: string, values: readonly string[]) =>
+const remedy = ({ method }: Place, values: readonly string[]) =>
   method === 'createWarp'
     ? `add the option { scope: { ${values.join(', ')} } }`
     : `write operators(offset, { ${values.join(', ')} }) with operators of warpjet/operators`
@@ -75,9 +77,9 @@ export function noteOnce(text: string) {
 }
 
 /** That a variable which changes is read once. */
-export const noteReadOnce = (method: string, name: string) => {
+export const noteReadOnce = (place: Place, name: string) => {
   const label = name.replace(/^.*\./, '')
   noteOnce(
-    `${method}: the offset function reads ${name} once, when the warp is made, so the warp does not follow it; write uniforms.${label} in its place, with the option { uniforms: { ${label}: () => ${name} } }.`,
+    `${place}: the offset function reads ${name} once, when the warp is made, so the warp does not follow it; write uniforms.${label} in its place, with the option { uniforms: { ${label}: () => ${name} } }.`,
   )
 }

@@ -3,7 +3,7 @@
 import { isKnown } from './functions.js'
 import { freeReferences } from './resolve.js'
 import { bound, walk } from './scopes.js'
-import { isOperator } from './translate.js'
+import { isOperator } from './symbols.js'
 import { childrenOf, type Tree } from './tree.js'
 
 /**

@@ -1,12 +1,15 @@
 // For Vite, Rollup and webpack (by unplugin's shape of a Rollup plugin): offset functions are translated when a project is built,
 // where they stand, so that they see the variables around them; and so are the functions of the same module that they call.
 import { parse } from 'acorn'
+import MagicString from 'magic-string'
 import { isChanging, setsLater } from './changing.js'
 import { binderOf, definitionIn, pathTo } from './definitions.js'
 import { needsOf, returnsArray } from './needs.js'
 import { freeReferences } from './resolve.js'
 import { bound, walk } from './scopes.js'
-import { type Translation, translate, unusedName } from './translate.js'
+import { unusedName } from './symbols.js'
+import { translateIn } from './translate.js'
+import type { Translation } from './translate-expressions.js'
 import type { Tree } from './tree.js'
 
 const callees = new Set(['createWarp', 'compileWarp'])
@@ -19,7 +22,9 @@ const takers = new Set(
 )
 
 /** What a build calls for each module; `code` with its lines where they were, or nothing if there is nothing to translate. */
-export function translateModule(code: string): string | undefined {
+export const translateModule = (code: string): string | undefined => translateCode(code)?.toString()
+
+function translateCode(code: string): MagicString | undefined {
   if (!/\b(?:createWarp|compileWarp)\s*\(|['"]warpjet\b/.test(code)) return undefined
   let program: Tree
   try {
@@ -44,30 +49,37 @@ export function translateModule(code: string): string | undefined {
   const { operatorsName } = translation
   const runtime = unusedName('warpjetWithOperators', code)
   const helpers = helpersOf(program, offsets)
-  const text = (tree: Tree) => translate(code, tree, translation)
-  const pieces = new Map<Tree, string>()
-  for (const helper of helpers) pieces.set(helper, text(helper))
+  const text = new MagicString(code)
+  const pieces: [tree: Tree, translatePiece: () => void][] = [...helpers].map((helper) => [
+    helper,
+    () => translateIn(text, code, helper, translation),
+  ])
   for (const { given, tree } of offsets) {
-    const make =
-      given === tree
-        ? `(${operatorsName}) => (${text(tree)})`
-        : `() => ${code.slice(given.start, given.end)}`
     const once = changingIn(program, tree, free)
-    pieces.set(
+    const end = once.length ? `, { once: ${JSON.stringify(once)} })` : ')'
+    pieces.push([
       given,
-      `${runtime}(${make}${once.length ? `, { once: ${JSON.stringify(once)} }` : ''})`,
-    )
+      () => {
+        if (given === tree) translateIn(text, code, tree, translation)
+        text.prependRight(
+          given.start,
+          given === tree ? `${runtime}((${operatorsName}) => (` : `${runtime}(() => `,
+        )
+        text.appendLeft(given.end, given === tree ? `)${end}` : end)
+      },
+    ])
   }
-  let result = ''
   let at = 0
-  for (const [tree, piece] of [...pieces].sort(([a], [b]) => a.start - b.start)) {
+  for (const [tree, translatePiece] of pieces.sort(([a], [b]) => a.start - b.start)) {
     if (tree.start < at) continue
-    result += code.slice(at, tree.start) + piece
+    translatePiece()
     at = tree.end
   }
   // At the end, since imports count from anywhere, and what is first may be "use client".
   const all = helpers.size ? `operators as ${operatorsName}, ` : ''
-  return `${result}${code.slice(at)}\nimport { ${all}withOperators as ${runtime} } from 'warpjet/operators/runtime'\n`
+  return text.append(
+    `\nimport { ${all}withOperators as ${runtime} } from 'warpjet/operators/runtime'\n`,
+  )
 }
 
 /** A function that is handed to warpjet, as it is `given` there: itself, or by a name. */
@@ -198,13 +210,24 @@ export const operators = () => ({
   transform(code: string, id: string) {
     if (!/\.(?:[cm]?[jt]sx?|vue|svelte)(?:\?|$)/.test(id) || /\/node_modules\//.test(id))
       return null
-    const translated = translateModule(code)
-    // Lines stay where they are.
-    return translated === undefined ? null : { code: translated, map: null }
+    const text = translateCode(code)
+    if (!text) return null
+    return { code: text.toString(), map: mapOf(text, id) }
   },
 })
 
+const mapOf = (text: MagicString, source: string) =>
+  text.generateMap({ source, includeContent: true, hires: 'boundary' })
+
+/** The part of webpack's loader context that we need. */
+interface LoaderContext {
+  resourcePath: string
+  callback(error: null, code: string, map?: object): void
+}
+
 /** A loader of webpack: `module: { rules: [{ test: /\.js$/, use: 'warpjet/operators/plugin' }] }`. */
-export default function loader(code: string): string {
-  return translateModule(code) ?? code
+export default function loader(this: LoaderContext, code: string) {
+  const text = translateCode(code)
+  if (text) this.callback(null, text.toString(), mapOf(text, this.resourcePath))
+  else this.callback(null, code)
 }

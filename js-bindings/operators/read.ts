@@ -1,7 +1,7 @@
 // Reads a function's text and makes it anew, with operators that work on expressions.
 import type { Read } from './calls.js'
-import { isCallable } from '../options/options.js'
-import { WarpError, describe } from '../errors/errors.js'
+import { callable, record } from '../options/kinds.js'
+import { Place } from '../options/place.js'
 import { type ReadOptions, isOwnFunction } from '../errors/operators.js'
 import type { OffsetFunction, WarpInputs } from '../core/types/types.js'
 import { noteChanging } from './changing.js'
@@ -20,19 +20,25 @@ import {
 } from './runtime.js'
 import { type Definition, type Surroundings, surroundingsOf } from './surroundings.js'
 import { needsOf, returnsArray } from './needs.js'
-import { translate, unusedName } from './translate.js'
+import { unusedName } from './symbols.js'
+import { translate } from './translate.js'
 import type { Tree } from './tree.js'
 
 /** Values that a text may read by name, since it cannot see the variables around it. */
 export type Scope = Readonly<Record<string, unknown>>
 
 interface Reader {
-  method: string
+  /** The call that the function is for. */
+  place: Place
   scope: Scope
   sketch: object | undefined
   /** Functions that are being read, since two may call each other. */
   pending: Set<string>
 }
+
+const ownPlace = new Place('operators')
+const functionKind = callable('a function, as in operators(({ position }) => position * 2),')
+const scopeKind = record<Scope>('an object of variables by name, as in { amount },')
 
 let count = 0
 
@@ -47,13 +53,10 @@ export function operators(
   scope: Scope = {},
   { method = 'createWarp', sketch }: ReadOptions = {},
 ): OffsetFunction {
-  if (!isCallable(offset))
-    throw new WarpError(
-      'operators: a function was expected, as in operators(({ position }) => position * 2).',
-    )
-  checkScope(scope)
+  functionKind.read(offset, ownPlace)
+  rejectOtherNames(scopeKind.read(scope, ownPlace.part('the scope')))
   if (translated.has(offset) || isOwnFunction(offset)) return offset
-  const reader = { method, scope, sketch, pending: new Set<string>() }
+  const reader = { place: new Place(method), scope, sketch, pending: new Set<string>() }
   const parsed = parseFunction(offset)
   if (!parsed) return offset
   const needs = needsOf(parsed.tree)
@@ -71,24 +74,20 @@ export function operators(
   return result
 }
 
+function rejectOtherNames(scope: Scope) {
+  const other = Object.keys(scope).find((name) => !isVariable(name))
+  if (other !== undefined)
+    throw ownPlace.error(
+      `expected names of variables in the scope, as in { amount }, got "${other}", which no function can read.`,
+    )
+}
+
 /** The function itself, but that it may return `[x, y, z]`. */
 const asItIs = (offset: OffsetFunction): OffsetFunction =>
   function (this: unknown, inputs: WarpInputs) {
     const place: unknown = Reflect.apply(offset, this, [inputs])
     return asVector(operatorsOf(glslOf(inputs)), inputs, place)
   }
-
-function checkScope(scope: unknown) {
-  if (typeof scope !== 'object' || scope === null || Array.isArray(scope))
-    throw new WarpError(
-      `operators: expected an object of variables by name as the scope, as in { amount }, got ${describe(scope)}.`,
-    )
-  for (const name of Object.keys(scope))
-    if (!isVariable(name))
-      throw new WarpError(
-        `operators: expected names of variables in the scope, as in { amount }, got "${name}", which no function can read.`,
-      )
-}
 
 function isVariable(name: string): boolean {
   if (!/^[\p{ID_Start}$_][\p{ID_Continue}$\u200c\u200d]*$/u.test(name)) return false
@@ -128,7 +127,7 @@ function readText(
   reader: Reader,
   helper: string | undefined,
 ): Read {
-  const { method, scope, sketch } = reader
+  const { place, scope, sketch } = reader
   const references = freeReferences(tree)
   const values = new Map<string, (operators: Operators) => unknown>()
   const missing: string[] = []
@@ -146,7 +145,7 @@ function readText(
     return {
       refuse: () =>
         cannotSee({
-          method,
+          place,
           names: missing,
           shadowed: new Set(missing.filter((name) => isThere(name))),
           members: membersOfThis(references),
@@ -176,9 +175,9 @@ function readText(
       error instanceof SyntaxError
         ? `operators cannot be read from the function's text: ${error.message}; write x.add(1), x.mult(2), x.sin() in it`
         : "operators are read from the function's text, which this page's Content-Security-Policy forbids; allow 'unsafe-eval' in it, or translate the functions when the project is built, by warpjet/operators/plugin"
-    return { refuse: () => `${method}: ${why}.` }
+    return { refuse: () => `${place}: ${why}.` }
   }
-  noteChanging(references, values, surroundings, method)
+  noteChanging(references, values, surroundings, place)
   return {
     make: (operators: Operators) =>
       factory(operators, ...names.map((name) => values.get(name)!(operators))),

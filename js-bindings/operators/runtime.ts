@@ -3,6 +3,7 @@
 import { isExpression } from '../errors/describe.js'
 import { WarpError } from '../errors/errors.js'
 import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
+import { Place } from '../options/place.js'
 import { type ReadHelper, callsOf } from './calls.js'
 import { noteOnce, noteReadOnce, sayingSo } from './messages.js'
 import {
@@ -112,6 +113,22 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
       )
     return select(condition, first, second)
   }
+  /** `choose` where a function returns early: the ways call `rest` for what comes after them. */
+  const returning = (
+    condition: unknown,
+    yes: (rest: Thunk) => unknown,
+    no: (rest: Thunk) => unknown,
+    get?: () => unknown[],
+    set?: (all: unknown[]) => void,
+    rest: Thunk = () => undefined,
+  ) =>
+    choose(
+      condition,
+      () => yes(rest),
+      () => no(rest),
+      get,
+      set,
+    )
   const move = (x: unknown, by: number) =>
     isWarped(x) ? glsl.add!(whole(x), by) : typeof x === 'bigint' ? x + BigInt(by) : Number(x) + by
 
@@ -124,6 +141,7 @@ export function operatorsOf(glsl: Glsl, { read, isPlain }: RunOptions = {}) {
     >),
     whole,
     choose,
+    returning,
     call,
     method,
     invoke,
@@ -225,7 +243,7 @@ export function withOperators(
   { read, once = [], isPlain = false }: RunOptions = {},
 ): OffsetFunction {
   const run = function (this: unknown, inputs: WarpInputs) {
-    for (const name of once) noteReadOnce('createWarp', name)
+    for (const name of once) noteReadOnce(new Place('createWarp'), name)
     const outer = current
     current = operatorsOf(glslOf(inputs), { ...(read && { read }), isPlain })
     try {

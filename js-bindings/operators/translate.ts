@@ -1,402 +1,234 @@
 // From the text of a function, whose operators work on numbers, to one whose operators ask what they work on. Lines stay where
 // they are, so that errors name the sketch's own.
-import { shorten } from '../errors/describe.js'
-import {
-  changesVector,
-  endsFunction,
-  endsInReturn,
-  functionNamesIn,
-  isSteady,
-  isSuspended,
-  leaves,
-} from './flow.js'
-import { isKnown } from './functions.js'
+import MagicString from 'magic-string'
+import { Edits } from './edits.js'
+import { changesVector, endsFunction, endsInReturn, isSuspended, leaves } from './flow.js'
 import { assignedIn, declaredIn, isProperty, propertySetIn, varsIn, walk } from './scopes.js'
+import { unusedName } from './symbols.js'
+import { ExpressionTranslator, type Translation } from './translate-expressions.js'
 import { childrenOf, type Tree } from './tree.js'
 
-const binary: Record<string, string> = {
-  '+': 'add',
-  '-': 'sub',
-  '*': 'mult',
-  '/': 'div',
-  '%': 'mod',
-  '**': 'pow',
-  '<': 'lt',
-  '<=': 'le',
-  '>': 'gt',
-  '>=': 'ge',
-  '==': 'looseEq',
-  '===': 'eq',
-  '!=': 'looseNe',
-  '!==': 'ne',
-}
-const bits = new Set(['|', '&', '^', '<<', '>>', '>>>'])
-const unary: Record<string, string> = { '-': 'neg', '+': 'plus', '!': 'not' }
-const logical: Record<string, string> = { '&&': 'and', '||': 'or' }
-
-/** Returns whether a node is an operator that expressions define anew. Calls are judged by `isCallToTranslate`. */
-export const isOperator = ({ type, operator, argument }: Tree): boolean =>
-  (type === 'BinaryExpression' && (operator in binary || bits.has(operator))) ||
-  (type === 'UnaryExpression' &&
-    (operator in unary || operator === '~') &&
-    argument.type !== 'Literal') ||
-  (type === 'LogicalExpression' && operator in logical) ||
-  (type === 'AssignmentExpression' && operator !== '=' && !/^\?\?/.test(operator)) ||
-  /^(Conditional|Update)Expression$|^IfStatement$/.test(type)
-
-/** A name for translated text that its source does not have. */
-export function unusedName(name: string, source: string): string {
-  while (source.includes(name)) name += '_'
-  return name
+/** Text that follows statements, and the statements that it runs, by block. */
+interface Tail {
+  then: string
+  following: Tree[][]
 }
 
-export interface Translation {
-  /** Returns whether an identifier is bound outside of the function. */
-  isFree: (node: Tree) => boolean
-  /** The name of the operators in the translated text. */
-  operatorsName: string
-  /** True if other functions are translated when they are called. */
-  readsHelpers: boolean
-  /** Variables that hold functions of Math. */
-  aliases?: ReadonlySet<string>
+/** The end of a function, after which nothing comes. */
+const nothingMore: Tail = { then: '', following: [] }
+
+/** Translates `tree`, part of `source`, where it is in the text. */
+export function translateIn(
+  text: MagicString,
+  source: string,
+  tree: Tree,
+  translation: Translation,
+) {
+  new Translator(new Edits(text, source), tree, translation).visit(tree)
 }
 
 /** The text of `tree`, part of `source`, translated. */
-export function translate(
-  source: string,
-  tree: Tree,
-  { isFree, operatorsName, readsHelpers, aliases }: Translation,
-): string {
-  const op = (name: string, ...operands: string[]) =>
-    `${operatorsName}.${name}(${operands.join(', ')})`
-  const valueName = unusedName('warpjetValue', source)
-  const restName = unusedName('warpjetRest', source)
-  /** What the function that is being translated declares. */
-  let declaredHere = new Set<string>()
-  let rests = 0
-  const functionsHere = functionNamesIn(tree)
-  /** Calls in a chain such as `a?.b.c()`, which may be left out. */
-  const optional = new Set<Tree>()
+export function translate(source: string, tree: Tree, translation: Translation): string {
+  const text = new MagicString(source)
+  translateIn(text, source, tree, translation)
+  return text.snip(tree.start, tree.end).toString()
+}
 
-  function text(node: Tree): string {
-    const rewritten = rewrite(node)
-    if (rewritten !== undefined) return rewritten
-    let result = ''
-    let at = node.start
-    for (const child of childrenOf(node)) {
-      result += source.slice(at, child.start) + text(child)
-      at = child.end
-    }
-    return result + source.slice(at, node.end)
+class Translator extends ExpressionTranslator {
+  private readonly restName = unusedName('warpjetRest', this.edits.source)
+  /** The names that the function which is being translated declares. */
+  private declaredHere = new Set<string>()
+  private rests = 0
+
+  visit(node: Tree) {
+    if (!this.rewriteExpression(node) && !this.rewriteStatement(node)) this.visitChildren(node)
   }
 
-  /** As many lines as the node has. */
-  const onItsLines = (node: Tree, translated: string) => {
-    const lines = (part: string) => part.split('\n').length
-    return (
-      translated +
-      '\n'.repeat(Math.max(0, lines(source.slice(node.start, node.end)) - lines(translated)))
-    )
-  }
-  const between = (a: Tree, b: Tree) =>
-    '\n'.repeat(source.slice(a.end, b.start).split('\n').length - 1)
-
-  function rewrite(node: Tree): string | undefined {
+  private rewriteStatement(node: Tree): boolean {
     switch (node.type) {
-      case 'BinaryExpression':
-        return binaryOf(
-          node.operator,
-          operand(node.left),
-          between(node.left, node.right) + operand(node.right),
-        )
-      case 'UnaryExpression':
-        return unaryOf(node)
-      case 'LogicalExpression':
-        if (!logical[node.operator]) return undefined
-        if (isSuspended([node.right]))
-          return `(${op('decided', operand(node.left), "'yield or await here'")} ${node.operator}${between(node.left, node.right)} ${text(node.right)})`
-        return op(
-          logical[node.operator]!,
-          unlessSetting(node.left, [node.right]),
-          `${between(node.left, node.right)}() => ${operand(node.right)}`,
-        )
-      case 'ConditionalExpression':
-        if (isSuspended([node.consequent, node.alternate]))
-          return `(${op('decided', operand(node.test), "'yield or await here'")} ? ${between(node.test, node.consequent)}${operand(node.consequent)} : ${between(node.consequent, node.alternate)}${operand(node.alternate)})`
-        return op(
-          'choose',
-          unlessSetting(node.test, [node.consequent, node.alternate]),
-          `${between(node.test, node.consequent)}() => ${operand(node.consequent)}`,
-          `${between(node.consequent, node.alternate)}() => ${operand(node.alternate)}`,
-        )
-      case 'AssignmentExpression': {
-        const assigned = assignment(node)
-        return assigned && `(${assigned})`
-      }
       case 'ExpressionStatement':
-        return statement(node)
-      case 'ChainExpression':
-        for (let each: Tree = node.expression; each; each = each.callee ?? each.object)
-          optional.add(each)
-        return undefined
-      case 'CallExpression':
-        return optional.has(node) ? undefined : translateCall(node)
-      case 'NewExpression':
-        return translateNew(node)
-      case 'UpdateExpression':
-        return translateUpdate(node, false)
+        return this.statement(node)
       case 'BlockStatement':
-        return `{${statements(node.body, node.start + 1, node.end - 1, endsFunction(node) ? { then: '', following: [] } : undefined)}}`
+        this.statements(node.body, node.end - 1, endsFunction(node) ? nothingMore : undefined)
+        return true
       case 'IfStatement':
-        return onItsLines(node, branch(node))
+        this.branch(node)
+        return true
       case 'WhileStatement':
       case 'DoWhileStatement':
       case 'ForStatement':
-        return loop(node)
+        return this.loop(node)
       case 'SwitchStatement':
-        return `${source.slice(node.start, node.discriminant.start)}${op('decided', operand(node.discriminant), "'A switch'")}${pieces(node.discriminant.end, node.end, node.cases)}`
+        this.decide(node.discriminant, "'A switch'")
+        for (const each of node.cases) this.visit(each)
+        return true
       case 'FunctionDeclaration':
       case 'FunctionExpression':
       case 'ArrowFunctionExpression':
-        return ofFunction(node)
+        return this.function(node)
       default:
-        return undefined
+        return false
     }
-  }
-
-  const binaryOf = (operator: string, left: string, right: string) =>
-    binary[operator]
-      ? op(binary[operator]!, left, right)
-      : bits.has(operator)
-        ? op('bits', `'${operator}'`, left, right)
-        : undefined
-
-  function unaryOf({ operator, argument }: Tree): string | undefined {
-    if (argument.type === 'Literal') return undefined
-    if (operator !== '~') return unary[operator] && op(unary[operator]!, operand(argument))
-    // ~~x, which cuts off the fraction.
-    return argument.type === 'UnaryExpression' && argument.operator === '~'
-      ? op('bits', "'|'", operand(argument.argument), '0')
-      : op('bits', "'^'", operand(argument), '-1')
   }
 
   /** What a function's body returns early is chosen by vertex. */
-  function ofFunction(node: Tree): string | undefined {
-    if (node.body.type !== 'BlockStatement') return undefined
-    const around = declaredHere
-    declaredHere = declaredIn(node)
-    const { start, end, body } = node.body
-    const result = `${pieces(node.start, start, childrenOf(node).slice(0, -1))}{${statements(body, start + 1, end - 1, { then: '', following: [] })}}`
-    declaredHere = around
-    return result
+  private function(node: Tree): boolean {
+    const { body } = node
+    if (body.type !== 'BlockStatement') return false
+    const around = this.declaredHere
+    this.declaredHere = declaredIn(node)
+    for (const each of childrenOf(node)) if (each !== body) this.visit(each)
+    this.statements(body.body, body.end - 1, nothingMore)
+    this.declaredHere = around
+    return true
   }
 
-  function assignment({ operator, left, right }: Tree): string | undefined {
-    const symbol = operator.slice(0, -1)
-    if (operator === '=' || isSuspended([right])) return undefined
-    if (!binary[symbol] && !logical[symbol] && !bits.has(symbol)) return undefined
-    const changed = (target: string) =>
-      logical[symbol]
-        ? op(
-            logical[symbol]!,
-            unlessSetting(target, [right]),
-            `${between(left, right)}() => ${operand(right)}`,
-          )
-        : binaryOf(symbol, target, between(left, right) + operand(right))!
-    if (isSteady(left)) return `${text(left)} = ${changed(text(left))}`
-    const { object, property, computed } = left
-    if (property.type === 'PrivateIdentifier' || object.type === 'Super') return undefined
-    return op(
-      'change',
-      operand(object),
-      computed ? operand(property) : `'${property.name}'`,
-      `(${valueName}) => ${changed(valueName)}`,
-    )
-  }
-
-  /** `x++` and its like. */
-  function translateUpdate(
-    { argument, operator, prefix }: Tree,
-    isUnused: boolean,
-  ): string | undefined {
-    const by = operator === '++' ? '1' : '-1'
-    if (argument.type === 'Identifier') {
-      const set = `${argument.name} = ${op('move', argument.name, by)}`
-      if (isUnused) return set
-      return prefix ? `(${set})` : op('first', argument.name, set)
-    }
-    const { object, property, computed } = argument
-    if (property.type === 'PrivateIdentifier' || object.type === 'Super') return undefined
-    return op(
-      prefix || isUnused ? 'change' : 'changeAfter',
-      operand(object),
-      computed ? operand(property) : `'${property.name}'`,
-      `(${valueName}) => ${op('move', valueName, by)}`,
-    )
+  private loop(node: Tree): boolean {
+    if (!node.test) return false
+    for (const each of childrenOf(node))
+      if (each === node.test) this.decide(each, "'A loop'")
+      else this.visit(each)
+    return true
   }
 
   /** Its value is not read. Without parentheses, which would call what stands on the line before. */
-  function statement({ expression }: Tree): string | undefined {
+  private statement(node: Tree): boolean {
+    const { expression } = node
     const { type } = expression
     if (type === 'UpdateExpression') {
-      const set = translateUpdate(expression, true)
-      return set && `${set};`
-    }
-    if (type === 'CallExpression' && changesVector(expression))
-      return `${op('unused', text(expression), JSON.stringify(nameOf(expression)))};`
-    const assigned = type === 'AssignmentExpression' && assignment(expression)
-    if (type === 'SequenceExpression') return `0, ${text(expression)};`
-    return assigned ? `${assigned};` : undefined
-  }
-
-  /** As an argument, or after `=>`: the parentheses around a node are no part of it. */
-  const operand = (node: Tree) =>
-    node.type === 'SequenceExpression' || source[node.start] === '{'
-      ? `(${text(node)})`
-      : text(node)
-
-  /** A condition for operands of which one alone may be computed, where they set something. */
-  function unlessSetting(condition: Tree | string, operands: Tree[]) {
-    const translated = typeof condition === 'string' ? condition : operand(condition)
-    const property = propertySetIn(operands)
-    const [name] = property ? [nameOf(property)] : assignedIn(operands)
-    return name ? op('decided', translated, setting(name)) : translated
-  }
-
-  const nameOf = (node: Tree) => shorten(source.slice(node.start, node.end))
-  const setting = (name: string) => JSON.stringify(`Setting ${name} here`)
-
-  const argumentsOf = (callee: Tree, given: Tree[]) =>
-    given.map((each, i) => between(given[i - 1] ?? callee, each) + operand(each))
-
-  function translateCall(node: Tree): string | undefined {
-    const { callee, arguments: given } = node
-    const all = argumentsOf(callee, given)
-    const onLines = (translated: string) => onItsLines(node, translated)
-    if (callee.type === 'Identifier') {
-      const { name } = callee
-      if (name === 'eval') return undefined
-      if (isFree(callee) && (readsHelpers || isKnown(name)))
-        return onLines(op('call', `'${name}'`, `() => ${name}`, ...all))
-      return (readsHelpers || aliases?.has(name)) && !isFree(callee) && !functionsHere.has(name)
-        ? onLines(op('invoke', name, 'undefined', ...all))
-        : undefined
-    }
-    if (callee.type !== 'MemberExpression') return undefined
-    const { object, property, computed } = callee
-    if (object.type === 'Super' || property.type === 'PrivateIdentifier') return undefined
-    if (!readsHelpers && (computed || !isKnown(property.name))) return undefined
-    if (object.name === 'Math' && !computed && isKnown(property.name) && isFree(object))
-      return onLines(op('call', `'${property.name}'`, `() => Math.${property.name}`, ...all))
-    const key = computed ? operand(property) : `'${property.name}'`
-    return onLines(op('method', operand(object), between(object, property) + key, ...all))
-  }
-
-  function translateNew(node: Tree): string | undefined {
-    const { callee, arguments: given } = node
-    return readsHelpers && callee.type === 'Identifier'
-      ? onItsLines(node, op('construct', callee.name, ...argumentsOf(callee, given)))
-      : undefined
-  }
-
-  function loop(node: Tree): string | undefined {
-    if (!node.test) return undefined
-    const before = source.slice(node.start, node.test.start)
-    const start =
-      node.type === 'ForStatement' && node.init
-        ? pieces(node.start, node.test.start, [node.init])
-        : before
-    if (node.type === 'DoWhileStatement')
-      return `${pieces(node.start, node.test.start, [node.body])}${op('decided', operand(node.test), "'A loop'")}${source.slice(node.test.end, node.end)}`
-    const rest = node.update ? [node.update, node.body] : [node.body]
-    return `${start}${op('decided', operand(node.test), "'A loop'")}${pieces(node.test.end, node.end, rest)}`
-  }
-
-  function pieces(start: number, end: number, nodes: Tree[]) {
-    let result = ''
-    let at = start
-    for (const node of nodes) {
-      result += source.slice(at, node.start) + text(node)
-      at = node.end
-    }
-    return result + source.slice(at, end)
+      if (!this.update(expression, true)) return false
+    } else if (type === 'CallExpression' && changesVector(expression)) {
+      this.visit(expression)
+      const name = JSON.stringify(this.nameOf(expression))
+      this.edits.wrap(expression, this.op('unused'), `, ${name})`)
+    } else if (type === 'SequenceExpression') {
+      this.visit(expression)
+      this.edits.wrap(expression, '0, ', '')
+    } else if (type !== 'AssignmentExpression' || !this.assign(expression)) return false
+    this.edits.open(node, expression.start, '')
+    this.edits.close(node, expression.end, ';')
+    return true
   }
 
   /**
-   * Statements in order. Where they are the last that a function does, but for `tail`, and an `if` returns, the rest of them is
-   * what happens otherwise.
+   * Statements in order, up to the place `end`. Where they are the last that a function does, but for `tail`, and an `if`
+   * returns, the rest of them is what happens otherwise.
    */
-  function statements(list: Tree[], start: number, end: number, tail?: Tail): string {
-    let result = ''
-    let at = start
+  private statements(list: Tree[], end: number, tail?: Tail) {
     for (const [i, node] of list.entries()) {
-      result += source.slice(at, node.start)
       if (tail && node.type === 'IfStatement' && leaves(node, 'ReturnStatement')) {
         const later = list.slice(i + 1)
         const following = [later, ...tail.following]
-        if (!onlyDecided(node, following))
-          return result + returning(node, statements(later, node.end, end, tail), following)
+        if (!this.mustDecide(node, following))
+          return this.returning(node, later, end, tail, following)
       }
-      result += text(node)
-      at = node.end
+      this.visit(node)
     }
-    return `${result}${source.slice(at, end)}${tail?.then ?? ''}`
+    if (tail?.then) this.edits.append(end, tail.then)
   }
 
-  /** Whether what an `if` does cannot be undone, where it returns by vertex: then JavaScript has to decide it. */
-  function onlyDecided(node: Tree, following: Tree[][]): boolean {
+  /** Returns whether what an `if` does cannot be undone, where it returns by vertex: then JavaScript has to decide it. */
+  private mustDecide(node: Tree, following: Tree[][]): boolean {
     const { consequent, alternate } = node
     const first = endsInReturn(consequent) ? [] : following.flat()
     const all = [[consequent], alternate ? [alternate] : [], ...following]
     return (
       isSuspended(all.flat()) ||
       !!propertySetIn([consequent, ...first]) ||
-      namesSetIn(all).some((name) => !declaredHere.has(name)) ||
-      !!escaping(node)
+      namesSetIn(all).some((name) => !this.declaredHere.has(name)) ||
+      !!this.escaping(node)
     )
   }
 
-  const namesSetIn = (groups: Tree[][]) => [
-    ...new Set(groups.flatMap((group) => [...assignedIn(group)])),
-  ]
-
   /** A `var` in an `if` that is read outside of it. */
-  const escaping = (node: Tree): string | undefined =>
-    varsIn(node, false).find((name) => {
+  private escaping(node: Tree): string | undefined {
+    return varsIn(node, false).find((name) => {
       let isFound = false
-      walk(tree, (each, parent) => {
+      walk(this.tree, (each, parent) => {
         isFound ||= each.type === 'Identifier' && each.name === name && !isProperty(each, parent)
         return each !== node
       })
       return isFound
     })
+  }
 
   /** `if (c) return a; rest`: by vertex, where both a and the rest are values. */
-  function returning(
-    { test, consequent, alternate }: Tree,
-    rest: string,
-    following: Tree[][],
-  ): string {
-    const name = `${restName}${++rests}`
-    const block = (node: Tree | null) => {
-      const then = node && endsInReturn(node) ? '' : `; return ${name}();`
-      if (!node) return then
-      const tail = { then, following: then ? following : [] }
-      return node.type === 'BlockStatement'
-        ? statements(node.body, node.start + 1, node.end - 1, tail)
-        : statements([node], node.start, node.end, tail)
-    }
-    const ways = [consequent, alternate].filter(Boolean)
+  private returning(node: Tree, later: Tree[], end: number, tail: Tail, following: Tree[][]) {
+    const { test, consequent, alternate } = node
+    const ways: Tree[] = [consequent, alternate].filter(Boolean)
     const isRest = ways.length < 2 || !ways.every(endsInReturn)
+    const name = `${this.restName}${++this.rests}`
     const names = namesSetIn([...ways.map((way) => [way]), ...following])
-    return (
-      (isRest ? `const ${name} = () => {${rest}\n};` : '').replaceAll(/\n(?=\};$)/g, ' ') +
-      `return ${op('choose', operand(test), `() => {${block(consequent)}}`, `() => {${block(alternate)}}`, ...(names.length ? variables(names) : []))}`
+    const way = (each: Tree) => {
+      const then = endsInReturn(each) ? '' : `; return ${name}();`
+      this.way(each, { then, following: then ? following : [] })
+    }
+    this.operand(test)
+    this.edits.open(node, test.start, `return ${this.op('returning')}`)
+    this.edits.replace(test.end, consequent.start, `, (${name}) => `)
+    way(consequent)
+    if (alternate) {
+      this.edits.replace(consequent.end, alternate.start, `, (${name}) => `)
+      way(alternate)
+    } else this.edits.append(node.end, `, (${name}) => ${name}()`)
+    this.edits.append(
+      node.end,
+      names.length ? `, ${this.variables(names)}` : ', undefined, undefined',
     )
+    if (isRest) {
+      this.edits.append(node.end, ', () => {')
+      this.statements(later, end, tail)
+      this.edits.append(end, '});')
+    } else {
+      this.edits.append(node.end, ');')
+      // Nothing gets here.
+      if (node.end < end) this.edits.replace(node.end, end, '')
+    }
+  }
+
+  /** One of the ways of an `if`, as a block. */
+  private way(node: Tree, tail?: Tail) {
+    if (node.type === 'BlockStatement' && tail) this.statements(node.body, node.end - 1, tail)
+    else if (node.type === 'BlockStatement') this.visit(node)
+    else {
+      this.statements([node], node.end, tail)
+      this.edits.wrap(node, '{', '}')
+    }
+  }
+
+  private branch(node: Tree) {
+    const { test, consequent, alternate } = node
+    const ways: Tree[] = [consequent, alternate].filter(Boolean)
+    const property = propertySetIn(ways)
+    const name = property ? this.nameOf(property) : this.escaping(node)
+    const isLeft = ['BreakStatement', 'ContinueStatement', 'ReturnStatement'].some((type) =>
+      leaves(node, type),
+    )
+    if (isLeft || name || isSuspended(ways)) {
+      this.decide(test, name ? this.setting(name) : "'Leaving a loop or a function here'")
+      for (const way of ways) this.way(way)
+      return
+    }
+    this.operand(test)
+    this.edits.open(node, test.start, this.op('branch'))
+    this.edits.replace(test.end, consequent.start, ', () => ')
+    this.way(consequent)
+    if (alternate) {
+      this.edits.replace(consequent.end, alternate.start, ', () => ')
+      this.way(alternate)
+    } else this.edits.append(node.end, ', () => {}')
+    const variables = this.variables(namesSetIn(ways.map((way) => [way])))
+    this.edits.append(node.end, `, ${variables}${this.effectIn(ways)});`)
+  }
+
+  /** Functions that get and set variables. */
+  private variables(names: string[]) {
+    const list = `[${names.join(', ')}]`
+    return `() => ${list}, (${this.valueName}) => { ${list} = ${this.valueName} }`
   }
 
   /** A call whose value nobody takes, so that it stands there for what it does. */
-  const effectIn = (ways: Tree[]): string[] => {
+  private effectIn(ways: Tree[]): string {
     let found: Tree | undefined
     for (const way of ways)
       walk(way, (node) => {
@@ -404,41 +236,10 @@ export function translate(
           found ??= node.expression
         return !/Function/.test(node.type)
       })
-    return found ? [JSON.stringify(nameOf(found))] : []
+    return found ? `, ${JSON.stringify(this.nameOf(found))}` : ''
   }
-
-  const variables = (names: string[]) => [
-    `() => [${names.join(', ')}]`,
-    `(${valueName}) => { [${names.join(', ')}] = ${valueName} }`,
-  ]
-
-  function branch(node: Tree): string {
-    const { test, consequent, alternate } = node
-    const block = (statement: Tree | null) =>
-      !statement
-        ? '{}'
-        : statement.type === 'BlockStatement'
-          ? text(statement)
-          : `{${text(statement)}}`
-    const ways = [consequent, alternate].filter(Boolean)
-    const property = propertySetIn(ways)
-    const name = property ? nameOf(property) : escaping(node)
-    const isLeft = ['BreakStatement', 'ContinueStatement', 'ReturnStatement'].some((type) =>
-      leaves(node, type),
-    )
-    if (isLeft || name || isSuspended(ways)) {
-      const what = name ? setting(name) : "'Leaving a loop or a function here'"
-      return `if (${op('decided', operand(test), what)}) ${block(consequent)}${alternate ? ` else ${block(alternate)}` : ''}`
-    }
-    const names = namesSetIn(ways.map((way) => [way]))
-    return `${op('branch', operand(test), `() => ${block(consequent)}`, `() => ${block(alternate)}`, ...variables(names), ...effectIn(ways))};`
-  }
-
-  return text(tree)
 }
 
-/** What comes after statements: text, and the statements that it stands for, by the block that they are in. */
-interface Tail {
-  then: string
-  following: Tree[][]
-}
+const namesSetIn = (groups: Tree[][]) => [
+  ...new Set(groups.flatMap((group) => [...assignedIn(group)])),
+]

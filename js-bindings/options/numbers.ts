@@ -1,29 +1,30 @@
 // The one way in which numbers of a caller are looked at: arrays of them, one by one.
-import { WarpError, describe } from '../errors/errors.js'
-import { isList } from './options.js'
+import { describe } from '../errors/errors.js'
+import { isList } from './guards.js'
+import { Place } from './place.js'
 
-/** What numbers must be, and the word for it. */
-export interface Kind {
+/** A test of numbers, and its word in messages. */
+export interface NumberTest {
   word: string
-  isRight: (value: unknown) => boolean
+  accepts: (value: unknown) => boolean
 }
 
 /** Neither NaN nor infinite once it is a float32. */
-export const finiteFloat: Kind = {
+export const finiteFloat: NumberTest = {
   word: 'finite ',
-  isRight: (value) => typeof value === 'number' && Number.isFinite(Math.fround(value)),
+  accepts: (value) => typeof value === 'number' && Number.isFinite(Math.fround(value)),
 }
 
 /** What a double can hold. */
-export const finiteDouble: Kind = { word: '', isRight: (value) => Number.isFinite(value) }
+export const finiteDouble: NumberTest = { word: '', accepts: (value) => Number.isFinite(value) }
 
 /** Any number, NaN and infinity too, but no text, null, true or BigInt that JavaScript would make one. */
-export const anyNumber: Kind = { word: '', isRight: (value) => typeof value === 'number' }
+export const anyNumber: NumberTest = { word: '', accepts: (value) => typeof value === 'number' }
 
 /** The place of the first that is not right; -1 if all are. */
-export function firstWrong(numbers: ArrayLike<unknown>, kind: Kind) {
+export function firstWrong(numbers: ArrayLike<unknown>, test: NumberTest) {
   if (numbers instanceof Float32Array) {
-    if (kind === anyNumber) return -1
+    if (test === anyNumber) return -1
     // A finite number makes 0 here, any other NaN: several times as fast as asking each. Four sums at a time, none of which
     // waits for another.
     const { length } = numbers
@@ -38,7 +39,7 @@ export function firstWrong(numbers: ArrayLike<unknown>, kind: Kind) {
     for (; i < length; i++) a += numbers[i]! * 0
     if (a + b + c + d === 0) return -1
   }
-  for (let i = 0; i < numbers.length; i++) if (!kind.isRight(numbers[i])) return i
+  for (let i = 0; i < numbers.length; i++) if (!test.accepts(numbers[i])) return i
   return -1
 }
 
@@ -49,31 +50,35 @@ export const inWords = (value: unknown) => (typeof value === 'number' ? value : 
 export function takeNumbers(numbers: number[], value: unknown): boolean {
   if (typeof value === 'number') {
     numbers[0] = value
-    return numbers.length === 1 && finiteFloat.isRight(value)
+    return numbers.length === 1 && finiteFloat.accepts(value)
   }
   if (!isList(value) || value.length !== numbers.length) return false
   for (let i = 0; i < numbers.length; i++) {
     const number = value[i]!
-    if (!finiteFloat.isRight(number)) return false
+    if (!finiteFloat.accepts(number)) return false
     numbers[i] = number
   }
   return true
 }
 
-/** `count` finite numbers, as an array; `layout` says more of their order. */
+/** `count` numbers as an array; `layout` says more of their order. */
 export function readNumbers(
-  place: string,
+  place: Place | string,
   value: unknown,
   count: number,
-  kind = finiteFloat,
+  test = finiteFloat,
   layout = '',
 ): number[] {
   const list = count === 1 && typeof value === 'number' ? [value] : value
   const fits = isList(list) && list.length === count
-  const wrong = fits ? firstWrong(list, kind) : -1
+  const wrong = fits ? firstWrong(list, test) : -1
   if (fits && wrong < 0) return Array.from(list)
-  const expected =
-    count === 1 ? `a ${kind.word}number` : `an array of ${count} ${kind.word}numbers${layout}`
-  const came = fits ? `has ${inWords(list[wrong])} among them` : `is ${describe(value)}`
-  throw new WarpError(`${place} must be ${expected}, but ${came}.`)
+  throw Place.of(place).expected(
+    count === 1 ? `a ${test.word}number` : `an array of ${count} ${test.word}numbers${layout}`,
+    !fits
+      ? describe(value)
+      : count === 1
+        ? `${inWords(list[wrong])}`
+        : `one with ${inWords(list[wrong])}`,
+  )
 }

@@ -1,7 +1,8 @@
 /** Reads what a sketch hands to `createWarp` after the offset. */
 import type { UniformOptions, UniformValues } from '../compile/hosts.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { checkOptions } from '../options/options.js'
+import { anything, boolean, oneOf, optional, record, text } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
 import type { Shader } from './host.js'
 
 /** Which of p5's materials the warp continues. */
@@ -70,82 +71,41 @@ export interface WarpSettings {
   readonly scope: Readonly<Record<string, unknown>> | undefined
 }
 
-const types = ['specular', 'normal']
-const spaces = ['local', 'world', 'camera']
+const place = new Place('createWarp')
+const createWarpOptions = object({
+  uniforms: anything<UniformOptions<UniformValues>>(),
+  type: optional(oneOf(['specular', 'normal'])),
+  space: oneOf(['local', 'world', 'camera'], 'local'),
+  defs: text('a text of GLSL such as "uniform float size;"', undefined, { default: '' }),
+  surfaceVariation: anything<boolean>(),
+  stroke: optional(boolean()),
+  returns: oneOf(['offset', 'position'], 'offset'),
+  shader: anything<object>(),
+  hooks: oneOf(['first', 'last'], 'first'),
+  scope: optional(
+    record<Readonly<Record<string, unknown>>>(
+      'an object of variables by name, as in { scope: { amount } },',
+    ),
+  ),
+} satisfies KindsOf<CreateWarpOptions>)
 
-export function readOptions(options: CreateWarpOptions = {}): WarpSettings {
-  checkOptions('createWarp', options, [
-    'uniforms',
-    'type',
-    'space',
-    'defs',
-    'surfaceVariation',
-    'stroke',
-    'returns',
-    'shader',
-    'hooks',
-    'scope',
-  ])
-  const {
-    type,
-    space = 'local',
-    defs = '',
-    surfaceVariation,
-    stroke,
-    returns = 'offset',
-    shader,
-    hooks = 'first',
-    scope,
-  } = options
-  if (stroke !== undefined && typeof stroke !== 'boolean')
-    throw new WarpError(
-      `createWarp: the option "stroke" must be true or false, but is ${describe(stroke)}.`,
-    )
-  if (type !== undefined) mustBeOneOf('type', types, type)
-  mustBeOneOf('space', spaces, space)
-  if (scope !== undefined && (typeof scope !== 'object' || scope === null || Array.isArray(scope)))
-    throw new WarpError(
-      `createWarp: the option "scope" must be an object of variables by name, as in { scope: { amount } }, but is ${describe(scope)}.`,
-    )
-  mustBeOneOf('returns', ['offset', 'position'], returns)
-  mustBeOneOf('hooks', ['first', 'last'], hooks)
+export function readOptions(options?: CreateWarpOptions): WarpSettings {
+  const read = createWarpOptions.read(options, place)
+  const { type, shader, defs } = read
   if (shader !== undefined && type !== undefined)
-    throw new WarpError(
-      'createWarp: the options "type" and "shader" both say what to draw with; leave one of them out.',
+    throw place.error(
+      'the options "type" and "shader" both say what to draw with; leave one of them out.',
     )
-  if (typeof defs !== 'string')
-    throw new WarpError(
-      `createWarp: the option "defs" must be a text of GLSL such as "uniform float size;", but is ${describe(defs)}.`,
-    )
-  const { uniforms } = options
+  const { uniforms } = read
   const defined = uniformsIn(defs)
   for (const name of Object.keys(uniforms ?? {}))
     if (defined.has(name))
-      throw new WarpError(
-        `createWarp: the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
+      throw place.error(
+        `the uniform "${name}" stands in the options "uniforms" and "defs"; leave it out of one of them.`,
       )
-  return {
-    uniforms,
-    type,
-    space,
-    defs,
-    surfaceVariation,
-    stroke,
-    returns,
-    shader: shader as Shader | undefined,
-    hooks,
-    scope,
-  }
+  return { ...read, shader: shader as Shader | undefined }
 }
 
 /** The words of GLSL such as `uniform float size, amount;`, names of uniforms among them. */
 export const uniformsIn = (defs: string) =>
   new Set((defs.match(/\buniform\b[^;]*/g) ?? []).flatMap((text) => text.match(/\w+/g)!))
-
-function mustBeOneOf(option: string, choices: string[], value: unknown) {
-  if (choices.includes(value as string)) return
-  const list = choices.map((choice) => `"${choice}"`).join(' or ')
-  throw new WarpError(
-    `createWarp: the option "${option}" must be ${list}, but is ${describe(value)}.`,
-  )
-}

@@ -1,7 +1,8 @@
 // The options of `warp` and `warpMaterial`, checked.
 import type { UniformExpressions, Vec3, WarpInputs } from '../compile/hosts.js'
-import { WarpError, describe } from '../errors/errors.js'
-import { checkOptions } from '../options/options.js'
+import { anything, boolean, kind, oneOf, optional } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { type KindsOf, object } from '../options/schema.js'
 import type { PlainOf, ThreeUniforms } from './uniforms.js'
 
 /**
@@ -10,8 +11,6 @@ import type { PlainOf, ThreeUniforms } from './uniforms.js'
  * when all of these are done.
  */
 export type WarpSpace = 'local' | 'rest' | 'world'
-
-const spaces: readonly WarpSpace[] = ['local', 'rest', 'world']
 
 export interface WarpOptions<Uniforms extends object = ThreeUniforms> {
   /** `'local'` unless given. */
@@ -44,20 +43,18 @@ export interface Settings {
   surfaceVariation: false | undefined
 }
 
-export function readOptions(method: string, options: WarpOptions<object> = {}): Settings {
-  checkOptions(method, options, ['space', 'uniforms', 'share', 'surfaceVariation'])
-  const { space = 'local', uniforms, share = false, surfaceVariation } = options
-  if (!spaces.includes(space))
-    throw new WarpError(
-      `${method}: the option "space" must be 'local', 'rest' or 'world', but is ${describe(space)}.`,
-    )
-  if (typeof share !== 'boolean')
-    throw new WarpError(
-      `${method}: the option "share" must be true or false, but is ${describe(share)}.`,
-    )
-  if (surfaceVariation !== undefined && surfaceVariation !== false)
-    throw new WarpError(
-      `${method}: the option "surfaceVariation" can only be false, but is ${describe(surfaceVariation)}; addSurfaceVariation(geometry) says how a geometry varies.`,
-    )
-  return { method, space, uniforms, isShared: share, surfaceVariation }
+const options = object({
+  space: oneOf(['local', 'rest', 'world'], 'local'),
+  uniforms: anything<object>(),
+  share: boolean(false),
+  surfaceVariation: optional(
+    kind<false>('only false', (given) => given === false, {
+      advice: () => 'addSurfaceVariation(geometry) says how a geometry varies',
+    }),
+  ),
+} satisfies KindsOf<WarpOptions<object>>)
+
+export function readOptions(method: string, given?: WarpOptions<object>): Settings {
+  const { uniforms, share, ...others } = options.read(given, new Place(method))
+  return { method, ...others, uniforms: uniforms as never, isShared: share }
 }

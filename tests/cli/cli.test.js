@@ -99,7 +99,10 @@ describe('the program', () => {
     await usage(['toString'], /no command "toString"/)
     await usage(['emit'], /emit needs a warp\.js or a file of GLSL\. `npx warpjet emit --help`/)
     await usage(['emit', 'wave.js', 'named.js'], /nothing more, but "named\.js" came/)
-    await usage(['emit', 'wave.js', '--target', 'hlsl'], /--target must be one of glsl300.*"hlsl"/)
+    await usage(
+      ['emit', 'wave.js', '--target', 'hlsl'],
+      /emit: expected 'glsl300', 'glsl100' or 'wgsl' for --target, got the text "hlsl"/,
+    )
     await usage(['emit', 'wave.js', '--speed', '2'], /emit: Unknown option '--speed'/)
     await usage(['info'], /info needs a model/)
     await usage(['bake', 'model.glb'], /bake needs a warp\.js/)
@@ -112,19 +115,25 @@ describe('the program', () => {
     for (const setting of ['millis', 'millis=', 'millis=x', '=1', 'mouse=1,'])
       await usage(
         ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--set', setting],
-        /--set takes a name and numbers/,
+        /bake: expected a name and numbers, as in --set millis=1200, for --set, got the text /,
       )
     for (const tolerance of ['0', 'x', '', 'Infinity'])
       await usage(
         ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--subdivide', tolerance],
-        /--subdivide must be a number above 0/,
+        /bake: expected a number above 0 for --subdivide, got /,
       )
     const limited = (most) => [...baking, '--subdivide', '1', '--max-triangles', most]
     const baking = ['bake', 'model.glb', 'named.js', '-o', 'o.glb']
     for (const most of ['1.5', String(2 ** 28 + 1), '1e20'])
-      await usage(limited(most), /--max-triangles must be a whole number, at most 268,435,456, but/)
+      await usage(
+        limited(most),
+        /bake: expected a whole number from 1 to 268,435,456 for --max-triangles, got /,
+      )
     for (const most of ['0', '-1', 'x'])
-      await usage(limited(most), /--max-triangles must be a number above 0|ambiguous/)
+      await usage(
+        limited(most),
+        /expected a whole number from 1 to .* for --max-triangles, got |ambiguous/,
+      )
     await usage([...baking, '--max-triangles', '9'], /--max-triangles is about what --subdivide/)
   })
 })
@@ -393,7 +402,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     )
     await refuses(
       baking('model.glb', 'mouse.js', '--set', 'mouse=1'),
-      /"mouse" must be an array of 2/,
+      /expected an array of 2 finite numbers for the uniform "mouse"/,
     )
     await refuses(baking('gone.glb', 'named.js'), /loadMesh: the file .*gone\.glb does not exist/)
     await refuses(
@@ -621,7 +630,10 @@ vec3 offset(vec3 position, float millis) {
     )
     const wrong = await warpjet('derive', 'spiral.glsl', '--by', 'q')
     assert.equal(wrong.code, 1)
-    assert.match(wrong.stderr, /--by must be a parameter of spiral, one of p, t, n, isOn/)
+    assert.match(
+      wrong.stderr,
+      /expected a parameter of spiral, one of p, t, n, isOn, for --by, got the text "q"/,
+    )
   })
 
   test('what is wrong in it is told with its line', async () => {

@@ -65,7 +65,7 @@ describe('emit', () => {
     refuses(() => warp.emit('wgsl', { names: { place: 'p' } }), /emit names: .* no option "place"/)
     refuses(
       () => warp.emit('wgsl', { outputs: { offset: 3 } }),
-      /must be a text, but is the number/,
+      /expected a text for the name of a result, got the number/,
     )
     refuses(() => warp.emit('wgsl', { names: { position: 'fn' } }), /"fn" is a word of WGSL/)
     refuses(

@@ -276,7 +276,7 @@ describe('one sentence says what is wrong:', () => {
     refuses(call({ toString: 1 }), /the warp reads "constructor"; give it a value/)
     assert.deepEqual(call({ toString: 1, constructor: 2 })().position, [1, 2, 0])
     const { evaluate } = compile((glsl) => ({ y: glsl.param('toString').mult(2) }))
-    refuses(() => evaluate({}), /^evaluate: "toString" must be a number, but is undefined/)
+    refuses(() => evaluate({}), /^evaluate: expected a number for "toString", got undefined/)
     assert.deepEqual(evaluate({ toString: 2 }), { y: 4 })
   })
 

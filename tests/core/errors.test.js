@@ -96,21 +96,24 @@ test('expressions of another copy of warpjet', async () => {
 })
 
 test('what is no offset function', () => {
-  refuses(() => compileWarp(), /a function was expected, but undefined/)
-  refuses(() => compileWarp('x'), /a function was expected, but the text "x" came\.$/)
-  refuses(() => compileWarp('vec3 offset(vec3 p) { return p; }'), /came; glslOffset\(text\)/)
-  refuses(() => compile(7), /compile: a function was expected/)
-  refuses(() => gen({}), /gen: a function was expected/)
+  refuses(() => compileWarp(), /expected a function, got undefined/)
+  refuses(() => compileWarp('x'), /expected a function, got the text "x"\.$/)
+  refuses(
+    () => compileWarp('vec3 offset(vec3 p) { return p; }'),
+    /got the text .*; glslOffset\(text\)/,
+  )
+  refuses(() => compile(7), /compile: expected a function, got the number 7/)
+  refuses(() => gen({}), /gen: expected a function, got an empty object/)
   refuses(() => gen(async () => {}), /gen: the function must be a plain one/)
   refuses(() => compile(async () => ({})), /compile: the function must return an object of named/)
 })
 
 test('operands', () => {
   const with_ = (operand) => offset(({ position }) => position.add(operand))
-  refuses(with_(undefined), /add: argument 1 must be a number or an expression, but is undefined/)
-  refuses(with_('1'), /add: argument 1 .* the text "1"/)
-  refuses(with_({ x: 1 }), /add: argument 1 .* an object/)
-  refuses(with_([1, 2]), /add: argument 1 .* an array of 2/)
+  refuses(with_(undefined), /add: expected a number or an expression for argument 1, got undefined/)
+  refuses(with_('1'), /add: expected .* for argument 1, got the text "1"/)
+  refuses(with_({ x: 1 }), /add: expected .* for argument 1, got an object/)
+  refuses(with_([1, 2]), /add: expected .* for argument 1, got an array of 2/)
   refuses(with_(NaN), /add: argument 1 is NaN/)
   refuses(with_(1e-60), /add: argument 1 is 1e-60, too close to zero/)
   refuses(with_(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/)
@@ -132,7 +135,7 @@ test('operands', () => {
   )
   refuses(
     offset(({ glsl, millis }) => glsl.max(millis, null)),
-    /max: argument 2 .* null/,
+    /max: expected .* for argument 2, got null/,
   )
 })
 
@@ -217,11 +220,14 @@ test('options', () => {
     /glsl300, glsl100, wgsl, but is the text "hlsl"/,
   )
   refuses(() => compileWarp(still, { traget: 'glsl300' }), /no option "traget"/)
-  refuses(() => compileWarp(still, 5), /options must be an object/)
+  refuses(() => compileWarp(still, 5), /expected an object of options, got/)
   refuses(() => compileWarp(still, { normals: 'no' }), /"normals" must be true or false/)
   refuses(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
   refuses(() => compileWarp(still, { names: { position: 5 } }), /names\.position: .* the number 5/)
-  refuses(() => gen(() => {}, { maxDepthPerVariable: 0 }), /maxDepthPerVariable .* at least 1/)
+  refuses(
+    () => gen(() => {}, { maxDepthPerVariable: 0 }),
+    /expected a number of at least 1 for the option "maxDepthPerVariable"/,
+  )
 })
 
 test('results asked for by .output(…) outside of gen', () => {
@@ -267,7 +273,7 @@ test('results asked for by .output(…) outside of gen', () => {
 
 test('a class in the place of a function', () => {
   class Offset {}
-  const isClass = /a function was expected, but a class came\./
+  const isClass = /expected a function, got a class\./
   for (const run of [compileWarp, compile, gen]) refuses(() => run(Offset), isClass)
   refuses(() => compileWarp(Map), isClass)
   refuses(
@@ -283,11 +289,14 @@ test('a class in the place of a function', () => {
     })
   refuses(
     offset(({ glsl, position }) => glsl.vec3(slope(glsl)(position.x()), 0, 0)),
-    /^slope: derivative 1 must be a number or an expression, but is a class/,
+    /^slope: expected a number or an expression for derivative 1, got a class/,
   )
-  refuses(() => chain(twist({ angle: 1 }), Offset), /argument 2 must be an offset .* is a class/)
-  refuses(() => twist({ angle: Offset }), /"angle" must be .* but is a class/)
-  refuses(() => inSpace(Offset, still), /but is a class/)
+  refuses(
+    () => chain(twist({ angle: 1 }), Offset),
+    /expected an offset function, .* for argument 2, got a class/,
+  )
+  refuses(() => twist({ angle: Offset }), /expected .* for the option "angle", got a class/)
+  refuses(() => inSpace(Offset, still), /for the matrix, got a class/)
 })
 
 test('names of results', () => {
@@ -296,7 +305,7 @@ test('names of results', () => {
   refuses(named({ position: 'vec3' }), /"vec3" cannot name a result/)
   refuses(named({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
   refuses(named({ position: 'a', normal: 'a' }), /two results named "a"/)
-  refuses(named({ position: 7 }), /must be a text, but is the number 7/)
+  refuses(named({ position: 7 }), /expected a text for the name of a result, got the number 7/)
   refuses(named({ offset: 'position' }), /"position" has the name of a variable/)
   refuses(() => compile((glsl) => ({ 'a b': glsl.val(1) })), /"a b" cannot name a result/)
   refuses(() => compile(() => 5), /must return an object of named expressions/)
@@ -322,7 +331,7 @@ test('names of parameters', () => {
   )
   refuses(param('é'), /only letters from a to z/)
   refuses(param('a'.repeat(300)), /longer than 256 letters/)
-  refuses(param(undefined), /the name of a shader variable was expected, but undefined/)
+  refuses(param(undefined), /expected the name of a shader variable, got undefined/)
 })
 
 test('derivatives', () => {
@@ -460,17 +469,26 @@ test('functions of the shader', () => {
     () =>
       compile((glsl) => ({ r: use(glsl.fn(options), glsl.param('x'), glsl) }), { target })
   const differentiated = (f, x, glsl) => glsl.derivative(f(x), x)
-  refuses(of(undefined), /fn: an object \{ name, source, arity, derivatives \} was expected/)
+  refuses(
+    of(undefined),
+    /fn: expected an object \{ name, source, arity, derivatives \}, got undefined/,
+  )
   refuses(of({ nam: 'a' }), /fn: there is no option "nam"/)
-  refuses(of({ ...a, name: 5 }), /"name" must be a text, but is the number 5/)
+  refuses(of({ ...a, name: 5 }), /expected a text for the option "name", got the number 5/)
   refuses(of({ ...a, name: 'sin' }), /"sin" cannot name a function: "sin" is a function of GLSL/)
   refuses(of({ ...a, name: 'b' }), /"b" is not in the source/)
-  refuses(of({ ...a, arity: 0 }), /"arity" of a must be a whole number from 1 to 16/)
+  refuses(
+    of({ ...a, arity: 0 }),
+    /expected a whole number from 1 to 16 for the option "arity" of a/,
+  )
   refuses(
     of({ ...a, source: { wgsl: '' } }),
-    /"source" of a must be a text of GLSL for the target glsl300, or an object \{ glsl: … \}/,
+    /expected a text of GLSL for the target glsl300, or an object \{ glsl: … \} with one, for the option "source" of a/,
   )
-  refuses(of({ ...a, derivatives: [] }), /"derivatives" of a must be an array of 1/)
+  refuses(
+    of({ ...a, derivatives: [] }),
+    /expected an array of 1, one for each argument, for the option "derivatives" of a/,
+  )
   refuses(
     of(a, (f) => f(1, 2)),
     /a: 1 argument was expected, but 2 came/,
@@ -482,7 +500,7 @@ test('functions of the shader', () => {
   refuses(of(a, differentiated), /a: its derivatives are needed here/)
   refuses(
     of({ ...a, derivatives: [() => undefined] }, differentiated),
-    /a: derivative 1 must be a number or an expression, but is undefined/,
+    /a: expected a number or an expression for derivative 1, got undefined/,
   )
   refuses(
     of({ ...a, derivatives: [(x) => x.add(1).mult(0.5).sin().neg().add(x).gt(0)] }, (f, x, glsl) =>
@@ -507,12 +525,12 @@ test('functions of the shader', () => {
 test('numbers for evaluate', () => {
   const { evaluate } = compile((glsl) => ({ r: glsl.vec2Param('v').x().add(glsl.param('x')) }))
   assert.deepEqual(evaluate({ v: [1, 2], x: 3 }), { r: 4 })
-  refuses(() => evaluate(), /evaluate: "v" must be an array of 2 numbers, but is undefined/)
+  refuses(() => evaluate(), /evaluate: expected an array of 2 numbers for "v", got undefined/)
   refuses(
     () => evaluate({ v: [1], x: 1 }),
-    /"v" must be an array of 2 numbers, but is an array of 1/,
+    /expected an array of 2 numbers for "v", got an array of 1/,
   )
-  refuses(() => evaluate({ v: [1, 2], x: '1' }), /"x" must be a number, but is the text "1"/)
+  refuses(() => evaluate({ v: [1, 2], x: '1' }), /expected a number for "x", got the text "1"/)
 })
 
 test('constants that only a derivative brings together', () => {

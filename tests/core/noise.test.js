@@ -282,26 +282,29 @@ describe('a warp of noise on the CPU', () => {
 
 describe('refusals', () => {
   const refusals = [
-    [(glsl, p) => p.noise({ sed: 1 }), /^noise: there is no option "sed"; there is seed\.$/],
+    [
+      (glsl, p) => p.noise({ sed: 1 }),
+      /^noise: there is no option "sed"; did you mean seed\? There is seed\.$/,
+    ],
     [
       (glsl, p) => p.noise({ seed: 0.5 }),
-      /^noise: the option "seed" must be a whole number from -8388608 to 8388608, but is the number 0\.5\.$/,
+      /^noise: expected a whole number from -8388608 to 8388608 for the option "seed", got the number 0\.5\.$/,
     ],
     [
       (glsl, p) => p.fbm({ octaves: 0 }),
-      /^fbm: the option "octaves" must be a whole number from 1 to 16, but is the number 0\.$/,
+      /^fbm: expected a whole number from 1 to 16 for the option "octaves", got the number 0\.$/,
     ],
     [
       (glsl, p) => p.fbm({ gain: -1 }),
-      /^fbm: the option "gain" must be above 0, but is the number -1\.$/,
+      /^fbm: expected a number above 0, or an expression of one number, for the option "gain", got the number -1\.$/,
     ],
     [
       (glsl, p) => p.fbm({ gain: p }),
-      /^fbm: the option "gain" must be a number, but is a vector or a matrix\.$/,
+      /^fbm: expected a number above 0, or an expression of one number, for the option "gain", got a vec3\.$/,
     ],
     [
       (glsl, p) => p.fbm({ noise: 'perlin' }),
-      /^fbm: the option "noise" must be one of noise, simplex, valueNoise, but is the text "perlin"\.$/,
+      /^fbm: expected 'noise', 'simplex' or 'valueNoise' for the option "noise", got the text "perlin"\.$/,
     ],
     [
       (glsl) => glsl.vec4(1, 2, 3, 4).worley(),

@@ -164,12 +164,15 @@ describe('refuses', () => {
     ],
     'half a step': [
       (g) => g.repeat(2.5, 0, (s) => s),
-      /argument 1 must be a whole number, 0 or above, but is the number 2\.5/,
+      /expected a whole number from 0 to 2147483647 for argument 1, got the number 2\.5/,
     ],
-    'fewer than none': [(g) => g.repeat(-1, 0, (s) => s), /whole number, 0 or above/],
+    'fewer than none': [
+      (g) => g.repeat(-1, 0, (s) => s),
+      /expected a whole number from 0 to .* for argument 1, got the number -1/,
+    ],
     'no count': [
       (g) => g.repeat(undefined, 0, (s) => s),
-      /argument 1 must be a whole number.*undefined/,
+      /expected a whole number .* for argument 1, got undefined/,
     ],
     'too many steps': [(g) => g.repeat(20000, 0, (s) => s), /at most 10000 steps/],
     'too many steps within others': [
@@ -185,11 +188,14 @@ describe('refuses', () => {
     ],
     'no start': [
       (g) => g.repeat(2, undefined, (s) => s),
-      /what the state starts as must be a number or an expression/,
+      /expected a number or an expression for the start of the state/,
     ],
     'an empty start': [(g) => g.repeat(2, {}, (s) => s), /empty object/],
     'an array': [(g) => g.repeat(2, [1, 2], (s) => s), /glsl\.vec3/],
-    'no function': [(g) => g.repeat(2, 0, 1), /argument 3 must be a function/],
+    'no function': [
+      (g) => g.repeat(2, 0, 1),
+      /expected a function \(state, i\) => … for argument 3, got the number 1/,
+    ],
     'a fourth argument': [(g) => g.repeat(2, 0, (s) => s, 5), /the number 5 is too many/],
     'nothing returned': [(g) => g.repeat(2, 0, () => {}), /returns nothing; put a return/],
     'a promise': [(g) => g.repeat(2, 0, async (s) => s), /promise|must return one state/],

@@ -76,27 +76,33 @@ test('what is refused', () => {
         r: glsl.texture(...args.map((arg) => (typeof arg === 'function' ? arg(glsl) : arg))),
       }))
   const uv = (glsl) => glsl.vec2Param('uv')
-  refuses(of(), /texture: argument 1 must be the name of a sampler2D.*is undefined/)
-  refuses(of(5, uv), /texture: argument 1 must be the name.*is the number 5/)
-  refuses(of('a b', uv), /texture: argument 1 must be the name.*is the text "a b"/)
-  refuses(of('maps[0]', uv), /texture: argument 1 must be the name/)
+  refuses(
+    of(),
+    /texture: expected the name of a sampler2D, such as "heightMap", for argument 1, got undefined/,
+  )
+  refuses(of(5, uv), /texture: expected the name of .* for argument 1, got the number 5/)
+  refuses(of('a b', uv), /texture: expected the name of .* for argument 1, got the text "a b"/)
+  refuses(of('maps[0]', uv), /texture: expected the name of .* for argument 1/)
   refuses(of('sampler2D', uv), /texture: "sampler2D" cannot be read in a shader/)
-  refuses(of('map'), /texture: argument 2 must be a number or an expression, but is undefined/)
-  refuses(of('map', [0, 1]), /texture: argument 2 must be .*an array of 2/)
-  refuses(of('map', 0.5), /texture: argument 2 must be a vec2, but is a single number/)
+  refuses(of('map'), /texture: expected a number or an expression for argument 2, got undefined/)
+  refuses(of('map', [0, 1]), /texture: expected .* for argument 2, got an array of 2/)
+  refuses(of('map', 0.5), /texture: expected a vec2 for argument 2, got a single number/)
   refuses(
     of('map', (glsl) => glsl.vec3Param('p')),
-    /texture: argument 2 must be a vec2, but is a vec3/,
+    /texture: expected a vec2 for argument 2, got a vec3/,
   )
   refuses(of('map', uv, { filtre: 'x' }), /texture: there is no option "filtre"/)
-  refuses(of('map', uv, 'bicubic'), /texture: the options must be an object/)
+  refuses(
+    of('map', uv, 'bicubic'),
+    /texture: expected an object of options, got the text "bicubic"/,
+  )
   refuses(
     of('map', uv, { filter: 'linear' }),
-    /texture: the option "filter" must be one of bilinear, bicubic, bspline, nearest, but is the text "linear"/,
+    /texture: expected one of bilinear, bicubic, bspline, nearest for the option "filter", got the text "linear"/,
   )
   refuses(
     of('map', uv, { wrap: 3 }),
-    /texture: the option "wrap" must be one of clamp, repeat, mirror, sampler, but is the number 3/,
+    /texture: expected one of clamp, repeat, mirror, sampler for the option "wrap", got the number 3/,
   )
   refuses(of('map', uv, {}, 1), /texture: it takes a name, a vec2 and options; the number 1/)
 })

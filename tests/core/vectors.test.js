@@ -146,7 +146,7 @@ test('what cannot be says what to write', () => {
     ],
     [
       (v) => v.setMag('a'),
-      /setMag: argument 1 must be a number or an expression, but is the text "a"/,
+      /setMag: expected a number or an expression for argument 1, got the text "a"/,
     ],
   ])
     assert.throws(

@@ -46,8 +46,14 @@ describe('evaluate', () => {
         name: 'WarpError',
         message,
       })
-    refused({ positions: new Float32Array(5) }, /out\.positions .* 6 numbers, but has only 5/)
-    refused({ normals: [0, 0, 0] }, /out\.normals must be a Float32Array/)
+    refused(
+      { positions: new Float32Array(5) },
+      /at least 6 numbers for out\.positions, got one of 5/,
+    )
+    refused(
+      { normals: [0, 0, 0] },
+      /expected a Float32Array .* for out\.normals, got an array of 3/,
+    )
     refused({ normal: new Float32Array(6) }, /normal/)
   })
 
@@ -76,7 +82,10 @@ describe('evaluate', () => {
   })
 
   test('checks a Float32Array when it comes for the first time, and none that it made', () => {
-    const refusal = { name: 'WarpError', message: /positions\[0\].* is NaN/ }
+    const refusal = {
+      name: 'WarpError',
+      message: /expected a finite number for positions\[0\].*, got NaN/,
+    }
     const positions = Float32Array.of(NaN, 0, 0)
     assert.throws(() => wave.evaluate({ positions }, { uniforms }), refusal)
     assert.throws(() => wave.evaluate({ positions }, { uniforms }), refusal)
@@ -300,13 +309,16 @@ describe('one sentence for', () => {
   test('meshes', () => {
     refuses(
       () => wave.evaluate(),
-      /evaluate: a mesh with an array of positions was expected, but undefined came/,
+      /evaluate: expected a mesh with an array of positions, got undefined/,
     )
     refuses(
       () => wave.evaluate({ positions: 3 }),
-      /positions must be a flat array of 3 numbers a vertex, but is the number 3/,
+      /expected a flat array of 3 numbers a vertex for positions, got the number 3/,
     )
-    refuses(() => wave.evaluate({ positions: [1, 2] }), /three numbers a vertex, but has 2 numbers/)
+    refuses(
+      () => wave.evaluate({ positions: [1, 2] }),
+      /expected three numbers a vertex for positions, got 2 numbers/,
+    )
     refuses(
       () =>
         wave.evaluate({
@@ -316,27 +328,27 @@ describe('one sentence for', () => {
             [1, 2, 3],
           ],
         }),
-      /positions\[0\], of vertex 0, must be a finite number/,
+      /expected a finite number for positions\[0\], of vertex 0, got an array of 3/,
     )
     refuses(
       () => wave.evaluate({ positions, normals: [1] }),
-      /normals must have 3 numbers a vertex, 3 for these positions, but has 1/,
+      /expected 3 numbers a vertex, 3 for these positions, for normals, got 1/,
     )
     refuses(
       () => wave.evaluate({ positions: [1, 2, 3, 4, NaN, 6] }, { uniforms }),
-      /positions\[4\], of vertex 1, must be a finite number, but is NaN/,
+      /expected a finite number for positions\[4\], of vertex 1, got NaN/,
     )
     refuses(
       () => wave.evaluate({ positions: [1, 2, Infinity] }, { uniforms }),
-      /positions\[2\], of vertex 0, must be a finite number, but is Infinity/,
+      /expected a finite number for positions\[2\], of vertex 0, got Infinity/,
     )
     refuses(
       () => wave.evaluateAt([1, 2], { uniforms }),
-      /evaluateAt: the position must be an array of 3 finite numbers, but is an array of 2/,
+      /evaluateAt: expected an array of 3 finite numbers for the position, got an array of 2/,
     )
     refuses(
       () => wave.evaluateAt([1, 2, 3], { uniforms, normal: [0, NaN, 1] }),
-      /the normal must be an array of 3 finite numbers, but has NaN among them/,
+      /expected an array of 3 finite numbers for the normal, got one with NaN/,
     )
   })
 
@@ -351,11 +363,11 @@ describe('one sentence for', () => {
     )
     refuses(
       () => wave.evaluate({ positions }, { uniforms: { millis: '3' } }),
-      /the uniform "millis" must be a finite number, but is the text "3"/,
+      /expected a finite number for the uniform "millis", got the text "3"/,
     )
     refuses(
       () => wave.evaluate({ positions }, { uniforms: 3 }),
-      /uniforms must be an object, such as \{ millis: 1200 \}, but is the number 3/,
+      /expected an object, such as \{ millis: 1200 \}, for uniforms, got the number 3/,
     )
     const follows = compileWarp(({ glsl, mouse }) => glsl.vec3(mouse, glsl.param('amount')))
     refuses(
@@ -373,7 +385,7 @@ describe('one sentence for', () => {
     refuses(() => follows.evaluate({ positions }, { uniforms: { amount: 1 } }), /"mouse": \[0,0\]/)
     refuses(
       () => follows.evaluate({ positions }, { uniforms: { amount: 1, mouse: [1] } }),
-      /"mouse" must be an array of 2 finite numbers, but is an array of 1/,
+      /expected an array of 2 finite numbers for the uniform "mouse", got an array of 1/,
     )
   })
 
@@ -393,11 +405,11 @@ describe('one sentence for', () => {
   test('boxes', () => {
     refuses(
       () => wave.bounds(),
-      /bounds: box must be \{ min, max \}, each of 3 numbers, but is undefined/,
+      /bounds: expected \{ min, max \}, each of 3 numbers, for box, got undefined/,
     )
     refuses(
       () => wave.bounds({ min: [0, 0, 0] }),
-      /bounds: box\.max must be an array of 3 finite numbers, but is undefined/,
+      /bounds: expected an array of 3 finite numbers for box\.max, got undefined/,
     )
     refuses(
       () => wave.bounds({ min: [0, 2, 0], max: [1, 1, 1] }, { uniforms }),

@@ -104,10 +104,16 @@ test('what is wrong is said in a sentence', () => {
   const refused = (work, message) => assert.throws(work, { name: 'WarpError', message })
   refused(
     () => twist.inverseAt([1, 2]),
-    /^inverseAt: the point must be an array of 3 finite numbers/,
+    /^inverseAt: expected an array of 3 finite numbers for the point, got an array of 2/,
   )
-  refused(() => twist.inverseAt([1, 2, NaN]), /^inverseAt: the point .*NaN/)
-  refused(() => twist.inverseAt([1, 2, 3], { near: 4 }), /^inverseAt: near must be/)
+  refused(
+    () => twist.inverseAt([1, 2, NaN]),
+    /^inverseAt: expected .* for the point, got one with NaN/,
+  )
+  refused(
+    () => twist.inverseAt([1, 2, 3], { near: 4 }),
+    /^inverseAt: expected an array of 3 finite numbers for near, got the number 4/,
+  )
   refused(() => twist.inverseAt([1, 2, 3], { from: [0, 0, 0] }), /^inverseAt: .*from/)
   refused(() => twist.inverseAt([1, 2, 3], { uniforms: { speed: 1 } }), /no uniform "speed"/)
   const alongNormal = compileWarp(({ normal }) => normal.mult(2))

@@ -411,32 +411,38 @@ describe('says what is wrong:', () => {
     for (const [name, make] of Object.entries({ chain, add }))
       refuses(
         () => make(),
-        new RegExp(`^${name}: at least one offset function was expected, but none came\\.$`),
+        new RegExp(`^${name}: expected at least one offset function, got none\\.$`),
       )
     refuses(
       () => chain(twist(), [0, 1, 2]),
-      /^chain: argument 2 must be an offset function, such as twist\(\{ angle: 1 \}\), but is an array of 3\.$/,
+      /^chain: expected an offset function, such as twist\(\{ angle: 1 \}\), for argument 2, got an array of 3\.$/,
     )
-    refuses(() => add(twist, {}), /^add: argument 2 must be an offset function/)
-    refuses(() => blend(twist()), /^blend: argument 2 must be an offset function, .* undefined/)
+    refuses(
+      () => add(twist, {}),
+      /^add: expected an offset function, .* for argument 2, got an empty object/,
+    )
+    refuses(
+      () => blend(twist()),
+      /^blend: expected an offset function, .* for argument 2, got undefined/,
+    )
     refuses(
       () => mask(0.5, twist()),
-      /^mask: argument 1 must be an offset function, .* the number 0\.5/,
+      /^mask: expected an offset function, .* for argument 1, got the number 0\.5/,
     )
-    refuses(() => inSpace(twist(), 5), /^inSpace: argument 2 must be an offset function/)
+    refuses(() => inSpace(twist(), 5), /^inSpace: expected an offset function, .* for argument 2/)
   })
 
   test('what they return', () => {
     const made = (warp) => () => compileWarp(warp)
     refuses(
       made(chain(twist(), () => twist())),
-      /^chain: the offset function that is argument 2 must return a vec3, such as .*, but returned a function\.$/,
+      /^chain: expected the offset function that is argument 2 to return a vec3, such as .*, got a function\.$/,
     )
     refuses(
       made(add(({ millis }) => millis)),
-      /^add: .* argument 1 must return a vec3, but returned a single number\.$/,
+      /^add: .* argument 1 to return a vec3, got a single number\.$/,
     )
-    refuses(made(mask(({ uv }) => uv, 1)), /^mask: .* returned a vec2\.$/)
+    refuses(made(mask(({ uv }) => uv, 1)), /^mask: .* to return a vec3, got a vec2\.$/)
     refuses(
       made(
         inSpace(
@@ -444,7 +450,7 @@ describe('says what is wrong:', () => {
           () => undefined,
         ),
       ),
-      /^inSpace: .* argument 2 .* returned undefined\.$/,
+      /^inSpace: .* argument 2 to return .*, got undefined\.$/,
     )
   })
 
@@ -457,12 +463,12 @@ describe('says what is wrong:', () => {
   test('amounts and weights', () => {
     refuses(
       () => blend(twist(), bend(), '1'),
-      /^blend: the amount must be a number, .* the text "1"\.$/,
+      /^blend: expected a number, .* for the amount, got the text "1"\.$/,
     )
-    refuses(() => mask(twist()), /^mask: the weight must be a number, .* but is undefined\.$/)
+    refuses(() => mask(twist()), /^mask: expected a number, .* for the weight, got undefined\.$/)
     refuses(
       () => compileWarp(mask(twist(), ({ position }) => position)),
-      /^mask: the weight is a function that must return a number .* returned a vec3\.$/,
+      /^mask: expected the function of the weight to return a number .*, got a vec3\.$/,
     )
   })
 
@@ -471,12 +477,12 @@ describe('says what is wrong:', () => {
     const matrix = (value) => () => inSpace(value, twist())
     refuses(
       matrix(5),
-      /^inSpace: the matrix must be 16 numbers column by column, a mat4 or mat3, or a function that returns one, but is the number 5\.$/,
+      /^inSpace: expected 16 numbers column by column, a mat4 or mat3, or a function that returns one for the matrix, got the number 5\.$/,
     )
-    refuses(matrix([1, 2, 3]), /but is an array of 3\.$/)
+    refuses(matrix([1, 2, 3]), /for the matrix, got an array of 3\.$/)
     refuses(
       matrix(identity.map((x, i) => (i === 2 ? NaN : x))),
-      /but is an array with the number NaN\.$/,
+      /for the matrix, got an array with the number NaN\.$/,
     )
     refuses(
       matrix(identity.map((x, i) => (i === 3 ? 1 : x))),
@@ -494,15 +500,15 @@ describe('says what is wrong:', () => {
     )
     refuses(
       made(({ millis }) => millis),
-      /but is a single number\.$/,
+      /for the matrix, got a single number\.$/,
     )
     refuses(
       made(({ position }) => position),
-      /but is a vec3\.$/,
+      /for the matrix, got a vec3\.$/,
     )
     refuses(
       made(({ glsl }) => glsl.mat2(1)),
-      /but is a matrix of another size\.$/,
+      /for the matrix, got a matrix of another size\.$/,
     )
     refuses(
       made(({ glsl }) => glsl.mat3(0)),

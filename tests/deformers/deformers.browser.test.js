@@ -63,7 +63,10 @@ for (const [version, p5] of p5InThisRun)
         window.done = true`,
       )
       assert.equal(await page.evaluate('same'), true)
-      assert.match(await page.evaluate('sentence'), /^twist: the option "angle" must be a number/)
+      assert.match(
+        await page.evaluate('sentence'),
+        /^twist: expected a number, .* for the option "angle", got the text "fast"/,
+      )
       await leavePage(page)
       assert.deepEqual(messages, [])
     })

@@ -341,62 +341,89 @@ describe('says what is wrong:', () => {
 
   test('options that there are not, for every deformer', () => {
     for (const name of Object.keys(cases)) {
+      const hasAmount = !/^(bend|twist)$/.test(name)
+      const advice = !hasAmount ? 'there are ' : 'did you mean amount\\? There are '
       refuses(
         () => deformers[name]({ amout: 1 }),
-        new RegExp(`^${name}: there is no option "amout"; there are `),
+        new RegExp(`^${name}: there is no option "amout"; ${advice}`),
       )
       refuses(
         () => deformers[name](5),
-        new RegExp(`^${name}: the options must be an object, but are the number 5`),
+        new RegExp(`^${name}: expected an object of options, got the number 5\\.$`),
       )
       refuses(
         () => deformers[name](null),
-        new RegExp(`^${name}: the options must be an object, but are null`),
+        new RegExp(`^${name}: expected an object of options, got null\\.$`),
       )
     }
-    refuses(() => genie({ ege: 'x' }), /there are center, axis, amount, length, neck, edge\.$/)
+    refuses(
+      () => genie({ ege: 'x' }),
+      /^genie: there is no option "ege"; did you mean edge\? There are center, axis, amount, length, neck, edge\.$/,
+    )
+    refuses(
+      () => genie({ colour: 'x' }),
+      /^genie: there is no option "colour"; there are center, axis, amount, length, neck, edge\.$/,
+    )
   })
 
   test('constants', () => {
     refuses(
       () => twist({ angle: 'fast' }),
-      /^twist: the option "angle" must be a number, an expression of one number, or a function that returns one, but is the text "fast"\.$/,
+      /^twist: expected a number, an expression of one number, or a function that returns one for the option "angle", got the text "fast"\.$/,
     )
-    refuses(() => twist({ angle: NaN }), /"angle" must be a number, .* but is the number NaN/)
-    refuses(() => twist({ angle: 1e39 }), /"angle" must be a number, .* but is the number 1e\+39/)
-    refuses(() => twist({ angle: null }), /"angle" must be a number, .* but is null/)
-    refuses(() => twist({ length: 0 }), /"length" must be a number above 0, .* but is the number 0/)
-    refuses(() => wave({ wavelength: -1 }), /"wavelength" must be a number above 0/)
+    refuses(
+      () => twist({ angle: NaN }),
+      /expected a number, .* for the option "angle", got the number NaN/,
+    )
+    refuses(
+      () => twist({ angle: 1e39 }),
+      /expected a number, .* for the option "angle", got the number 1e\+39/,
+    )
+    refuses(() => twist({ angle: null }), /expected a number, .* for the option "angle", got null/)
+    refuses(
+      () => twist({ length: 0 }),
+      /expected a number above 0, .* for the option "length", got the number 0/,
+    )
+    refuses(
+      () => wave({ wavelength: -1 }),
+      /expected a number above 0, .* for the option "wavelength"/,
+    )
     refuses(
       () => twist({ axis: 'w' }),
-      /"axis" must be "x", "y", "z" or an array of 3 finite numbers that are not all 0, a vec3, or a function that returns one, but is the text "w"/,
+      /expected "x", "y", "z" or an array of 3 finite numbers that are not all 0, a vec3, or a function that returns one for the option "axis", got the text "w"/,
     )
     refuses(
       () => twist({ axis: [0, 0, 0] }),
-      /"axis" must be .* not all 0, .* but is an array of 3/,
+      /expected .* not all 0, .* for the option "axis", got an array of 3/,
     )
-    refuses(() => twist({ axis: [1, 0] }), /"axis" must be .* but is an array of 2/)
+    refuses(() => twist({ axis: [1, 0] }), /expected .* for the option "axis", got an array of 2/)
     refuses(
       () => twist({ center: 5 }),
-      /"center" must be an array of 3 finite numbers, a vec3, .* but is the number 5/,
+      /expected an array of 3 finite numbers, a vec3, .* for the option "center", got the number 5/,
     )
-    refuses(() => twist({ center: [0, 'a', 0] }), /"center" must be an array of 3 finite numbers/)
+    refuses(
+      () => twist({ center: [0, 'a', 0] }),
+      /expected an array of 3 finite numbers, .* "center"/,
+    )
     refuses(
       () => stretch({ keepVolume: 1 }),
-      /"keepVolume" must be true or false, but is the number 1\.$/,
+      /expected true or false for the option "keepVolume", got the number 1\.$/,
     )
     refuses(
       () => stretch({ keepVolume: () => true }),
-      /must be true or false, but is a function\.$/,
+      /expected true or false for the option "keepVolume", got a function\.$/,
     )
-    refuses(() => bulge({ axis: 7 }), /^bulge: the option "axis" must be "x"/)
+    refuses(
+      () => bulge({ axis: 7 }),
+      /^bulge: expected "x", .* for the option "axis", got the number 7/,
+    )
     refuses(
       () => inflate({ direction: 'normal' }),
-      /"direction" must be an array of 3 finite numbers/,
+      /expected an array of 3 finite numbers, .* "direction"/,
     )
     refuses(
       () => deformers.noiseDisplace({ seed: () => 1 }),
-      /"seed" must be a whole number of at most 8388608, but is a function/,
+      /expected a whole number from -8388608 to 8388608 for the option "seed", got a function/,
     )
   })
 
@@ -408,9 +435,12 @@ describe('says what is wrong:', () => {
     refuses(() => bend({ axis: [1, 1, 0], along: [-2, -2, 0] }), /the same direction/)
     refuses(
       () => bend({ from: 10, to: 5 }),
-      /^bend: the option "to" must be above "from", but is 5 beside 10\.$/,
+      /^bend: expected a number above "from", which is 10, for the option "to", got 5\.$/,
     )
-    refuses(() => bend({ to: -100 }), /must be above "from", but is -100 beside -100/)
+    refuses(
+      () => bend({ to: -100 }),
+      /expected a number above "from", which is -100, for the option "to", got -100/,
+    )
     assert.equal(typeof bend({ axis: 'y' }), 'function')
     assert.equal(typeof bend({ axis: [0, -2, 0] }), 'function')
   })
@@ -419,25 +449,22 @@ describe('says what is wrong:', () => {
     const made = (warp) => () => compileWarp(warp)
     refuses(
       made(twist({ angle: () => 'x' })),
-      /^twist: the option "angle" is a function that must return a number or an expression of one number, but returned the text "x"\.$/,
+      /^twist: expected the function of the option "angle" to return a number or an expression of one number, got the text "x"\.$/,
     )
-    refuses(made(twist({ angle: ({ position }) => position })), /but returned a vec3\.$/)
-    refuses(made(twist({ angle: ({ glsl }) => glsl.mat3(1) })), /but returned a matrix\.$/)
+    refuses(made(twist({ angle: ({ position }) => position })), /to return .*, got a vec3\.$/)
+    refuses(made(twist({ angle: ({ glsl }) => glsl.mat3(1) })), /to return .*, got a matrix\.$/)
     refuses(
       made(twist({ length: () => -1 })),
-      /must return a number above 0 or .* the number -1\.$/,
+      /to return a number above 0 or .*, got the number -1\.$/,
     )
     refuses(
       made(twist({ axis: ({ millis }) => millis })),
-      /must return "x", .* but returned a single number\.$/,
+      /to return "x", .*, got a single number\.$/,
     )
-    refuses(
-      made(twist({ axis: () => [0, 0, 0] })),
-      /not all 0 or a vec3, but returned an array of 3\.$/,
-    )
+    refuses(made(twist({ axis: () => [0, 0, 0] })), /not all 0 or a vec3, got an array of 3\.$/)
     refuses(
       made((inputs) => twist({ angle: inputs.uv })(inputs)),
-      /"angle" must be .* but is a vec2\.$/,
+      /expected .* for the option "angle", got a vec2\.$/,
     )
     let stolen
     compileWarp(({ glsl, millis }) => ((stolen = millis), glsl.vec3(0)))

@@ -140,7 +140,7 @@ test('NOTICE names every library that is compiled in', () => {
     'libc++abi',
     'libunwind',
   ]
-  for (const name of [...others, 'compiler-rt', 'acorn'])
+  for (const name of [...others, 'compiler-rt', 'acorn', 'magic-string'])
     assert.match(notice, new RegExp(`${name.replaceAll('+', '\\+')}(?![+\\w])`), name)
   const linked = readFileSync(`${root}.cmake/wasm.cmake`, 'utf8')
   for (const [, name] of linked.matchAll(/-sMALLOC=(\w+)/g)) assert.ok(notice.includes(name), name)

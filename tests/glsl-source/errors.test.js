@@ -429,15 +429,27 @@ test('#line moves the number that is told, and the line that is shown stays', ()
 
 test('what is no text, and wrong options', () => {
   const good = 'vec3 offset(vec3 p) { return p; }'
-  assert.throws(() => glslOffset(5), /the source must be a text of GLSL, but is the number 5/)
-  assert.throws(() => glslOffset('shaders/waves.glsl'), /is the name of a file, .*read it first/)
+  assert.throws(
+    () => glslOffset(5),
+    /^WarpError: glslOffset: expected a text of GLSL for the source, got the number 5/,
+  )
+  assert.throws(
+    () => glslOffset('shaders/waves.glsl'),
+    /expected a text of GLSL .* is the name of a file, so read that first/,
+  )
   assert.throws(() => glslOffset(''), /the source has no function/)
   assert.throws(
     () => glslOffset(good, { function: 'other' }),
     /no function "other"; there are offset/,
   )
-  assert.throws(() => glslOffset(good, { returns: 'colour' }), /"returns" must be/)
-  assert.throws(() => glslOffset(good, { maxIterations: 0 }), /whole number from 1 to 4096/)
+  assert.throws(
+    () => glslOffset(good, { returns: 'colour' }),
+    /expected 'offset' or 'position' for the option "returns", got the text "colour"/,
+  )
+  assert.throws(
+    () => glslOffset(good, { maxIterations: 0 }),
+    /expected a whole number from 1 to 4096 for the option "maxIterations"/,
+  )
   assert.throws(() => glslOffset(good, { depth: 1 }), /there is no option "depth"/)
   assert.throws(() => glslOffset('float offset(vec3 p) { return 1.; }'), /must give a vec3/)
   assert.throws(
@@ -455,7 +467,7 @@ test('what is no text, and wrong options', () => {
   assert.throws(() => glslOffset('vec3 offset(out vec3 p) { p = vec3(1.); return p; }'), /is out/)
   assert.throws(
     () => differentiate('float f(vec3 p) { return p.x; }', { by: 'q' }),
-    /must be a parameter of f, one of p/,
+    /expected a parameter of f, one of p, for the option "by", got the text "q"/,
   )
   assert.throws(() => differentiate('float f(vec4 p) { return p.x; }'), /five numbers/)
   assert.throws(() => differentiate('float f(int i) { return 1.; }'), /only a float or a vector/)

@@ -141,8 +141,8 @@ test('what a text is called with is checked', () => {
       return glsl.vec3(f(...operands.map((each) => (each === 'p' ? position : each))), 0, 0)
     })
   assert.throws(() => call(1), /f: it takes 2 arguments \(vec2, float\), but 1 came/)
-  assert.throws(() => call('p', 1), /f: argument 1 must be a vec2, but is a vec3/)
-  assert.throws(() => call(1, 2), /f: argument 1 must be a vec2, but is a single number/)
+  assert.throws(() => call('p', 1), /f: expected a vec2 for argument 1, got a vec3/)
+  assert.throws(() => call(1, 2), /f: expected a vec2 for argument 1, got a single number/)
 })
 
 test('the uniforms that a text is called with are checked', () => {
@@ -162,12 +162,15 @@ test('the uniforms that a text is called with are checked', () => {
   near(position, [2, 2, 3])
   assert.throws(
     () => warp({ amount: [1, 2] }),
-    /source: the uniform amount must be a number or an expression, but is an array of 2\.$/,
+    /source: expected a number or an expression for the uniform amount, got an array of 2\.$/,
   )
-  assert.throws(() => warp({ amount: undefined }), /amount must be a number .* but is undefined/)
+  assert.throws(
+    () => warp({ amount: undefined }),
+    /expected a number .* for the uniform amount, got undefined/,
+  )
   assert.throws(() => warp({ amount: 'sky' }), /amount is a float in the text, but an image/)
-  assert.throws(() => warp(5), /"uniforms" must be an object .* but is the number 5/)
-  assert.throws(() => warp(null), /"uniforms" must be an object .* but is null/)
+  assert.throws(() => warp(5), /expected an object .* for the option "uniforms", got the number 5/)
+  assert.throws(() => warp(null), /expected an object .* for the option "uniforms", got null/)
   for (const name of ['constructor', 'toString']) assert.ok(warp({ amount: 1 }, name).code)
 })
 
@@ -327,14 +330,17 @@ test('variables of the host that are no floats keep their names and types, in ev
   const at = (other) => warp.evaluateAt([0, 0, 0], { uniforms: { ...uniforms, ...other } }).position
   near(at({}), [69999, 4294967 - 70000, 1.5])
   near(at({ on: 0 }), [0, 0, 0])
-  assert.throws(() => at({ n: 0.5 }), /"n" is an int of the shader, a whole number .* but is 0\.5/)
+  assert.throws(
+    () => at({ n: 0.5 }),
+    /expected a whole number .*, as an int of the shader is, for the uniform "n", got 0\.5/,
+  )
   assert.throws(
     () => at({ u: -1 }),
-    /"u" is a uint of the shader, a whole number from 0 to 42949672/,
+    /expected a whole number from 0 to 4294967295, as a uint of the shader is, for the uniform "u"/,
   )
   assert.throws(
     () => at({ on: 2 }),
-    /"on" is a bool of the shader, a whole number from 0 to 1, but/,
+    /expected a whole number from 0 to 1, as a bool of the shader is, for the uniform "on", got /,
   )
 })
 

@@ -246,6 +246,7 @@ test('loadMesh gives a BufferGeometry where it is asked to', async () => {
   for (const as of [5, Array, class {}])
     await assert.rejects(loadMesh(file, { as }), {
       name: 'WarpError',
-      message: /^loadMesh: the option "as" must be the class BufferGeometry/,
+      message:
+        /^loadMesh: expected the class BufferGeometry of three\.js for the option "as", got /,
     })
 })

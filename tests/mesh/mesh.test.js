@@ -265,11 +265,14 @@ describe('where the bytes come from', () => {
     await rejects(() => loadMesh('http://127.0.0.1:1/no.glb'), /^loadMesh: .* cannot be loaded/)
     await rejects(() => loadMesh('http://[/'), /^loadMesh: "http:\/\/\[\/" is no URL/)
     for (const source of [undefined, null, 7, {}, [1, 2]])
-      await rejects(() => loadMesh(source), /^loadMesh: a URL, or bytes .* were expected/)
+      await rejects(
+        () => loadMesh(source),
+        /^loadMesh: expected a URL, or bytes in an ArrayBuffer, a Uint8Array or a Blob, got /,
+      )
     await rejects(() => loadMesh(exportGLB(mesh), { resolve: 7 }), /"resolve".*the number 7/)
     await rejects(
       () => loadMesh(exportGLB(mesh), { resolver: () => buffer }),
-      /^loadMesh: there is no option "resolver"; there are resolve, as, decoders\./,
+      /^loadMesh: there is no option "resolver"; did you mean resolve\? There are resolve, as, decoders\./,
     )
   })
 })
@@ -285,9 +288,12 @@ describe('a mesh that does not fit together', () => {
       const refused = (change, pattern) =>
         refuses(() => work({ ...grid(3, 3), ...change }), new RegExp(`^${name}: ${pattern.source}`))
       for (const mesh of [undefined, null, 7, 'mesh', {}])
-        refuses(() => work(mesh), new RegExp(`^${name}: a mesh such as`))
-      refused({ positions: undefined }, /positions must be a flat array.*undefined/)
-      refused({ positions: 7 }, /positions must be a flat array.*the number 7/)
+        refuses(
+          () => work(mesh),
+          new RegExp(`^${name}: expected a mesh such as \\{ positions, normals, indices \\}, got `),
+        )
+      refused({ positions: undefined }, /expected a flat array .* for positions, got undefined/)
+      refused({ positions: 7 }, /expected a flat array .* for positions, got the number 7/)
       refused({ positions: new Float32Array(26) }, /positions must hold 3 numbers a vertex/)
       refused({ positions: new Float32Array(27).fill(NaN) }, /positions must be finite.*NaN/)
       refused(
@@ -300,14 +306,17 @@ describe('a mesh that does not fit together', () => {
           /colors\[35\], of vertex 8, must be a finite number, but is/,
         )
       refused({ positions: new BigInt64Array(27) }, /positions\[0\], of vertex 0, must be a finite/)
-      refused({ indices: [0, 1, null] }, /indices\[2\] must be the number of a vertex/)
+      refused(
+        { indices: [0, 1, null] },
+        /expected the number of a vertex, counted from 0, for indices\[2\], got /,
+      )
       refused(
         { material: { baseColor: [1, 1, 1, Symbol('odd')] } },
-        /material.baseColor must be four finite/,
+        /expected four finite numbers, .* for material.baseColor, got \[/,
       )
       refused(
         { material: { baseColorTexture: { bytes: picture, mimeType: Object.create(null) } } },
-        /material.baseColorTexture.mimeType must be a text/,
+        /expected a text .* for material.baseColorTexture.mimeType, got /,
       )
       refused({ normals: new Float32Array(26) }, /normals must hold 3 numbers a vertex/)
       refused({ normals: new Float32Array(27).fill(Infinity) }, /normals must be finite.*Infinity/)
@@ -316,15 +325,36 @@ describe('a mesh that does not fit together', () => {
       refused({ tangents: new Float32Array(27) }, /tangents must hold 4/)
       refused({ indices: [0, 1, 9] }, /index 9 has no vertex/)
       refused({ indices: [0, 1] }, /every three indices make a triangle/)
-      refused({ indices: [0, 1, -1] }, /indices\[2\] must be the number of a vertex/)
-      refused({ indices: [0, 1, 0.5] }, /indices\[2\] must be the number of a vertex/)
-      refused({ indices: [0, 1, '2'] }, /indices\[2\] must be the number of a vertex.*the text "2"/)
-      refused({ indices: 7 }, /indices must be a flat array/)
-      refused({ material: 7 }, /material must be an object/)
-      refused({ material: { baseColor: [1, 1, 1] } }, /material.baseColor must be four finite/)
-      refused({ material: { baseColor: [1, 1, 1, NaN] } }, /material.baseColor must be four finite/)
-      refused({ material: { baseColorTexture: 'x.png' } }, /material.baseColorTexture must be/)
-      refused({ material: { baseColorTexture: { bytes: [1] } } }, /material.baseColorTexture must/)
+      refused(
+        { indices: [0, 1, -1] },
+        /expected the number of a vertex, counted from 0, for indices\[2\], got /,
+      )
+      refused(
+        { indices: [0, 1, 0.5] },
+        /expected the number of a vertex, counted from 0, for indices\[2\], got /,
+      )
+      refused(
+        { indices: [0, 1, '2'] },
+        /expected the number of a vertex, counted from 0, for indices\[2\], got the text "2"/,
+      )
+      refused({ indices: 7 }, /expected a flat array .* for indices, got the number 7/)
+      refused({ material: 7 }, /expected an object .* for material, got the number 7/)
+      refused(
+        { material: { baseColor: [1, 1, 1] } },
+        /expected four finite numbers, .* for material.baseColor, got \[/,
+      )
+      refused(
+        { material: { baseColor: [1, 1, 1, NaN] } },
+        /expected four finite numbers, .* for material.baseColor, got \[/,
+      )
+      refused(
+        { material: { baseColorTexture: 'x.png' } },
+        /expected \{ bytes, mimeType \} .* for material.baseColorTexture, got /,
+      )
+      refused(
+        { material: { baseColorTexture: { bytes: [1] } } },
+        /expected \{ bytes, mimeType \} .* for material.baseColorTexture, got bytes that are an array of 1/,
+      )
     })
 
   test('exportGLB: no triangles, and a picture that is none', () => {
@@ -407,7 +437,7 @@ describe('bakeWarp', () => {
     for (const warp of [undefined, 7, {}, () => 1])
       refuses(
         () => bakeWarp(triangle(), warp),
-        /^bakeWarp: the warp must be what compileWarp returns/,
+        /^bakeWarp: expected what compileWarp returns for the warp, got /,
       )
     const flat = compileWarp(({ position }) => position, { normals: false })
     refuses(
@@ -485,18 +515,42 @@ describe('subdivide', () => {
 
   test('wrong options', () => {
     const refused = (options, pattern) => refuses(() => subdivide(triangle(), options), pattern)
-    refused(undefined, /^subdivide: options such as .* were expected, but undefined came/)
-    refused({}, /^subdivide: the warp must be what compileWarp returns/)
-    refused({ warp: twist }, /^subdivide: the option "tolerance" must be a number above 0/)
-    refused({ warp: twist, tolerance: 0 }, /"tolerance" must be a number above 0.*the number 0/)
-    refused({ warp: twist, tolerance: 1, angle: -1 }, /"angle" must be a number above 0/)
-    refused({ levels: 1.5 }, /"levels" must be a whole number from 0 to 15/)
-    refused({ levels: 1, maxTriangles: 0 }, /"maxTriangles" must be a whole number/)
-    refused({ levels: 1, maxTriangles: 2 ** 28 + 1 }, /"maxTriangles" must be .* from 1 to 2\^28,/)
-    refused({ levels: 1, maxTriangle: 1 }, /^subdivide: there is no option "maxTriangle"; there/)
+    refused(undefined, /^subdivide: expected options such as .*, got undefined/)
+    refused(
+      {},
+      /^subdivide: expected what compileWarp returns for the option "warp", got undefined/,
+    )
+    refused(
+      { warp: twist },
+      /^subdivide: expected a number above 0 for the option "tolerance", got undefined/,
+    )
+    refused(
+      { warp: twist, tolerance: 0 },
+      /expected a number above 0 for the option "tolerance", got the number 0/,
+    )
+    refused(
+      { warp: twist, tolerance: 1, angle: -1 },
+      /expected a number above 0 for the option "angle", got the number -1/,
+    )
+    refused(
+      { levels: 1.5 },
+      /expected a whole number from 0 to 15 for the option "levels", got the number 1\.5/,
+    )
+    refused(
+      { levels: 1, maxTriangles: 0 },
+      /expected a whole number from 1 to 2\^28 for the option "maxTriangles", got the number 0/,
+    )
+    refused(
+      { levels: 1, maxTriangles: 2 ** 28 + 1 },
+      /from 1 to 2\^28 for the option "maxTriangles", got /,
+    )
+    refused(
+      { levels: 1, maxTriangle: 1 },
+      /^subdivide: there is no option "maxTriangle"; did you mean maxTriangles\? There/,
+    )
     refused(
       { warp: twist, tolerance: 1, angel: 1 },
-      /^subdivide: there is no option "angel"; there/,
+      /^subdivide: there is no option "angel"; did you mean angle\? There/,
     )
     refused({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
   })
@@ -509,16 +563,22 @@ describe('subdivide', () => {
       ])
         refuses(work, pattern)
     }
-    of(() => undefined, /the warp's evaluate must give \{ positions, normals \}, but undefined/)
-    of(() => ({}), /must give positions as an array of \d+ numbers, .* but it is undefined/)
-    of(({ positions }) => ({ positions: [...positions, 0] }), /must give positions as an array/)
+    of(
+      () => undefined,
+      /expected the warp's evaluate to give \{ positions, normals \}, got undefined/,
+    )
+    of(() => ({}), /to give positions as an array of \d+ numbers, .*, got undefined/)
+    of(
+      ({ positions }) => ({ positions: [...positions, 0] }),
+      /to give positions as an array of \d+ numbers, .*, got an array of /,
+    )
     of(
       ({ positions }) => ({ positions, normals: new BigInt64Array(positions.length) }),
-      /must give numbers only, but normals\[0\] is the bigint 0/,
+      /expected the warp's evaluate to give a number as normals\[0\], got the bigint 0/,
     )
     of(
       ({ positions }) => ({ positions: [...positions].map(String) }),
-      /must give numbers only, but positions\[0\] is the text "0"/,
+      /expected the warp's evaluate to give a number as positions\[0\], got the text "0"/,
     )
     let calls = 0
     const once = ({ positions, normals }) => (calls++ ? { positions } : { positions, normals })

@@ -147,12 +147,15 @@ describe('decoders', () => {
       delete globalThis.MeshoptDecoder
     }
     for (const [decoders, message] of [
-      [7, /^loadMesh: decoders: the options must be an object/],
+      [7, /^loadMesh: expected an object for the option "decoders", got the number 7/],
       [
         { mesh: counting },
-        /^loadMesh: decoders: there is no option "mesh"; there are meshopt, draco/,
+        /^loadMesh: there is no option "mesh" in the option "decoders"; did you mean meshopt\? There are meshopt, draco/,
       ],
-      [{ meshopt: {} }, /^loadMesh: expected the option "decoders.meshopt" to be the decoder of/],
+      [
+        { meshopt: {} },
+        /^loadMesh: expected the decoder of the package meshoptimizer for the option "decoders.meshopt", got /,
+      ],
     ])
       await assert.rejects(loadMesh(meshopt.file, { decoders }), (error) => {
         assert.ok(error instanceof WarpError)

@@ -309,7 +309,7 @@ describe('on the CPU', () => {
     ;[1.5 / length, -1 / length, 0].forEach((x, i) => assert.ok(Math.abs(normal[i] - x) < 1e-6))
     assert.throws(
       () => bent.evaluateAt([0, 0, 0], { normal: [1, 0, 0], uGradient: [1, 2] }),
-      /^WarpError: evaluateAt: the uGradient must be an array of 3 finite numbers/,
+      /^WarpError: evaluateAt: expected an array of 3 finite numbers for the uGradient/,
     )
   })
 

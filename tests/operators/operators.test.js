@@ -1,8 +1,9 @@
 // Offset functions with operators, beside the same with methods: the text that comes of both is the same, byte for byte.
 import assert from 'node:assert/strict'
+import { SourceMap } from 'node:module'
 import { describe, test } from 'node:test'
 import { operators } from '../../dist/operators.js'
-import { translateModule } from '../../dist/operators-plugin.js'
+import loader, { operators as plugin, translateModule } from '../../dist/operators-plugin.js'
 import { withOperators } from '../../dist/operators-runtime.js'
 import { compileWarp, WarpError } from '../../dist/warpjet.js'
 
@@ -391,7 +392,10 @@ test('what only JavaScript can decide says so', () => {
       () => compileWarp(operators(offset)),
       /^WarpError: .* cannot wait for a condition/,
     )
-  assert.throws(() => operators(3), /^WarpError: operators: a function was expected/)
+  assert.throws(
+    () => operators(3),
+    /^WarpError: operators: expected a function, as in .*, got the number 3/,
+  )
   assert.ok(WarpError)
 })
 
@@ -414,4 +418,58 @@ test('what a module imports is its own, and its directive stays first', () => {
   assert.match(code, /^'use client'\n/)
   assert.match(code, /mult\(map\(sin\(position\.x\), all\), 2\)/)
   assert.match(code, /\/\/ end\nimport \{ withOperators as \w+ \} from/)
+})
+
+test('the loader of webpack gives the code that the plugin gives, with its map', () => {
+  const load = (code) => {
+    let given
+    loader.call({ resourcePath: 'sketch.js', callback: (...all) => (given = all) }, code)
+    return given
+  }
+  const code = 'createWarp(({ position }) => position * 2)'
+  const [error, translated, map] = load(code)
+  const expected = plugin().transform(code, 'sketch.js')
+  assert.equal(error, null)
+  assert.equal(translated, expected.code)
+  assert.equal(map.toString(), expected.map.toString())
+  assert.deepEqual(load('const a = b * c'), [null, 'const a = b * c'])
+})
+
+test('a source map says where each word of a translated module is from', () => {
+  const code = `import { createWarp } from 'warpjet/p5'
+const twice = (value) => value * 2
+createWarp(({ position, millis }) => {
+  let height = 1
+  height += millis
+  if (position.x > height) return [twice(height), 0, 0]
+  const rest = position.y
+    - height
+  return [0, Math.sin(rest), 0]
+})
+`
+  const { code: translated, map } = plugin().transform(code, 'sketch.js')
+  assert.deepEqual(map.sources, ['sketch.js'])
+  const sourceMap = new SourceMap(JSON.parse(map.toString()))
+  const lines = translated.split('\n')
+  const found = new Set()
+  for (const [line, text] of lines.entries())
+    for (const { 0: word, index } of text.matchAll(
+      /\b(position|millis|height|rest|twice|value)\b/g,
+    )) {
+      const { originalLine, originalColumn } = sourceMap.findEntry(line, index)
+      const original = code.split('\n')[originalLine]?.slice(originalColumn)
+      // What was written by the translation, such as a list of variables, is from the beginning of what it stands for.
+      if (original?.startsWith(word)) found.add(`${originalLine}:${originalColumn}`)
+    }
+  const words = code
+    .split('\n')
+    .flatMap((text, line) =>
+      [...text.matchAll(/\b(position|millis|height|rest|twice|value)\b/g)].map(
+        ({ index }) => `${line}:${index}`,
+      ),
+    )
+  assert.deepEqual(
+    words.filter((place) => !found.has(place)),
+    [],
+  )
 })

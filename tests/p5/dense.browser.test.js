@@ -103,14 +103,13 @@ for (const [version, p5] of p5InThisRun)
       'subdivide(shape, { warp: wave, tolerance: 0.5, uniforms: { high: 2 } })':
         /^subdivide: the warp has no uniform "high"; there are .*\bdeep\.$/,
       'subdivide(shape, { warp: wave })':
-        /^subdivide: the option "tolerance" must be a number above 0/,
+        /^subdivide: expected a number above 0 for the option "tolerance"/,
       'subdivide(shape, { warp: setup, tolerance: 1 })':
-        /^subdivide: the warp must be what createWarp or compileWarp returns, but is a function/,
-      'subdivide(3, 2)':
-        /^subdivide: a p5.Geometry with triangles was expected, .*the number 3 came/,
+        /^subdivide: expected what createWarp or compileWarp returns for the option "warp", got a function/,
+      'subdivide(3, 2)': /^subdivide: expected a p5.Geometry with triangles, .* got the number 3/,
       'subdivide(shape, 1.5)':
-        /^subdivide: the option "levels" must be a whole number from 0 to 15/,
-      'subdivide(shape)': /^subdivide: options such as .* but undefined came/,
+        /^subdivide: expected a whole number from 0 to 15 for the option "levels"/,
+      'subdivide(shape)': /^subdivide: expected options such as .*, got undefined/,
       'warpBox(100, 100, 100, 0)': /^warpBox: detail, .* must be a whole number from 1 to 200/,
       'warpBox("a")': /^warpBox: width must be a number, but is the text "a"/,
     })) {

@@ -113,26 +113,26 @@ const offsets = {
   '`${position.x()}`':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the text "an expression of warpjet".',
   'glsl.vec3(`${position.x()}`, 0, 0)':
-    'vec3: argument 1 must be a number or an expression, but is the text "an expression of warpjet".',
+    'vec3: expected a number or an expression for argument 1, got the text "an expression of warpjet".',
   '(async () => position)()':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a promise (leave its "async" out).',
   null: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned null.',
   'glsl.vec3()': 'vec3: 3 components were expected, but 0 came.',
   'glsl.vec3(1, 2)': 'vec3: 3 components were expected, but 2 came.',
   'glsl.vec3([1, 2, 3])':
-    'vec3: argument 1 must be a number or an expression, but is an array of 3; write glsl.vec3(x, y, z) for a vector.',
+    'vec3: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'glsl.vec3("1", 0, 0)':
-    'vec3: argument 1 must be a number or an expression, but is the text "1".',
+    'vec3: expected a number or an expression for argument 1, got the text "1".',
   'glsl.vec3(NaN, 0, 0)':
     'vec3: argument 1 is NaN, but a shader can only hold numbers between -3.4e38 and 3.4e38.',
   'glsl.vec3(undefined, 0, 0)':
-    'vec3: argument 1 must be a number or an expression, but is undefined.',
+    'vec3: expected a number or an expression for argument 1, got undefined.',
   'position.add(glsl.vec2(1, 2))':
     'add: a vec3 and a vec2 do not fit together; use vectors of one size, or numbers.',
   'position.add([1, 0, 0])':
-    'add: argument 1 must be a number or an expression, but is an array of 3; write glsl.vec3(x, y, z) for a vector.',
+    'add: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'position.add(createVector(1, 0, 0))':
-    'add: argument 1 must be a number or an expression, but is a vector of numbers; write glsl.vec3(x, y, z) for a vector.',
+    'add: expected a number or an expression for argument 1, got a vector of numbers; write glsl.vec3(x, y, z) for a vector.',
   'position.mult()': 'mult: 1 argument was expected, but 0 came.',
   'position.y.clamp(0)': 'clamp: 2 arguments were expected, but 1 came.',
   'position.sin(2)': 'sin: no arguments were expected, but 1 came.',
@@ -144,20 +144,17 @@ const offsets = {
 
 /** What a sketch calls. */
 const calls = {
-  'createWarp()': 'createWarp: a function was expected, but undefined came.',
-  'createWarp("twist")': 'createWarp: a function was expected, but the text "twist" came.',
+  'createWarp()': 'createWarp: expected a function, got undefined.',
+  'createWarp("twist")': 'createWarp: expected a function, got the text "twist".',
   [`createWarp(still, 'world')`]:
-    'createWarp: the options must be an object, but are the text "world".',
+    'createWarp: expected an object of options, got the text "world".',
   [`createWarp(still, { spaces: 'world' })`]:
-    'createWarp: there is no option "spaces"; there are uniforms, type, space, defs, surfaceVariation, stroke, returns, shader, hooks, scope.',
-  [`createWarp(still, { space: 'wold' })`]:
-    'createWarp: the option "space" must be "local" or "world" or "camera", but is the text "wold".',
-  [`createWarp(still, { type: 'phong' })`]:
-    'createWarp: the option "type" must be "specular" or "normal", but is the text "phong".',
+    'createWarp: there is no option "spaces"; did you mean space? There are uniforms, type, space, defs, surfaceVariation, stroke, returns, shader, hooks, scope.',
+  [`createWarp(still, { space: 'wold' })`]: `createWarp: expected 'local', 'world' or 'camera' for the option "space", got the text "wold".`,
+  [`createWarp(still, { type: 'phong' })`]: `createWarp: expected 'specular' or 'normal' for the option "type", got the text "phong".`,
   [`createWarp(still, { stroke: 'red' })`]:
-    'createWarp: the option "stroke" must be true or false, but is the text "red".',
-  [`createWarp(still, { returns: 'normal' })`]:
-    'createWarp: the option "returns" must be "offset" or "position", but is the text "normal".',
+    'createWarp: expected true or false for the option "stroke", got the text "red".',
+  [`createWarp(still, { returns: 'normal' })`]: `createWarp: expected 'offset' or 'position' for the option "returns", got the text "normal".`,
   [`createWarp(still, { uniforms: { amount: 'big' } })`]:
     'createWarp: the uniform "amount" must be a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that gives one of them, but is the text "big".',
   'createWarp(warpjet.compilWarp)':
@@ -292,7 +289,7 @@ ${setupOf(renderer)} createCanvas(20, 20, ${renderer})
     const sentences = said.map((text) => text.replace(/ \(\S+, line \d+\)$/, ''))
     for (const sentence of [
       ...Object.values(all),
-      'createWarp: a function was expected, but undefined came.',
+      'createWarp: expected a function, got undefined.',
     ])
       assert.ok(sentences.includes(sentence), `${sentence}\n${sentences.join('\n')}`)
   })

@@ -327,12 +327,12 @@ for (const [version, p5] of p5InThisRun) {
       assert.deepEqual(
         errors.map(([, message]) => message),
         [
-          'loadWarpModel: the address of a model such as "bunny.glb" was expected, but undefined came.',
-          'loadWarpModel: the address of a model such as "bunny.glb" was expected, but the number 42 came.',
+          'loadWarpModel: expected the address of a model such as "bunny.glb", got undefined.',
+          'loadWarpModel: expected the address of a model such as "bunny.glb", got the number 42.',
           `loadWarpModel: ${url}/none.glb cannot be loaded; the server answered 404.`,
           errors[3][1],
           'loadWarpModel: there is no option "size"; there are normalize, flipY, decoders.',
-          'loadWarpModel: the options must be an object, but are the boolean true.',
+          'loadWarpModel: expected an object of options, got the boolean true.',
         ],
       )
       assert.match(errors[3][1], /^loadWarpModel: .*\.$/)

@@ -76,13 +76,16 @@ for (const [version, p5] of p5InThisRun) {
 
     test('says in a WarpError what is wrong, and goes on drawing', async () => {
       const cases = {
-        'createWarp(3)': /a function was expected, but the number 3 came/,
+        'createWarp(3)': /expected a function, got the number 3/,
         'createWarp(() => 3)': /must return a vec3/,
-        'createWarp(warp, 3)': /options must be an object/,
+        'createWarp(warp, 3)': /expected an object of options, got/,
         'createWarp(warp, { colour: 1 })': /no option "colour"/,
-        'createWarp(warp, { type: "shiny" })': /"type" must be "specular" or "normal"/,
-        'createWarp(warp, { space: "moon" })': /"space" must be "local" or "world" or "camera"/,
-        'createWarp(warp, { defs: 3 })': /"defs" must be a text of GLSL/,
+        'createWarp(warp, { type: "shiny" })':
+          /expected 'specular' or 'normal' for the option "type"/,
+        'createWarp(warp, { space: "moon" })':
+          /expected 'local', 'world' or 'camera' for the option "space"/,
+        'createWarp(warp, { defs: 3 })':
+          /expected a text of GLSL such as "uniform float size;" for the option "defs"/,
         'createWarp(warp)': /reads "turn", which nothing declares; add .* "uniform mat3 turn;"/,
         'createWarp(({ glsl }) => glsl.vec3Param("shift"))':
           /reads "shift", .* "uniform vec3 shift;"/,

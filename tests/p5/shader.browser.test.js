@@ -154,7 +154,7 @@ for (const [version, renderer, scripts] of p5HostsInThisRun) {
         "shader: baseMaterialShader(), type: 'normal'":
           /"type" and "shader" both say what to draw with/,
         "shader: baseMaterialShader(), hooks: 'middle'":
-          /"hooks" must be "first" or "last", but is the text "middle"/,
+          /expected 'first' or 'last' for the option "hooks", got the text "middle"/,
         ...(!isOrdered && {
           "shader: baseMaterialShader(), hooks: 'last'":
             /on p5 1.11 the hooks of the shader come first/,

@@ -175,8 +175,7 @@ for (const [version, p5] of p5InThisRun)
         /"amount" stands in the options "uniforms" and "defs"/,
       'createWarp(({ glsl }) => glsl.vec3(glsl.param("amount")), { uniforms: { amount: 1 } })':
         /reads "amount" by glsl\.param; .* is read as uniforms\.amount/,
-      'createWarp(3, { uniforms: { amount: 1 } })':
-        /a function was expected, but the number 3 came/,
+      'createWarp(3, { uniforms: { amount: 1 } })': /expected a function, got the number 3/,
       'distort({ amont: 2 })': /no uniform "amont"; there are amount, at, unread\./,
       'distort({ amount: [1, 2] })': /"amount" is a float and takes a number, but a vec2 came/,
       'distort({ amount: undefined })':

@@ -402,17 +402,14 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       () => warp(new THREE.Group(), none),
       /^warp: there is nothing to draw in this Group/,
     ],
-    'an offset that is none': [
-      () => warp(mesh, 5),
-      /^warp: a function was expected, but the number 5 came/,
-    ],
+    'an offset that is none': [() => warp(mesh, 5), /^warp: expected a function, got the number 5/],
     'an offset that gives a number': [
       () => warp(mesh, () => 5),
       /^warp: the offset function must return a vec3/,
     ],
     'a space that is none': [
       () => warp(mesh, none, { space: 'view' }),
-      /^warp: the option "space" must be 'local', 'rest' or 'world', but is the text "view"\.$/,
+      /^warp: expected 'local', 'rest' or 'world' for the option "space", got the text "view"\.$/,
     ],
     'a geometry': [() => warp(mesh.geometry, none), /but a PlaneGeometry came\.$/],
     'along a normal that is missing': [

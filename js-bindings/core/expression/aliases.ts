@@ -81,3 +81,6 @@ export const meantByFunctions: Readonly<Record<string, string>> = {
   float: 'val',
   number: 'val',
 }
+
+/** The end of a message about an unknown name. */
+export const operationLists = 'web/docs/operations.md lists them all.'

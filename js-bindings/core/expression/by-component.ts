@@ -2,6 +2,7 @@
 import { WarpError } from '../../errors/errors.js'
 import { describeShape } from '../../errors/describe.js'
 import type { Expression } from './expression.js'
+import { operationNumber } from './operations.js'
 import type { Session } from './session.js'
 
 /** Maps an operation to the number of operands that follow the numbers. */
@@ -22,22 +23,21 @@ const following: Readonly<Record<string, number>> = {
 const isChained = (name: string) => /^(?:add|sub|mult|div)$/.test(name)
 
 /**
- * The operands of an operation, with one vector, made by `vectorOf`, in place of the numbers for its components. Throws a `WarpError` for
- * another number of them than the vector has.
+ * The operands of an operation, with one vector in place of the numbers for its components. Throws a `WarpError` for another
+ * number of them than the vector has.
  */
-export function gatherNumbers(
-  session: Session,
-  name: string,
-  operands: Expression[],
-  vectorOf: (numbers: Expression[]) => Expression,
-): Expression[] {
+export function gatherNumbers(session: Session, name: string, operands: Expression[]) {
   const after = following[name]
   if (after === undefined || operands.length < 3 + after) return operands
   const [columns, rows] = session.shapeOf(operands[0]!)
   const numbers = operands.slice(1, operands.length - after)
   const isNumber = (each: Expression) => session.shapeOf(each).join() === '1,1'
   if (columns > 1 || rows < 2 || !numbers.every(isNumber)) return operands
-  if (numbers.length === rows) return [operands[0]!, vectorOf(numbers), ...operands.slice(1 + rows)]
+  if (numbers.length === rows) {
+    const constructor = `vec${rows}`
+    const vector = session.call(operationNumber(constructor), constructor, numbers)
+    return [operands[0]!, vector, ...operands.slice(1 + rows)]
+  }
   if (!isChained(name)) return operands
   const vector = describeShape([columns, rows])
   throw new WarpError(

@@ -3,6 +3,7 @@
 import { describeShape, isExpression, vectorOfNumbers } from '../../errors/describe.js'
 import { WarpError, describe } from '../../errors/errors.js'
 import { operatorsKey } from '../../errors/operators.js'
+import type { Place } from '../../options/place.js'
 import type { Shape } from './shapes.js'
 
 const largestFloat32 = 3.4028234663852886e38
@@ -55,38 +56,32 @@ export class Expression {
 
 const isVector = (value: unknown) => Array.isArray(value) || describe(value) === vectorOfNumbers
 
-/**
- * An operand of `method` as an expression of this session. `place` is its name in messages, or the number of the
- * argument.
- */
+/** An operand as an expression of this session. `place` is the call, or with `argument`, that argument of it. */
 export function toExpression(
   session: Origin,
-  method: string,
   operand: unknown,
-  place: string | number,
+  place: Place,
+  argument?: number,
 ): Expression {
-  const refuse = (why: string): never => {
-    throw new WarpError(
-      `${method}: ${typeof place === 'number' ? `argument ${place}` : place} ${why}`,
-    )
-  }
+  const here = () => (argument === undefined ? place : place.argument(argument))
+  const is = (what: string) => here().error(`${here().subject} ${what}`)
   if (typeof operand === 'number') {
     if (!(Math.abs(operand) <= largestFloat32))
-      refuse(`is ${operand}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`)
+      throw is(`is ${operand}, but a shader can only hold numbers between -3.4e38 and 3.4e38.`)
     if (operand !== 0 && Math.fround(operand) === 0)
-      refuse(`is ${operand}, too close to zero for a shader to hold; use 0 instead.`)
-    return session.constant(operand, method)
+      throw is(`is ${operand}, too close to zero for a shader to hold; use 0 instead.`)
+    return session.constant(operand, place.method)
   }
-  if (!isExpression(operand))
-    return refuse(
-      `must be a number or an expression, but is ${describe(operand)}${isVector(operand) ? '; write glsl.vec3(x, y, z) for a vector' : ''}.`,
-    )
+  if (!isExpression(operand)) {
+    const advice = isVector(operand) ? 'write glsl.vec3(x, y, z) for a vector' : undefined
+    throw here().expected('a number or an expression', describe(operand), advice)
+  }
   if (!(operand instanceof Expression))
-    return refuse(
+    throw is(
       'was made by another copy of warpjet; this page loads two, so take all of warpjet from one place.',
     )
   if (operand.session !== session)
-    refuse(
+    throw is(
       'comes from another warp; an expression can only be used inside the function that made it.',
     )
   return operand

@@ -1,8 +1,10 @@
 // `glsl.fn`: functions of the host's shader, used like built-in ones.
-import type { Session, HostFunction } from './session.js'
-import { WarpError, describe } from '../../errors/errors.js'
+import type { Session } from './session.js'
+import { describe } from '../../errors/describe.js'
+import { kind, optional, text, wholeNumber } from '../../options/kinds.js'
+import { Place } from '../../options/place.js'
+import { rejectUnknownOptions } from '../../options/schema.js'
 import { type Expression, expressionAsText, toExpression } from './expression.js'
-import { checkOptions } from '../../options/options.js'
 import { languages } from '../../wasm/tables.js'
 
 const families = [...new Set(Object.values(languages))]
@@ -15,39 +17,43 @@ function sourcesOf(source: unknown, language: string): [language: string, text: 
     .filter((each): each is [string, string] => typeof each[1] === 'string')
 }
 
-/** Checks the options of `glsl.fn` and gives the function that the sketch calls. */
+const place = new Place('fn')
+const names = ['name', 'source', 'arity', 'derivatives']
+const functionName = text()
+const arityKind = wholeNumber({ min: 1, max: 16 })
+
+/** Declares a function of the host, and gives the function that the sketch calls. */
 export function declareFunction(session: Session, options: unknown) {
   if (options === undefined)
-    throw new WarpError('fn: an object { name, source, arity, derivatives } was expected.')
-  checkOptions('fn', options, ['name', 'source', 'arity', 'derivatives'])
-  const { name, source, arity, derivatives } = options as Record<string, unknown>
-  if (typeof name !== 'string')
-    throw new WarpError(`fn: the option "name" must be a text, but is ${describe(name)}.`)
-  if (!(Number.isInteger(arity) && (arity as number) >= 1 && (arity as number) <= 16))
-    throw new WarpError(
-      `fn: the option "arity" of ${name} must be a whole number from 1 to 16, but is ${describe(arity)}.`,
-    )
+    throw place.expected('an object { name, source, arity, derivatives }', 'undefined')
+  rejectUnknownOptions(options, names, place)
+  const given = options as Record<string, unknown>
+  const name = functionName.read(given.name, place.option('name'))
+  const at = (option: string) => place.part(`the option "${option}" of ${name}`)
+  const arity = arityKind.read(given.arity, at('arity'))
   const language = languages[session.target]
-  const sources = new Map(sourcesOf(source, language))
+  const sources = new Map(sourcesOf(given.source, language))
   if (!sources.has(language))
-    throw new WarpError(
-      `fn: the option "source" of ${name} must be a text of ${language.toUpperCase()} for the target ${session.target}, or an object { ${language}: … } with one, but is ${describe(source)}.`,
+    throw at('source').expected(
+      `a text of ${language.toUpperCase()} for the target ${session.target}, or an object { ${language}: … } with one,`,
+      describe(given.source),
     )
   if ([...sources.values()].some((text) => text.includes(expressionAsText)))
-    throw new WarpError(
-      `fn: the option "source" of ${name} has an expression in its text; make it an argument of the function.`,
+    throw at('source').error(
+      `the option "source" of ${name} has an expression in its text; make it an argument of the function.`,
     )
-  const isList = Array.isArray(derivatives) && derivatives.length === arity
-  if (derivatives !== undefined && !isList)
-    throw new WarpError(
-      `fn: the option "derivatives" of ${name} must be an array of ${arity as number}, one for each argument, but is ${describe(derivatives)}.`,
-    )
-  const declared = { name, arity: arity as number, derivatives } as HostFunction
-  const number = session.addFunction(declared, sources)
+  const derivatives = optional(
+    kind<readonly unknown[]>(
+      `an array of ${arity}, one for each argument,`,
+      (list) => Array.isArray(list) && list.length === arity,
+    ),
+  ).read(given.derivatives, at('derivatives'))
+  const number = session.addFunction({ name, arity, derivatives }, sources)
+  const call = new Place(name)
   return (...operands: unknown[]): Expression =>
     session.callFunction(
       number,
       name,
-      operands.map((operand, i) => toExpression(session, name, operand, i + 1)),
+      operands.map((operand, i) => toExpression(session, operand, call, i + 1)),
     )
 }

@@ -1,92 +1,79 @@
 // `glsl.noise` and its kin. The functions themselves are in src/noise; here their options are read.
-import type { Session } from './session.js'
-import { WarpError, describe } from '../../errors/errors.js'
-import { Expression, toExpression } from './expression.js'
-import { checkOptions } from '../../options/options.js'
+import { describe, describeShape } from '../../errors/describe.js'
+import { kind, oneOf, wholeNumber } from '../../options/kinds.js'
+import { Place } from '../../options/place.js'
+import { type KindsOf, type ValuesOf, object } from '../../options/schema.js'
 import { mostOctaves, mostSeed, noises } from '../../wasm/tables.js'
+import type { BaseNoise, CurlOptions, FractalOptions, NoiseOptions } from '../types/noise.js'
+import type { Operand } from '../types/types.js'
+import { Expression, toExpression } from './expression.js'
+import type { Session } from './session.js'
 
 type NoiseKind = keyof typeof noises
 
 /** In the order of their numbers in the wasm. */
 export const noiseKinds = Object.keys(noises) as readonly NoiseKind[]
 
-/** What others may be made of. */
-const bases = noiseKinds.filter((kind) => noises[kind] === 'base')
+/** Noises that others may be made of. */
+const bases = noiseKinds.filter((name): name is BaseNoise => noises[name] === 'base')
 
-const fractalOptions = ['octaves', 'lacunarity', 'gain', 'noise', 'seed']
+const isNumber = (value: unknown) => value instanceof Expression || typeof value === 'number'
 
-const optionsFor = {
-  base: ['seed'],
-  plain: ['seed'],
-  made: ['noise', 'seed'],
-  fractal: fractalOptions,
+const factorName = 'a number above 0, or an expression of one number,'
+/** The factor from one octave to the next. */
+const factor = (standard: number) =>
+  kind<Expression | number, Operand>(
+    factorName,
+    (given) => given instanceof Expression || (typeof given === 'number' && given > 0),
+    { default: standard },
+  )
+
+const seeded = {
+  seed: wholeNumber({ min: -mostSeed, max: mostSeed, default: 0 }),
+} satisfies KindsOf<NoiseOptions>
+const made = { noise: oneOf(bases, 'noise'), ...seeded } satisfies KindsOf<CurlOptions>
+const fractal = {
+  octaves: wholeNumber({ min: 1, max: mostOctaves, default: 5 }),
+  lacunarity: factor(2),
+  gain: factor(0.5),
+  ...made,
+} satisfies KindsOf<FractalOptions>
+
+const schemas = {
+  base: object(seeded),
+  plain: object(seeded),
+  made: object(made),
+  fractal: object(fractal),
 }
 
 export function callNoise(
   session: Session,
-  kind: NoiseKind,
-  [point, options, ...others]: readonly unknown[],
+  name: NoiseKind,
+  [point, given, ...others]: readonly unknown[],
   isMethod = false,
 ): Expression {
-  const operand = toExpression(session, kind, point, 1)
-  const isNumber = (value: unknown) => value instanceof Expression || typeof value === 'number'
-  if (isNumber(options) && others.every(isNumber) && others.length < 3)
-    throw new WarpError(
-      `${kind}: it takes one point; write ${others.length ? 'glsl.vec3(x, y, z)' : 'glsl.vec2(x, y)'}.${kind}().`,
+  const place = new Place(name)
+  const operand = toExpression(session, point, place, 1)
+  if (isNumber(given) && others.every(isNumber) && others.length < 3)
+    throw place.error(
+      `it takes one point; write ${others.length ? 'glsl.vec3(x, y, z)' : 'glsl.vec2(x, y)'}.${name}().`,
     )
   if (others.length > 0)
-    throw new WarpError(
-      `${kind}: it takes ${isMethod ? 'options' : 'a point and options'}; ${describe(others[0])} is too many.`,
+    throw place.error(
+      `it takes ${isMethod ? 'options' : 'a point and options'}; ${describe(others[0])} is too many.`,
     )
-  const known = optionsFor[noises[kind]]
-  checkOptions(kind, options, known)
-  const {
-    octaves = 5,
-    lacunarity = 2,
-    gain = 0.5,
-    noise = 'noise',
-    seed = 0,
-  } = (options ?? {}) as Record<string, unknown>
-  const base = noiseKinds.indexOf(noise as never)
-  if (!bases.includes(noise as never))
-    throw new WarpError(
-      `${kind}: the option "noise" must be one of ${bases.join(', ')}, but is ${describe(noise)}.`,
-    )
-  checkWhole(kind, 'octaves', octaves, 1, mostOctaves)
-  checkWhole(kind, 'seed', seed, -mostSeed, mostSeed)
-  const operands = [operand, toExpression(session, kind, seed, 'the option "seed"')]
-  if (known === fractalOptions)
-    operands.push(
-      factor(session, kind, 'lacunarity', lacunarity),
-      factor(session, kind, 'gain', gain),
-    )
-  return session.callNoise(
-    noiseKinds.indexOf(kind),
-    base,
-    octaves as number,
-    kind,
-    operands,
-    isMethod,
-  )
+  const options: Partial<ValuesOf<typeof fractal>> = schemas[noises[name]].read(given, place)
+  const { octaves = 1, lacunarity, gain, noise = 'noise', seed } = options
+  const operands = [operand, toExpression(session, seed, place)]
+  for (const [option, value] of Object.entries({ lacunarity, gain }))
+    if (value !== undefined) operands.push(toFactor(session, value, place.option(option)))
+  const [number, base] = [noiseKinds.indexOf(name), noiseKinds.indexOf(noise)]
+  return session.callNoise(number, base, octaves, name, operands, isMethod)
 }
 
-function checkWhole(kind: string, option: string, value: unknown, least: number, most: number) {
-  if (!(Number.isInteger(value) && (value as number) >= least && (value as number) <= most))
-    throw new WarpError(
-      `${kind}: the option "${option}" must be a whole number from ${least} to ${most}, but is ${describe(value)}.`,
-    )
-}
-
-/** What an octave differs from the one before by. */
-function factor(session: Session, kind: string, option: string, value: unknown) {
-  if (typeof value === 'number' && !(value > 0))
-    throw new WarpError(
-      `${kind}: the option "${option}" must be above 0, but is ${describe(value)}.`,
-    )
-  const expression = toExpression(session, kind, value, `the option "${option}"`)
-  if (session.shapeOf(expression).some((size) => size > 1))
-    throw new WarpError(
-      `${kind}: the option "${option}" must be a number, but is a vector or a matrix.`,
-    )
+function toFactor(session: Session, value: unknown, place: Place) {
+  const expression = toExpression(session, value, place)
+  const shape = session.shapeOf(expression)
+  if (`${shape}` !== '1,1') throw place.expected(factorName, describeShape(shape))
   return expression
 }

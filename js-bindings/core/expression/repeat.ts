@@ -1,8 +1,8 @@
 // `glsl.repeat`: its function is called once, and what it made of the state becomes the body of a loop.
 import type { Session } from './session.js'
-import { isExpression } from '../../errors/describe.js'
-import { WarpError, describe } from '../../errors/errors.js'
-import { isCallable } from '../../options/options.js'
+import { describe, describeShape, isExpression } from '../../errors/describe.js'
+import { callable, wholeNumber } from '../../options/kinds.js'
+import { Place } from '../../options/place.js'
 import { type Expression, toExpression } from './expression.js'
 
 /** A state: one operand, or a record of them. */
@@ -11,68 +11,100 @@ type State = unknown
 const isRecord = (state: State): state is Record<string, unknown> =>
   typeof state === 'object' && state !== null && !isExpression(state) && !Array.isArray(state)
 
-export function repeat(session: Session, given: readonly unknown[]): unknown {
-  const refuse = (why: string): never => {
-    throw new WarpError(`repeat: ${why}`)
-  }
-  const [count, start, body, ...others] = given
+const place = new Place('repeat')
+const body = callable<(...all: unknown[]) => unknown>('a function (state, i) => …')
+const count = wholeNumber({ max: 2 ** 31 - 1 })
+
+export function repeat(
+  session: Session,
+  [steps, start, step, ...others]: readonly unknown[],
+): unknown {
   if (others.length > 0)
-    refuse(`it takes a count, a state and a function; ${describe(others[0])} is too many.`)
-  if (isExpression(count))
-    refuse(
+    throw place.error(
+      `it takes a count, a state and a function; ${describe(others[0])} is too many.`,
+    )
+  if (isExpression(steps))
+    throw place.error(
       'argument 1 is an expression, but how often a loop runs must be a number; give the most it can be, and let ifElse keep the state from then on.',
     )
-  if (!(Number.isInteger(count) && (count as number) >= 0 && (count as number) < 2 ** 31))
-    refuse(`argument 1 must be a whole number, 0 or above, but is ${describe(count)}.`)
-  if (!isCallable(body))
-    return refuse(`argument 3 must be a function (state, i) => …, but is ${describe(body)}.`)
+  const times = count.read(steps, place.argument(1))
+  const next = body.read(step, place.argument(3))
+  const state = new StateShape(session, start)
+  const results = session.repeat(times, state.starts, (parts, i) =>
+    state.partsOfNext(next(state.from(parts), i)),
+  )
+  return state.from(results)
+}
 
-  const names = isRecord(start) ? Object.keys(start) : undefined
-  if (names?.length === 0) refuse('argument 2 must hold a state, but is an empty object.')
-  const called = (name: string) => (names ? `"${name}"` : 'the state')
-  /** What the parts of a state are, in the order in which it starts. */
-  const partsOf = (state: State, verb: string): Expression[] => {
-    if (!names) return [toExpression(session, 'repeat', state, `what the state ${verb}`)]
-    return names.map((name) =>
-      toExpression(
-        session,
-        'repeat',
-        (state as Record<string, unknown>)[name],
-        `what ${called(name)} ${verb}`,
-      ),
-    )
+/** The shape of a loop's state: one expression, or several by name. */
+class StateShape {
+  /** Missing for a state without names. */
+  private readonly names: readonly string[] | undefined
+  /** The names of the parts in messages. */
+  private readonly labels: readonly string[]
+  readonly starts: readonly Expression[]
+
+  constructor(
+    private readonly session: Session,
+    start: State,
+  ) {
+    this.names = isRecord(start) ? Object.keys(start) : undefined
+    if (this.names?.length === 0)
+      throw place.argument(2).expected('an object that holds a state', 'an empty object')
+    this.labels = this.names?.map((name) => `"${name}"`) ?? ['the state']
+    this.starts = this.partsOf(start, 'start')
   }
-  const stateOf = (parts: readonly Expression[]): unknown =>
-    names ? Object.fromEntries(names.map((name, i) => [name, parts[i]])) : parts[0]
-  const returned = (state: unknown): Expression[] => {
+
+  from(parts: readonly Expression[]): unknown {
+    return this.names ? Object.fromEntries(this.names.map((name, i) => [name, parts[i]])) : parts[0]
+  }
+
+  /** The parts of the state that the function returned. */
+  partsOfNext(state: State): Expression[] {
+    const { names } = this
     if (state === undefined)
-      refuse(
+      throw place.error(
         'the function must return the next state, but returns nothing; put a return before it.',
       )
     if (names && !isRecord(state))
-      refuse(
+      throw place.error(
         `the function must return an object with ${names.join(', ')}, as the state starts, but returns ${describe(state)}.`,
       )
     if (!names && isRecord(state))
-      refuse(`the function must return one state, as it starts, but returns ${describe(state)}.`)
+      throw place.error(
+        `the function must return one state, as it starts, but returns ${describe(state)}.`,
+      )
     const keys = names ? Object.keys(state as object) : []
     const missing = names?.find((name) => !keys.includes(name))
     if (missing !== undefined)
-      refuse(`the function must return "${missing}" too, which the state starts with.`)
+      throw place.error(`the function must return "${missing}" too, which the state starts with.`)
     const unknown = keys.find((key) => !names!.includes(key))
     if (unknown !== undefined)
-      refuse(
+      throw place.error(
         `the function returns "${unknown}", but the state starts with ${names!.join(', ')}; start with it too.`,
       )
-    return partsOf(state, 'becomes')
+    const nexts = this.partsOf(state, 'next value')
+    nexts.forEach((next, i) => this.rejectOtherShape(next, i))
+    return nexts
   }
-  const starts = partsOf(start, 'starts as')
-  return stateOf(
-    session.repeat(
-      count as number,
-      starts,
-      (parts, step) => returned((body as (...all: unknown[]) => unknown)(stateOf(parts), step)),
-      names?.map(called) ?? ['the state'],
-    ),
-  )
+
+  private rejectOtherShape(next: Expression, i: number) {
+    const [from, to] = [this.starts[i]!, next].map((each) =>
+      describeShape(this.session.shapeOf(each)),
+    )
+    if (from !== to)
+      throw place.error(
+        `${this.labels[i]} starts as ${from}, but the function makes it ${to}; start with ${to}.`,
+      )
+  }
+
+  /** The parts of a state, in the order in which it starts. */
+  private partsOf(state: State, what: string): Expression[] {
+    const parts = this.names
+      ? this.names.map((name) => (state as Record<string, unknown>)[name])
+      : [state]
+    return parts.map((part, i) =>
+      toExpression(this.session, part, place.part(`the ${what} of ${this.labels[i]}`)),
+    )
+  }
 }

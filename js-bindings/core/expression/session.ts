@@ -2,23 +2,15 @@
 // the callback is over, whatever happened.
 import { type Core, type Session as CoreSession, core as instance } from '../../wasm/core.js'
 import { WarpError, describe } from '../../errors/errors.js'
-import { Expression, toExpression } from './expression.js'
+import { Expression } from './expression.js'
 import type { KeptModule, Target } from '../module/kept-module.js'
-import { describeShape } from '../../errors/describe.js'
-import { isCallable } from '../../options/options.js'
+import { Place } from '../../options/place.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
-import { noteIdle, noteUnused } from './idle.js'
 import { callerOutside } from '../../errors/source-lines.js'
+import { type HostFunction, partialsOf } from './partials.js'
 import type { HostSampling } from './sampling.js'
+import { UnusedExpressions } from './unused.js'
 import { failed, needsPartials } from '../../wasm/tables.js'
-
-/** A function of the host from numbers to a number, as the sketch declared it. */
-export interface HostFunction {
-  name: string
-  arity: number
-  /** One for each argument: a number, an expression, or a function from the arguments to one of them. */
-  derivatives: readonly unknown[] | undefined
-}
 
 /** A function of shader text, recorded by itself: numbers go in and come out. */
 export interface Recorded {
@@ -51,10 +43,7 @@ export class Session {
   private session: CoreSession | undefined
   /** Of `session`, for plain exports. */
   private readonly address: number
-  /** Maps the handle of an unused expression to its note for the console. */
-  private readonly idle = new Map<number, () => void>()
-  /** Results of `copy()`, and of methods called on them. */
-  private copies: WeakSet<Expression> | undefined
+  private readonly unused = new UnusedExpressions()
   /** The handles of conditions. */
   private readonly conditions = new Set<number>()
   /** How many functions' derivatives are being asked for at this moment. */
@@ -121,9 +110,7 @@ export class Session {
   input(label: unknown, [columns, rows]: Shape, method: string): Expression {
     const session = this.open(method)
     if (typeof label !== 'string')
-      throw new WarpError(
-        `${method}: the name of a shader variable was expected, but ${describe(label)} came.`,
-      )
+      throw new Place(method).expected('the name of a shader variable', describe(label))
     return this.expression(session.input(method, label, columns, rows))
   }
 
@@ -137,13 +124,8 @@ export class Session {
   private push(operands: readonly Expression[]) {
     for (const operand of operands) {
       this.core._push(this.address, operand.handle)
-      this.use(operand)
+      this.unused.use(operand)
     }
-  }
-
-  /** Says that something is made of it. */
-  use({ handle }: Expression) {
-    this.idle.delete(handle)
   }
 
   /** Returns whether a value is a condition: the result of a comparison, or of logic. */
@@ -154,23 +136,13 @@ export class Session {
   /** Copies the handle, so that a later call on the copy whose result is unused can be noted, as for a p5.Vector. */
   copyOf({ handle }: Expression): Expression {
     const copy = new Expression(this, handle)
-    this.copies ??= new WeakSet()
-    this.copies.add(copy)
+    this.unused.addCopy(copy)
     return copy
   }
 
-  /** To be called with what a method gave: of a copy it is noted if nothing is made of it. */
+  /** To be called with what a method gave. */
   followCopy(copy: Expression, method: string, result: unknown) {
-    if (!this.copies?.has(copy) || !(result instanceof Expression)) return
-    this.copies.add(result)
-    if (result.handle === copy.handle) return
-    const error = new Error()
-    this.idle.set(result.handle, () => noteUnused(method, error))
-  }
-
-  private watch(condition: number) {
-    const error = new Error()
-    this.idle.set(condition, () => noteIdle(error))
+    this.unused.follow(copy, method, result)
   }
 
   /** An operation by its number; a method's first operand is what it is called on. */
@@ -180,11 +152,11 @@ export class Session {
     const handle = (i: number) => (i < few ? operands[i]!.handle : 0)
     for (;;) {
       if (few < operands.length) this.push(operands)
-      else if (this.idle.size) operands.forEach((operand) => this.use(operand))
+      else if (this.unused.size) operands.forEach((operand) => this.unused.use(operand))
       const result = this.core._call(at, operation, +isMethod, few, handle(0), handle(1), handle(2))
       if (result !== needsPartials) {
         if (conditions.has(method)) {
-          this.watch(result)
+          this.unused.watch(result)
           this.conditions.add(result)
         }
         return this.expression(result)
@@ -195,7 +167,7 @@ export class Session {
 
   swizzle(name: string, value: Expression, indices: readonly number[]): Expression {
     const session = this.open(name)
-    this.use(value)
+    this.unused.use(value)
     const packed = indices.reduce((bits, index, i) => bits | (index << (2 * i)), 0)
     const result = this.core._swizzle(this.address, value.handle, indices.length, packed)
     if (result === failed) throw new WarpError(`${name}: ${session.problem()}`)
@@ -248,7 +220,6 @@ export class Session {
     count: number,
     starts: readonly Expression[],
     body: (states: Expression[], step: Expression) => readonly Expression[],
-    names: readonly string[],
   ): Expression[] {
     const session = this.open('repeat')
     const statesFrom = (handle: number) =>
@@ -259,13 +230,6 @@ export class Session {
     let isOpen = true
     try {
       const nexts = body(states, this.expression(step))
-      nexts.forEach((next, i) => {
-        const [from, to] = [starts[i]!, next].map((each) => describeShape(this.shapeOf(each)))
-        if (from !== to)
-          throw new WarpError(
-            `repeat: ${names[i]!} starts as ${from}, but the function makes it ${to}; start with ${to}.`,
-          )
-      })
       isOpen = false
       this.push(nexts)
       return statesFrom(session.closeRepeat())
@@ -295,30 +259,19 @@ export class Session {
 
   private givePartialsOf(call: number) {
     const session = this.open('derivative')
-    const { name, arity, derivatives } = this.functions[session.functionOfCall(call)]!
-    if (!derivatives)
-      throw new WarpError(
-        `${name}: its derivatives are needed here; give glsl.fn the option "derivatives", one for each argument.`,
-      )
-    if (this.nesting === 100)
-      throw new WarpError(
-        `${name}: its derivative needs a derivative of itself; write it with calls of functions instead.`,
-      )
+    const called = this.functions[session.functionOfCall(call)]!
     const operands = Array.from(
-      { length: arity },
+      { length: called.arity },
       (_, i) => new Expression(this, session.argumentOfCall(call, i)),
     )
-    const partialOf = (given: unknown, i: number) =>
-      toExpression(
-        this,
-        name,
-        isCallable(given) ? given(...(operands as never[])) : given,
-        `derivative ${i + 1}`,
+    if (this.nesting === 100)
+      throw new WarpError(
+        `${called.name}: its derivative needs a derivative of itself; write it with calls of functions instead.`,
       )
     this.nesting++
     let partials: Expression[]
     try {
-      partials = Array.from(derivatives, partialOf)
+      partials = partialsOf(this, called, operands)
     } finally {
       this.nesting--
     }
@@ -337,7 +290,7 @@ export class Session {
 
   /** Adds a result under a name. */
   output(name: unknown, value: Expression, method: string) {
-    this.use(value)
+    this.unused.use(value)
     this.open(method).output(method, resultName(name, method), value.handle)
   }
 
@@ -357,7 +310,7 @@ export class Session {
   finish(): KeptModule {
     const words = this.open('finish').finish()
     if (!words.length) this.refuse()
-    for (const note of this.idle.values()) note()
+    this.unused.noteAll()
     return Object.assign(words as KeptModule, { others: this.others })
   }
 }
@@ -367,5 +320,5 @@ const conditions = new Set(['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'no
 /** The name of a result must be a text; whether it will do, a language says. */
 export function resultName(name: unknown, method: string): string {
   if (typeof name === 'string') return name
-  throw new WarpError(`${method}: the name of a result must be a text, but is ${describe(name)}.`)
+  throw new Place(method, 'the name of a result').expected('a text', describe(name))
 }

@@ -1,58 +1,45 @@
 // `glsl.texture`: an image of the host as a function of texture coordinates. The interpolation is in src/texture.
 import type { Session } from './session.js'
-import { WarpError, describe, describeShape } from '../../errors/errors.js'
+import { describe, describeShape } from '../../errors/describe.js'
+import { boolean, oneOf, optional, text } from '../../options/kinds.js'
+import { Place } from '../../options/place.js'
+import { type KindsOf, object } from '../../options/schema.js'
+import type { TextureOptions } from '../types/types.js'
 import { type Expression, toExpression } from './expression.js'
-import { checkOptions } from '../../options/options.js'
 import { filters, wraps } from '../../wasm/tables.js'
 import { samplingUniforms } from './sampling.js'
 
-const isForUsers = (name: string) => name !== 'host'
+const isForUsers = <Name extends string>(name: Name | 'host'): name is Exclude<Name, 'host'> =>
+  name !== 'host'
 
-/** Reads the option. Default: `otherwise`. */
-function readChoice<Name extends string>(
-  option: string,
-  names: readonly Name[],
-  given: unknown,
-  otherwise: Name,
-): Name {
-  const name = (given ?? otherwise) as Name
-  if (names.includes(name) && (given === undefined || isForUsers(given as string))) return name
-  throw new WarpError(
-    `texture: the option "${option}" must be one of ${names.filter(isForUsers).join(', ')}, but is ${describe(given)}.`,
-  )
-}
+const place = new Place('texture')
+const imageName = text('the name of a sampler2D, such as "heightMap",', /^[a-z_]\w*$/i)
+const options = object({
+  filter: optional(oneOf(filters.filter(isForUsers))),
+  wrap: optional(oneOf(wraps.filter(isForUsers))),
+  transform: boolean(true),
+} satisfies KindsOf<TextureOptions>)
 
 export function callTexture(
   session: Session,
-  [image, uv, options = {}, ...others]: readonly unknown[],
+  [name, uv, given, ...others]: readonly unknown[],
 ): Expression {
-  if (typeof image !== 'string' || !/^[a-z_]\w*$/i.test(image))
-    throw new WarpError(
-      `texture: argument 1 must be the name of a sampler2D, such as "heightMap", but is ${describe(image)}.`,
-    )
-  const place = toExpression(session, 'texture', uv, 2)
-  const shape = session.shapeOf(place)
-  if (`${shape}` !== '1,2')
-    throw new WarpError(`texture: argument 2 must be a vec2, but is ${describeShape(shape)}.`)
+  const image = imageName.read(name, place.argument(1))
+  const at = toExpression(session, uv, place, 2)
+  const shape = session.shapeOf(at)
+  if (`${shape}` !== '1,2') throw place.argument(2).expected('a vec2', describeShape(shape))
   if (others.length > 0)
-    throw new WarpError(
-      `texture: it takes a name, a vec2 and options; ${describe(others[0])} is too many.`,
-    )
-  checkOptions('texture', options, ['filter', 'wrap', 'transform'])
-  const { filter, wrap, transform: isTransformed = true } = options as Record<string, unknown>
-  if (typeof isTransformed !== 'boolean')
-    throw new WarpError(
-      `texture: the option "transform" must be true or false, but is ${describe(isTransformed)}.`,
-    )
+    throw place.error(`it takes a name, a vec2 and options; ${describe(others[0])} is too many.`)
   const sampling = session.samplings.get(image)
+  const { filter, wrap, transform: isTransformed } = options.read(given, place)
   const uniforms = samplingUniforms(image)
   return session.callTexture(
     image,
     isTransformed && sampling?.hasTransform
-      ? transform(session.input(uniforms.transform, [3, 3], 'texture'), place)
-      : place,
-    readChoice('filter', filters, filter, sampling ? 'host' : 'bilinear'),
-    readChoice('wrap', wraps, wrap, sampling ? 'host' : 'clamp'),
+      ? transform(session.input(uniforms.transform, [3, 3], 'texture'), at)
+      : at,
+    filter ?? (sampling ? 'host' : 'bilinear'),
+    wrap ?? (sampling ? 'host' : 'clamp'),
     sampling && session.input(uniforms.settings, [1, 3], 'texture'),
   )
 }

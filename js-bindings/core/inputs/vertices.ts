@@ -1,8 +1,10 @@
 // What a warp on the CPU is handed: arrays of vertices, uniforms, a box. Checked here, all in one sentence each.
-import { WarpError, describe } from '../../errors/errors.js'
+import { describe } from '../../errors/errors.js'
 import { type VertexInput, drawInputs, vertexInputs } from './inputs.js'
 import { finiteFloat, firstWrong, inWords, readNumbers } from '../../options/numbers.js'
-import { checkOptions, isList } from '../../options/options.js'
+import { isList } from '../../options/guards.js'
+import { Place } from '../../options/place.js'
+import { rejectUnknownOptions } from '../../options/schema.js'
 
 /** Flat arrays, so many numbers a vertex. */
 export interface Vertices {
@@ -73,16 +75,14 @@ export function allowNonFinite(mesh: Vertices): Vertices {
   return Object.fromEntries(arrays) as unknown as Vertices
 }
 
-/** How many vertices there are; throws for arrays that do not fit, or hold something else than finite
- * numbers when they come for the first time. */
-export function checkVertices(method: string, mesh: unknown): number {
+/** Counts the vertices. Throws for arrays that do not fit, or hold something else than finite numbers when they come for the
+ * first time. */
+export function checkVertices(at: Place | string, mesh: unknown): number {
   if (typeof mesh !== 'object' || mesh === null || !('positions' in mesh))
-    throw new WarpError(
-      `${method}: a mesh with an array of positions was expected, but ${describe(mesh)} came.`,
-    )
+    throw Place.of(at).expected('a mesh with an array of positions', describe(mesh))
   if ('uniforms' in mesh)
-    throw new WarpError(
-      `${method}: uniforms stand beside the mesh, not in it, as in ${method}(mesh, { uniforms: { millis: 1200 } }).`,
+    throw Place.of(at).error(
+      `uniforms stand beside the mesh, not in it, as in ${Place.of(at).method}(mesh, { uniforms: { millis: 1200 } }).`,
     )
   const arrays = mesh as Record<string, unknown>
   let vertices = 0
@@ -90,78 +90,72 @@ export function checkVertices(method: string, mesh: unknown): number {
     const numbers = arrays[name]
     if (numbers === undefined && name !== 'positions') continue
     if (!isList(numbers))
-      throw new WarpError(
-        `${method}: ${name} must be a flat array of ${size} numbers a vertex, but is ${describe(numbers)}.`,
-      )
-    if (name === 'positions' && numbers.length % 3 !== 0)
-      throw new WarpError(
-        `${method}: positions must have three numbers a vertex, but has ${numbers.length} numbers.`,
-      )
-    if (name === 'positions') vertices = numbers.length / 3
-    if (numbers.length !== vertices * size)
-      throw new WarpError(
-        `${method}: ${name} must have ${size} numbers a vertex, ${vertices * size} for these positions, but has ${numbers.length}.`,
-      )
+      throw Place.of(at)
+        .part(name)
+        .expected(`a flat array of ${size} numbers a vertex`, describe(numbers))
+    const { length } = numbers
+    if (name === 'positions' && length % 3 !== 0)
+      throw Place.of(at).part(name).expected('three numbers a vertex', `${length} numbers`)
+    if (name === 'positions') vertices = length / 3
+    if (length !== vertices * size)
+      throw Place.of(at)
+        .part(name)
+        .expected(`${size} numbers a vertex, ${vertices * size} for these positions,`, `${length}`)
     const isFloats = numbers instanceof Float32Array
     if (isFloats && checked.has(numbers)) continue
     const wrong = firstWrong(numbers, finiteFloat)
     if (wrong >= 0)
-      throw new WarpError(
-        `${method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${inWords(numbers[wrong])}.`,
-      )
+      throw Place.of(at)
+        .part(`${name}[${wrong}], of vertex ${Math.floor(wrong / size)}`)
+        .expected('a finite number', `${inWords(numbers[wrong])}`)
     if (isFloats) noteChecked(numbers)
   }
   return vertices
 }
 
-/** Of options that hold nothing else than what is `known`. */
+const adviceForUniform = (name: string) => `if it is a uniform, write { uniforms: { ${name}: … } }.`
+
+/** The uniforms of options that hold only what is `known`. */
 export function uniformsOf(
-  method: string,
+  at: Place | string,
   options: unknown,
   known: readonly string[] = ['uniforms'],
 ): Uniforms | undefined {
-  if (typeof options === 'object' && options !== null && !isList(options)) {
-    for (const name in options)
-      if (Object.hasOwn(options, name) && !known.includes(name))
-        throw new WarpError(
-          `${method}: there is no option "${name}"; if it is a uniform, write { uniforms: { ${name}: … } }.`,
-        )
-  } else checkOptions(method, options, known)
+  rejectUnknownOptions(options, known, at, adviceForUniform)
   return (options as { uniforms?: Uniforms } | undefined)?.uniforms
 }
 
-/** Refuses a uniform that is none of the inputs of a draw call and no parameter of the warp. */
-export function checkUniforms(method: string, uniforms: unknown, parameters: ReadonlySet<string>) {
-  if (uniforms === undefined) return
-  if (typeof uniforms !== 'object' || uniforms === null || isList(uniforms))
-    throw new WarpError(
-      `${method}: uniforms must be an object, such as { millis: 1200 }, but is ${describe(uniforms)}.`,
-    )
-  for (const name in uniforms) {
+/** Throws for a uniform that is none of the inputs of a draw call and no parameter of the warp. */
+export function checkUniforms(at: Place | string, given: unknown, parameters: ReadonlySet<string>) {
+  if (given === undefined) return
+  if (typeof given !== 'object' || given === null || isList(given))
+    throw Place.of(at)
+      .part('uniforms')
+      .expected('an object, such as { millis: 1200 },', describe(given))
+  for (const name in given) {
     if (Object.hasOwn(drawInputs, name) || parameters.has(name)) continue
-    if (!Object.hasOwn(uniforms, name)) continue
+    if (!Object.hasOwn(given, name)) continue
     const known = new Set([...Object.keys(drawInputs), ...parameters])
-    throw new WarpError(
-      `${method}: the warp has no uniform "${name}"; there are ${[...known].join(', ')}.`,
+    throw Place.of(at).error(
+      `the warp has no uniform "${name}"; there are ${[...known].join(', ')}.`,
     )
   }
 }
 
 export type Range = readonly [low: number, high: number]
 
-/** The range of each coordinate of a box. */
-export function readRanges(method: string, name: string, box: unknown, count: number): Range[] {
+/** The range of each coordinate of a box of that name. */
+export function readRanges(at: Place | string, name: string, box: unknown, count: number): Range[] {
+  const place = Place.of(at).part(name)
   if (typeof box !== 'object' || box === null)
-    throw new WarpError(
-      `${method}: ${name} must be { min, max }, each of ${count} numbers, but is ${describe(box)}.`,
-    )
+    throw place.expected(`{ min, max }, each of ${count} numbers,`, describe(box))
   const { min, max } = box as Box
-  const low = readNumbers(`${method}: ${name}.min`, min, count)
-  const high = readNumbers(`${method}: ${name}.max`, max, count)
+  const low = readNumbers(place.part(`${name}.min`), min, count)
+  const high = readNumbers(place.part(`${name}.max`), max, count)
   return low.map((least, i) => {
     if (least <= high[i]!) return [least, high[i]!]
-    throw new WarpError(
-      `${method}: ${name}.min[${i}] is ${least}, above ${name}.max[${i}], which is ${high[i]}.`,
+    throw place.error(
+      `${name}.min[${i}] is ${least}, above ${name}.max[${i}], which is ${high[i]}.`,
     )
   })
 }

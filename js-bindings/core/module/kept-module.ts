@@ -2,6 +2,7 @@
 // programs are made of them as often as need be.
 import { type Module, core } from '../../wasm/core.js'
 import { WarpError, describe } from '../../errors/errors.js'
+import { oneOf } from '../../options/kinds.js'
 import type { ReadAsFloats, Variable } from '../expression/shapes.js'
 import { languages } from '../../wasm/tables.js'
 
@@ -9,6 +10,9 @@ import { languages } from '../../wasm/tables.js'
 export type Target = keyof typeof languages
 
 export const targets = Object.keys(languages) as readonly Target[]
+
+/** The kind of the option `target`. */
+export const targetKind = oneOf(targets, 'glsl300')
 
 export function checkTarget(target: unknown = targets[0]): Target {
   if (targets.includes(target as Target)) return target as Target

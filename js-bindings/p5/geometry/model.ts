@@ -1,9 +1,11 @@
 // For the p5 addon: files as what p5's `model()` draws, upright and of a size to be seen. Files have y upwards and linear colours, p5
 // has y downwards and sRGB, so both are turned into p5's. It stands here, and not in the addon, because it is of use only with this
 // module.
-import { WarpError, describe } from '../../errors/errors.js'
-import { checkOptions } from '../../options/options.js'
-import type { Decoders } from '../../mesh/decoders.js'
+import { describe } from '../../errors/errors.js'
+import { boolean } from '../../options/kinds.js'
+import { Place } from '../../options/place.js'
+import { object } from '../../options/schema.js'
+import { type Decoders, decodersKind } from '../../mesh/decoders.js'
 import { readModel } from '../../mesh/load.js'
 import type { Mesh, Picture } from '../../mesh/mesh-arrays.js'
 
@@ -58,6 +60,13 @@ export interface Makers {
   Image: new (width: number, height: number) => Image
 }
 
+const place = new Place('loadWarpModel')
+const modelOptions = object({
+  normalize: boolean(true),
+  flipY: boolean(true),
+  decoders: decodersKind,
+} satisfies Record<keyof LoadModelOptions, unknown>)
+
 /**
  * Fills the model with what is in the file. For the p5 addon's `loadWarpModel`, not for users.
  * @internal
@@ -66,15 +75,12 @@ export async function fillP5Model(
   model: WarpModel,
   p5: Makers,
   url: string | URL,
-  options: LoadModelOptions = {},
+  options?: LoadModelOptions,
 ): Promise<void> {
   if (!((typeof url === 'string' && url) || url instanceof URL))
-    throw new WarpError(
-      `loadWarpModel: the address of a model such as "bunny.glb" was expected, but ${describe(url)} came.`,
-    )
-  checkOptions('loadWarpModel', options, ['normalize', 'flipY', 'decoders'])
-  const { normalize = true, flipY = true, decoders } = options
-  const { mesh, painted } = await readModel(url, { decoders })
+    throw place.expected('the address of a model such as "bunny.glb"', describe(url))
+  const { normalize, flipY, decoders } = modelOptions.read(options, place)
+  const { mesh, painted } = await readModel(url, { decoders: decoders as Decoders })
   putVertices(model, p5, mesh, flipY)
   model.vertexColors = colorsOf(mesh, painted)
   if (normalize) model.normalize()

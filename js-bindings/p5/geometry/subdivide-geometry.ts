@@ -1,8 +1,12 @@
 // For the p5 addon: `subdivide` of a p5.Geometry. It stands here, and not in the addon, because it is of use only with this module.
-import { WarpError, describe } from '../../errors/errors.js'
-import { checkWarp } from '../../mesh/bake.js'
+import { describe } from '../../errors/errors.js'
+import { warpKind } from '../../mesh/bake.js'
+import { Place } from '../../options/place.js'
 import type { Makers, Vector, WarpModel } from './model.js'
 import { type AdaptiveOptions, type LevelsOptions, subdivide } from '../../mesh/subdivide.js'
+
+const place = new Place('subdivide')
+const warpOfP5 = warpKind('createWarp or compileWarp')
 
 /**
  * Fills the model `dense` with the surface of `shape` and more vertices: each triangle becomes four, so many times, or what `subdivide`
@@ -17,11 +21,12 @@ export function subdivideP5Model(
 ) {
   const given = shape as WarpModel | undefined
   if (!Array.isArray(given?.vertices) || !given.faces.length)
-    throw new WarpError(
-      `subdivide: a p5.Geometry with triangles was expected, such as buildGeometry(() => box(100)), but ${describe(shape)} came.`,
+    throw place.expected(
+      'a p5.Geometry with triangles, such as buildGeometry(() => box(100)),',
+      describe(shape),
     )
   if (typeof options === 'object' && 'warp' in options)
-    checkWarp('subdivide', options.warp, 'createWarp or compileWarp')
+    warpOfP5.read(options.warp, place.option('warp'))
   const { vertices, vertexNormals, vertexColors, uvs, faces } = given
   const flat = (vectors: Vector[]) => vectors.flatMap(({ x, y, z }) => [x, y, z])
   const ifWhole = (list: number[], size: number) =>
