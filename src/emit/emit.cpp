@@ -99,8 +99,7 @@ class Emitter {
     }
     for (std::size_t i = 0; i < ops::count; ++i) {
       const Op op{static_cast<std::uint8_t>(i)};
-      if (isUsed[i] && !ops::info(op).helpers[static_cast<std::size_t>(dialect_.language)].empty())
-        result_.helped.push_back(op);
+      if (isUsed[i] && !ops::helpers(op, dialect_.language).empty()) result_.helped.push_back(op);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "eval/code_writer.hpp"
+#include "ops/rows.hpp"
 
 namespace warpjet {
 
@@ -37,19 +38,21 @@ using Stage = Staged (*)(const Operands<Staged>&);
 // Null for what is done on each lane.
 template <std::size_t Row>
 constexpr Stage stageOf() {
-  constexpr auto& signature = ops::infos[Row].signature;
+  constexpr auto& signature = ops::declarations[Row].signature;
   if constexpr (signature.hasWhole()) {
     return nullptr;
   } else {
-    return ops::numbered<ops::infos[Row].arity>([](auto... k) -> Stage {
+    return ops::numbered<ops::declarations[Row].arity>([](auto... k) -> Stage {
       constexpr const auto& row = std::get<Row>(ops::table);
       using Value = decltype(row.value);
       if constexpr (std::is_invocable_v<
-                        Value, decltype(typed<ops::infos[Row].signature.operands[k]>(Staged()))...>)
+                        Value,
+                        decltype(typed<ops::declarations[Row].signature.operands[k]>(Staged()))...>)
         return [](const Operands<Staged>& x) {
-          return ops::numbered<ops::infos[Row].arity>([&](auto... i) {
-            return untyped(std::get<Row>(ops::table)
-                               .value(typed<ops::infos[Row].signature.operands[i]>(x[i])...));
+          return ops::numbered<ops::declarations[Row].arity>([&](auto... i) {
+            return untyped(
+                std::get<Row>(ops::table)
+                    .value(typed<ops::declarations[Row].signature.operands[i]>(x[i])...));
           });
         };
       else
@@ -131,7 +134,7 @@ class Generator {
   void importKernel(Op op) {
     if (module_.kernels[index(op)] != noFunction) return;
     module_.kernels[index(op)] =
-        import(ops::info(op).name, arities[index(op)] == 1 ? Kernel : Kernel2);
+        import(ops::declaration(op).name, arities[index(op)] == 1 ? Kernel : Kernel2);
   }
 
   std::uint32_t import(std::string_view name, FunctionType type) {

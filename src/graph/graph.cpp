@@ -19,14 +19,14 @@ constexpr std::size_t initialTableSize = 256;
 constexpr auto resultTypes = [] {
   std::array<ops::Type, arities.size()> all{};
   all.fill(ops::Type::Float);
-  for (std::size_t i = 0; i < ops::count; ++i) all[i] = ops::infos[i].signature.result;
+  for (std::size_t i = 0; i < ops::count; ++i) all[i] = ops::declarations[i].signature.result;
   return all;
 }();
 
 constexpr auto isCommutative = [] {
   std::array<bool, arities.size()> all{};
   for (std::size_t i = 0; i < ops::count; ++i)
-    all[i] = ops::infos[i].traits.has(ops::Trait::Commutative);
+    all[i] = ops::declarations[i].traits.has(ops::Trait::Commutative);
   return all;
 }();
 
@@ -163,13 +163,13 @@ std::optional<double> Graph::known(NodeId id) const {
 }
 
 std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
-  const ops::Info& info = ops::info(op);
+  const ops::Declaration& info = ops::declaration(op);
   Operands<double> values{};
   for (int i = 0; i < info.arity; ++i) {
     const auto value = known(operands[i]);
     if (!value) return std::nullopt;
     const bool isFloat = info.signature.operands[i] == ops::Type::Float;
-    values[i] = info.isStep && isFloat ? asFloat32(*value) : *value;
+    values[i] = ops::isStep(op) && isFloat ? asFloat32(*value) : *value;
   }
   const double result = ops::valueOf(op, values);
   if (!fitsFloat32(result)) return std::nullopt;
@@ -186,7 +186,7 @@ std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
 
 NodeId Graph::apply(Op op, Operands<NodeId> operands) {
   if (full()) return NodeId(nodes_.size() - 1);
-  const ops::Info& info = ops::info(op);
+  const ops::Declaration& info = ops::declaration(op);
   for (int i = 0; i < info.arity; ++i)
     operands[i] = convert(operands[i], info.signature.operands[i]);
   if (simplification_ == Simplification::On) {
