@@ -1,4 +1,4 @@
-// What `npm test` holds of the rooms; src/README.md draws them.
+// What `npm test` holds of the rooms; src/ARCHITECTURE.md draws them.
 import { readFileSync } from 'node:fs'
 import { dirname, join } from 'node:path/posix'
 import { path, walk } from './files.mjs'

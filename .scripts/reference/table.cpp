@@ -17,6 +17,8 @@
 #include "builder/builder.hpp"
 #include "builder/operations.hpp"
 #include "emit/dialect.hpp"
+#include "graph/pattern_text.hpp"
+#include "graph/turns.hpp"
 #include "job.hpp"
 #include "mesh/refine/subdivide.hpp"
 #include "ops/documentation.hpp"
@@ -81,6 +83,18 @@ std::string row(const ops::Title& title, Op op) {
 std::string rows() {
   std::uint8_t i = 0;
   return array(ops::documentation, [&](const ops::Title& title) { return row(title, Op{i++}); });
+}
+
+std::string identity(const patterns::Identity& each) {
+  constexpr std::string_view precisions[] = {"bits", "value", "rounding"};
+  const auto precision = static_cast<std::size_t>(each.keeps.precision);
+  const std::string condition = each.hasCondition() ? patterns::text(each.when) : "";
+  return object({{"operation", text(ops::declaration(each.from.root().op()).name)},
+                 {"from", text(patterns::text(each.from))},
+                 {"to", text(patterns::text(each.to))},
+                 {"when", text(condition)},
+                 {"precision", text(precisions[precision])},
+                 {"onlyNumbers", truth(each.keeps.onlyNumbers)}});
 }
 
 std::string composition(const Composition& each) {
@@ -150,6 +164,8 @@ std::string other(const Operation& each) {
 int main() {
   using namespace warpjet;
   std::cout << object({{"rows", rows()},
+                       {"identities", array(patterns::identities, identity)},
+                       {"turns", array(patterns::turns, identity)},
                        {"compositions", array(compositions, composition)},
                        {"aliases", array(detail::aliases, alias)},
                        {"others", array(detail::others, other)},
