@@ -7,7 +7,8 @@ const headings = {
   Products: ['mult'],
   Quotients: ['div'],
   Powers: ['pow'],
-  Choices: ['ifElse', 'intIfElse'],
+  Choices: ['ifElse'],
+  'Choices of whole numbers': ['intIfElse'],
   'Bounds and blends': ['clamp', 'mix'],
 }
 
@@ -54,7 +55,8 @@ here that fits. Most of what is left of a Jacobian is zeros and ones, and so mos
 
 In the rows \`x\`, \`y\`, \`z\`, \`t\`, \`u\` and the condition \`c\` stand for anything, \`v\` for anything but a constant, and \`a\`, \`b\` and
 \`n\` for constants; what is computed from constants alone becomes a constant. Sums and products match in either order. An operation
-on constants alone is computed at once.
+on constants alone is computed at once. A number \`isNormal\` if single precision has it with all digits, an exponent is a whole number
+from 1 to 16, and \`powerOfTwo(n)\` is the greatest power of two up to \`n\`.
 
 The last column says what the replacement keeps of the value. _All bits_ includes infinities and what is not a number. _All but
 rounding_ means a few roundings of the largest intermediate result, unless one overflows or underflows. _Where it is a number_: an

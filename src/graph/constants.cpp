@@ -18,6 +18,14 @@ To bitCast(From from) {
   return to;
 }
 
+// By operation, whether `known` may have a value of it: most operands are none, and are seen so by
+// one byte.
+constexpr auto mayBeKnown = [] {
+  std::array<bool, arities.size()> all{};
+  for (const Op op : {constantOp, ops::find("bool"), ops::find("int")}) all[index(op)] = true;
+  return all;
+}();
+
 // A constant as a shader reads it.
 double asFloat32(double value) { return static_cast<double>(static_cast<float>(value)); }
 
@@ -55,6 +63,9 @@ std::optional<double> Graph::known(NodeId id) const {
 
 std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
   const ops::Declaration& info = ops::declaration(op);
+  for (int i = 0; i < info.arity; ++i) {
+    if (!mayBeKnown[index(node(operands[i]).op)]) return std::nullopt;
+  }
   Operands<double> values{};
   for (int i = 0; i < info.arity; ++i) {
     const auto value = known(operands[i]);

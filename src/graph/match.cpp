@@ -32,7 +32,11 @@ bool matches(const Graph& graph, const Rule& rule, int arity, const Operands<Nod
   bindings.clear();
   const Item* item = &rules.items[rule.from] + 1;
   for (int i = 0; i < arity; ++i, item += item->size) {
-    if (!matches(graph, item, operands[i], bindings)) return false;
+    // A number that is named is there, or the rule were no candidate.
+    if (item->kind == Kind::Literal && item->type == ops::Type::Float) continue;
+    const bool isMatch = item->kind == Kind::Anything ? bindings.bind(item->number, operands[i])
+                                                      : matches(graph, item, operands[i], bindings);
+    if (!isMatch) return false;
   }
   return !rule.hasCondition || valueOf(graph, &rules.items[rule.when], bindings) != 0;
 }
@@ -58,17 +62,11 @@ double valueOf(const Graph& graph, const Item* item, const Bindings& bindings) {
 }
 
 const Rule* findRule(const Graph& graph, Op op, const Operands<NodeId>& operands,
-                     Bindings& bindings) {
-  if (rules.bucketOf[index(op)] == Rules::noBucket) return nullptr;
-  const Bucket& bucket = rules.buckets[rules.bucketOf[index(op)]];
-  const int arity = arities[index(op)];
-  std::uint32_t candidates = ~std::uint32_t{0};
-  for (int i = 0; i < arity; ++i)
-    candidates &= bucket.candidates[i][index(graph.node(operands[i]).op)];
-  if (operands[0] != operands[1]) candidates &= ~bucket.ofEqual;
+                     std::uint32_t candidates, Bindings& bindings) {
+  const std::size_t first = rules.buckets[rules.bucketOf[index(op)]].first;
   for (; candidates != 0; candidates &= candidates - 1) {
-    const Rule& rule = rules.all[bucket.first + std::countr_zero(candidates)];
-    if (matches(graph, rule, arity, operands, bindings)) return &rule;
+    const Rule& rule = rules.all[first + std::countr_zero(candidates)];
+    if (matches(graph, rule, arities[index(op)], operands, bindings)) return &rule;
   }
   return nullptr;
 }

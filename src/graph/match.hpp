@@ -28,9 +28,20 @@ class Bindings {
   std::array<NodeId, 26> nodes_;
 };
 
-// The first rule that matches, or null.
+// The rules that the operands' kinds leave, by bits; most operations have none.
+inline std::uint32_t findCandidates(const Graph& graph, Op op, const Operands<NodeId>& operands) {
+  const std::uint8_t number = rules.bucketOf[index(op)];
+  if (number == Rules::noBucket) return 0;
+  const Bucket& bucket = rules.buckets[number];
+  std::uint32_t candidates = operands[0] == operands[1] ? ~std::uint32_t{0} : ~bucket.ofEqual;
+  for (int i = 0; i < arities[index(op)]; ++i)
+    candidates &= bucket.candidates[i][kindOf(graph, operands[i])];
+  return candidates;
+}
+
+// The first of these that matches, or null.
 const Rule* findRule(const Graph& graph, Op op, const Operands<NodeId>& operands,
-                     Bindings& bindings);
+                     std::uint32_t candidates, Bindings& bindings);
 
 // The value of what is known: of a literal, of constants, and of what is computed from them.
 double valueOf(const Graph& graph, const Item* item, const Bindings& bindings);

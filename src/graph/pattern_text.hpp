@@ -10,9 +10,13 @@ namespace warpjet::patterns {
 
 namespace detail {
 
+// Unlike shader code, which may move a minus out of a product, this shows where it is.
+inline bool isMinus(const Item& item) { return item.is(ops::find("neg")); }
+
 inline ops::Precedence precedence(const Item& item) {
-  return item.kind == Kind::Operation ? ops::spelling(item.op(), ops::Language::Glsl300).result
-                                      : ops::Precedence::Primary;
+  if (item.kind != Kind::Operation) return ops::Precedence::Primary;
+  return isMinus(item) ? ops::Precedence::Unary
+                       : ops::spelling(item.op(), ops::Language::Glsl300).result;
 }
 
 inline std::string literalText(const Item& item) {
@@ -39,7 +43,9 @@ inline std::string text(const Item* item) {
     }
     const auto place = static_cast<std::size_t>(spelling.text[++i] - '0');
     const Item& operand = *operands[place];
-    const bool isLoose = precedence(operand) < spelling.operands[place];
+    const ops::Precedence needed =
+        isMinus(*item) ? ops::Precedence::Primary : spelling.operands[place];
+    const bool isLoose = precedence(operand) < needed;
     all += isLoose ? "(" + text(&operand) + ")" : text(&operand);
   }
   return all;

@@ -18,13 +18,26 @@ struct Rule {
   std::uint16_t from, to, when;
 };
 
+// What an operand can be: of an operation, or one of the numbers that identities name.
+inline constexpr std::array<double, 3> namedNumbers{0, 1, -1};
+inline constexpr std::size_t operandKinds = arities.size() + namedNumbers.size();
+
+inline std::size_t kindOf(const Graph& graph, NodeId id) {
+  if (!graph.isConstant(id)) return index(graph.node(id).op);
+  const double number = graph.value(id);
+  for (std::size_t i = 0; i < namedNumbers.size(); ++i) {
+    if (number == namedNumbers[i]) return arities.size() + i;
+  }
+  return index(constantOp);
+}
+
 // The rules that replace an operation, which begin at `first`. `candidates` has a bit for each of
-// them that can match an operand, by the operand's place and its operation; `ofEqual` has those
-// that match only if the first two operands are one node.
+// them that can match an operand, by the operand's place and kind; `ofEqual` has those that match
+// only if the first two operands are one node.
 struct Bucket {
   std::uint8_t first = 0;
   std::uint32_t ofEqual = 0;
-  std::array<std::array<std::uint32_t, arities.size()>, ops::maxArity> candidates{};
+  std::array<std::array<std::uint32_t, operandKinds>, ops::maxArity> candidates{};
 };
 
 namespace detail {
@@ -40,9 +53,10 @@ constexpr Pattern swapped(const Pattern& pattern) {
 // Whether they are the same but for the names of variables.
 constexpr bool areAlike(const Pattern& p, const Pattern& q) {
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const Item &x = p.items[i], &y = q.items[i];
-    if (x.kind != y.kind || x.size != y.size || x.value != y.value) return false;
-    if (x.kind == Kind::Operation && x.number != y.number) return false;
+    const Item &left = p.items[i], &right = q.items[i];
+    if (left.kind != right.kind || left.size != right.size || left.value != right.value)
+      return false;
+    if (left.kind == Kind::Operation && left.number != right.number) return false;
   }
   return true;
 }
@@ -59,20 +73,40 @@ constexpr bool matchesSwapped(const Pattern& pattern) {
   return true;
 }
 
-constexpr bool canMatch(const Item& item, Op op) {
+constexpr bool canMatch(const Item& item, std::size_t kind) {
+  const bool isNamed = kind >= arities.size(), isConstant = isNamed || kind == index(constantOp);
   switch (item.kind) {
     case Kind::Computed:
-      return op != constantOp;
+      return !isConstant;
     case Kind::Constant:
-      return op == constantOp;
+      return isConstant;
     case Kind::Literal:
-      return op == (item.type == ops::Type::Float ? constantOp : ops::find("bool"));
+      if (item.type == ops::Type::Bool) return kind == index(ops::find("bool"));
+      return isNamed && item.value == namedNumbers[kind - arities.size()];
     case Kind::Operation:
-      return op == item.op();
+      return kind == index(item.op());
     default:
       return true;
   }
 }
+
+constexpr bool namesNumbers(const Pattern& pattern) {
+  for (std::size_t item = 1; item < pattern.size(); item += pattern.items[item].size) {
+    const Item& operand = pattern.items[item];
+    bool isNamed = operand.kind != Kind::Literal || operand.type == ops::Type::Bool;
+    for (const double number : namedNumbers) isNamed = isNamed || operand.value == number;
+    if (!isNamed) return false;
+  }
+  return true;
+}
+
+constexpr bool allNameNumbers() {
+  for (const Identity& identity : identities) {
+    if (!namesNumbers(identity.from)) return false;
+  }
+  return true;
+}
+static_assert(allNameNumbers(), "namedNumbers lacks a number that is an operand in identities.hpp");
 
 // Calls `visit` with the number of each identity that replaces the operation, and with its pattern.
 template <class Visit>
@@ -129,8 +163,8 @@ inline constexpr Rules rules = [] {
         bucket.ofEqual |= bit;
       std::size_t item = 1;
       for (int place = 0; place < ops::declarations[op].arity; ++place) {
-        for (std::size_t kind = 0; kind < arities.size(); ++kind) {
-          if (detail::canMatch(from.items[item], Op(kind))) bucket.candidates[place][kind] |= bit;
+        for (std::size_t kind = 0; kind < operandKinds; ++kind) {
+          if (detail::canMatch(from.items[item], kind)) bucket.candidates[place][kind] |= bit;
         }
         item += from.items[item].size;
       }

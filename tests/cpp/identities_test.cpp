@@ -339,7 +339,9 @@ class Rewriter {
     if (ops::has(op, ops::Trait::Commutative) && graph_.isConstant(operands[0]))
       std::swap(operands[0], operands[1]);
     patterns::Bindings bindings;
-    const patterns::Rule* rule = patterns::findRule(graph_, op, operands, bindings);
+    const std::uint32_t candidates = patterns::findCandidates(graph_, op, operands);
+    const patterns::Rule* rule =
+        candidates == 0 ? nullptr : patterns::findRule(graph_, op, operands, candidates, bindings);
     if (!rule || steps == maxSteps) return graph_.apply(op, operands);
     ++steps;
     const auto again = [this](Op made, const Operands<NodeId>& x) { return apply(made, x); };
