@@ -46,8 +46,8 @@ function shaderOf({ code, declarations }) {
 }
 
 async function inBrowser(shaders) {
-  const { launchBrowser, openPage } = await import('../tests/browser/support/browser.js')
-  const { servePages } = await import('../tests/browser/support/server.js')
+  const { launchBrowser, openPage } = await import('../tests/support/browser/browser.js')
+  const { servePages } = await import('../tests/support/browser/server.js')
   const server = await servePages()
   const browser = await launchBrowser()
   const { page } = await openPage(browser, server.page('<!doctype html><meta charset="utf-8">'))

@@ -87,7 +87,7 @@ async function rays() {
 }
 
 async function frames() {
-  const { threePages } = await import('../tests/browser/support/three/open.js')
+  const { threePages } = await import('../tests/support/browser/three/open.js')
   const pages = await threePages()
   const { page } = await pages.open('three', 'page-bench.js')
   console.log(

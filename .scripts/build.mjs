@@ -2,6 +2,7 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { cmakeBuild } from './lib/cmake.mjs'
 import { declarations, declareTypes } from './lib/declarations.mjs'
+import { bundles, sources as entries } from './lib/entries.mjs'
 import { path, step, walk } from './lib/files.mjs'
 import { inline } from './lib/inline.mjs'
 import { locked } from './lib/lock.mjs'
@@ -21,39 +22,6 @@ const inlined = ['core', 'evaluation', 'mesh', 'glsl']
 const compiled = ['mesh.mjs', ...inlined.map((name) => `${name}.wasm`)].map(
   (name) => `.build/wasm/${name}`,
 )
-
-const operators = ['operators', 'operators-runtime', 'operators-plugin']
-const shared = [
-  'text',
-  'p5',
-  'p5.browser',
-  'autodiff',
-  'mesh',
-  'deformers',
-  'glsl',
-  'three',
-  'three.webgpu',
-  'react',
-  'babylon',
-  'cli',
-  ...operators,
-]
-const single = [
-  'warpjet',
-  'mesh',
-  'warpjet.glsl',
-  'p5.warpjet',
-  'warpjet.deformers',
-  'warpjet.operators',
-]
-const bundles = ['warpjet', ...shared, ...single.map((name) => `${name}.min`)].map(
-  (name) => `dist/${name}.js`,
-)
-const entries = [
-  'index',
-  ...shared,
-  ...['p5', 'deformers', 'glsl', 'operators'].map((name) => `${name}.global`),
-].map((name) => `js-bindings/${name}.ts`)
 
 export const build = () => locked(buildAll)
 
@@ -127,10 +95,10 @@ function generateModules() {
 const writeGenerated = (name, text) => writeFileSync(path(generated, name), text)
 
 async function bundle() {
-  const { modules, singleModules, scripts } = await import('./vite.library.mjs')
+  const { moduleBuild, scriptBuilds, singleModuleBuilds } = await import('./vite.library.mjs')
   for (const file of walk('dist', /\.js(\.map)?$/)) rmSync(path(file))
-  await viteBuild(modules, ...singleModules)
-  await viteBuild(...scripts())
+  await viteBuild(moduleBuild, ...singleModuleBuilds)
+  await viteBuild(...scriptBuilds())
 }
 
 if (isMain(import.meta))

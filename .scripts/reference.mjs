@@ -21,7 +21,7 @@ export async function staleFiles() {
   const { format, resolveConfig } = await import('prettier')
   const table = await readTable()
   const texts = {
-    'js-bindings/types/methods.ts': typesText(table),
+    'js-bindings/core/types/methods.ts': typesText(table),
     'js-bindings/wasm/tables.ts': numberedText(table),
     'js-bindings/wasm/mesh-tables.ts': meshNumberedText(table),
     'web/docs/operations.md': pageText(table),

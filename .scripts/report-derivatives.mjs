@@ -36,7 +36,7 @@ await main(async () => {
 async function openMeasuring() {
   const { measure } = await import('../tests/operations/measure.js')
   const { programOf, runOnCpu } = await import('../tests/operations/program.js')
-  const { openPipelines } = await import('../tests/browser/support/pipelines.js')
+  const { openPipelines } = await import('../tests/support/browser/pipelines.js')
   const pipelines = await openPipelines()
   const measureCase = (operation, dialect) => {
     const program = programOf(operation, dialect === 'CPU' ? 'glsl300' : dialect)
@@ -90,8 +90,8 @@ float32: \`glsl300\` in a vertex shader of WebGL 2, \`glsl100\` in one of WebGL 
 compute shader of WebGPU. What came out is compared with a reference that was written independently
 in plain JavaScript, and with finite differences of it.
 
-\`npm run report:derivatives\` writes this page. \`tests/js/operations.test.js\` and
-\`tests/browser/operations.test.js\` measure the same, and have bounds.
+\`npm run report:derivatives\` writes this page. \`tests/core/operations.test.js\` and
+\`tests/core/operations.browser.test.js\` measure the same, and have bounds.
 
 The columns of dialects have the worst error of the value and the worst error of a derivative.
 Errors are in proportion to the expected number where that is above 1, and to what the last column

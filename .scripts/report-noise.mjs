@@ -1,6 +1,6 @@
 // npm run report:noise: the picture and the figures of web/docs/noise.md, from warpjet itself on the CPU.
 import { readFileSync, writeFileSync } from 'node:fs'
-import { png } from '../tests/js/support/png.js'
+import { png } from '../tests/support/png.js'
 import { build } from './build.mjs'
 import { path } from './lib/files.mjs'
 import { good, isMain, main } from './lib/terminal.mjs'

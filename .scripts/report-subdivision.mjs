@@ -60,8 +60,8 @@ await main(async () => {
 /** For each kind of noise, the errors in parts of the tolerances. */
 async function nearness() {
   const { subdivide } = await import('../dist/mesh.js')
-  const { deviation } = await import('../tests/js/support/deviation.js')
-  const { cube, noiseWarps } = await import('../tests/js/support/noise-warps.js')
+  const { deviation } = await import('../tests/support/deviation.js')
+  const { cube, noiseWarps } = await import('../tests/support/noise-warps.js')
   const errorOf = (warp, tolerance) => {
     const fine = subdivide(cube, { warp, tolerance, angle: Infinity })
     return deviation(fine, warp, {}, Math.min(1, 2 * tolerance)) / tolerance
@@ -75,7 +75,7 @@ async function nearness() {
 /** A warp's rows, one for each level: the uniform mesh, and the smallest adaptive mesh that is at least as near. */
 async function measure(name, warp) {
   const { subdivide } = await import('../dist/mesh.js')
-  const { deviation } = await import('../tests/js/support/deviation.js')
+  const { deviation } = await import('../tests/support/deviation.js')
   const [shape, mesh, uniforms] = cases[name]
   const length = 2 * mesh.positions.reduce((most, x) => Math.max(most, Math.abs(x)), 0)
   const measured = (fine) => ({
@@ -141,7 +141,7 @@ corners. \`subdivide\` itself has no part in that. Adaptive tolerances go down b
 mesh counts whose measured error is at most that of the uniform one. It is asked for positions alone (\`angle: Infinity\`).
 Lengths are in units of the mesh.
 
-\`npm run report:subdivision\` writes this page. \`tests/js/subdivision.test.js\` measures the same, and has bounds.
+\`npm run report:subdivision\` writes this page. \`tests/mesh/subdivision.test.js\` measures the same, and has bounds.
 
 The aim, at most a third of the triangles, is reached for ${reached.length} of ${bending.length} warps that bend:
 ${reached.map(({ name }) => `\`${name}\``).join(', ')}.

@@ -2,9 +2,9 @@
 // written as the table of web/docs/uptime.md.
 import { readFileSync, writeFileSync } from 'node:fs'
 import { format, resolveConfig } from 'prettier'
-import { launchBrowser } from '../tests/browser/support/browser.js'
-import { openPipeline } from '../tests/browser/support/transform-feedback.js'
-import { afterAWeek, isMeasured } from '../tests/browser/support/uptime.js'
+import { launchBrowser } from '../tests/support/browser/browser.js'
+import { openPipeline } from '../tests/support/browser/transform-feedback.js'
+import { afterAWeek, isMeasured } from '../tests/support/browser/uptime.js'
 import { build } from './build.mjs'
 import { path } from './lib/files.mjs'
 import { good, main } from './lib/terminal.mjs'

@@ -1,20 +1,14 @@
 // How Vite bundles the library: ES modules that share files, and files that need no other, for pages without a bundler.
 import { createHash } from 'node:crypto'
 import { readFileSync } from 'node:fs'
+import { defaultClientConditions } from 'vite'
+import { mainScript, modules, scriptsBeside, singleModules } from './lib/entries.mjs'
 import { path } from './lib/files.mjs'
 
 const { name, version, license } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
 
 // p5 is the page's own: the addon is handed it, or finds it as a global. So is three. Decoders of models are the user's choice. The command line runs in Node only.
-const external = [
-  'p5',
-  /^(three|react)(\/|$)/,
-  '@react-three/fiber',
-  /^@babylonjs\//,
-  /^node:/,
-  'meshoptimizer',
-  'draco3dgltf',
-]
+const external = ['p5', /^(three|react)(\/|$)/, '@react-three/fiber', /^@babylonjs\//, /^node:/]
 
 const banner = `/*! ${name} ${version} | ${license} licence, others' notices in the package's NOTICE | https://www.npmjs.com/package/${name}/v/${version} */`
 
@@ -55,25 +49,31 @@ const withoutWasmInMaps = {
 const sharedFiles = [
   {
     name: 'basics',
-    test: /\/js-bindings\/(checks\/.*|inputs\/.*|cpu\/warp-program|expression\/(?:shapes|source-lines)|wasm\/start|wasm\/tables|generated\/version)\.ts$/,
+    test: /\/js-bindings\/(errors\/.*|options\/.*|core\/inputs\/.*|cpu\/warp-program|core\/lazy-object|core\/expression\/(?:shapes|source-lines)|wasm\/start|wasm\/tables|generated\/version)\.ts$/,
   },
-  { name: 'compiler', test: /\/js-bindings\/compile\/(compile|compile-warp-text)\.ts$/ },
+  {
+    name: 'compiler',
+    test: /\/js-bindings\/compile\/(compile|compile-warp-text|text-compiler)\.ts$/,
+  },
   { name: 'evaluation', test: /\/js-bindings\/compile\/compile-warp\.ts$/ },
-  { name: 'meshes', test: /\/js-bindings\/(mesh|wasm\/mesh)[/.-]/ },
+  {
+    name: 'meshes',
+    test: /\/js-bindings\/(mesh|wasm\/mesh|p5\/geometry\/(model|subdivide-geometry|vary-geometry|with-mesh))[/.-]/,
+  },
   {
     // The addon and exactNormals share these modules; only exactNormals needs the front end.
     name: 'p5-hooks',
-    test: /\/js-bindings\/p5\/(host|settings|struct-hooks|wgsl-hooks|variation-buffers|variation-text)\.ts$/,
+    test: /\/js-bindings\/p5\/(host|settings|hooks\/(struct-hooks|wgsl-hooks)|variation\/(variation-buffers|variation-text))\.ts$/,
   },
   {
     name: 'p5-addon',
-    test: /\/js-bindings\/p5\/(?!exact-normals|turned-hooks|modified-shader|unreadable-hooks|strands-wgsl)/,
+    test: /\/js-bindings\/p5\/(?!exact-normals)/,
   },
   {
     name: 'front-end',
-    test: /\/js-bindings\/(glsl[/.]|wasm\/glsl|p5\/exact-normals|generated\/glsl)/,
+    test: /\/js-bindings\/(glsl-source\/|glsl\.|wasm\/glsl|p5\/exact-normals|generated\/glsl)/,
   },
-  { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu)/ },
+  { name: 'three-warp', test: /\/js-bindings\/three\/(?!nodes|webgpu|react)/ },
   {
     name: 'operating',
     test: /\/js-bindings\/operators\/(runtime|calls|functions|messages|values)\.ts$/,
@@ -81,27 +81,9 @@ const sharedFiles = [
   { name: 'translating', test: /\/js-bindings\/operators\/|\/node_modules\/acorn\// },
 ]
 
-export const modules = settings(
+export const moduleBuild = settings(
   {
-    entry: {
-      warpjet: path('js-bindings/index.ts'),
-      text: path('js-bindings/text.ts'),
-      p5: path('js-bindings/p5.ts'),
-      'p5.browser': path('js-bindings/p5.browser.ts'),
-      autodiff: path('js-bindings/autodiff.ts'),
-      mesh: path('js-bindings/mesh.ts'),
-      deformers: path('js-bindings/deformers.ts'),
-      glsl: path('js-bindings/glsl.ts'),
-      three: path('js-bindings/three.ts'),
-      'three.webgpu': path('js-bindings/three.webgpu.ts'),
-      react: path('js-bindings/react.ts'),
-      babylon: path('js-bindings/babylon.ts'),
-      cli: path('js-bindings/cli.ts'),
-      operators: path('js-bindings/operators.ts'),
-      'operators-runtime': path('js-bindings/operators-runtime.ts'),
-      'operators-plugin': path('js-bindings/operators-plugin.ts'),
-      memory: path('js-bindings/memory.ts'),
-    },
+    entry: Object.fromEntries(modules.map((name) => [name, path(`js-bindings/${name}.ts`)])),
     formats: ['es'],
   },
   {
@@ -118,64 +100,57 @@ const minified = {
   comments: false,
 }
 
-/** `wasm` names the modules that are in it: where they stand first, gzip packs the file better, by 1 KB. */
-const single = (entry, fileName, format, { wasm = [], ...others } = {}) =>
-  settings({ entry: path(entry), name, formats: [format], fileName: () => fileName }, minified, {
+/** One file. `wasm` names the wasm modules in it: gzip packs the file better, by 1 KB, where they come first. */
+const single = (entry, fileName, format, { wasm = [], conditions = [], ...others } = {}) =>
+  settings({ entry, name, formats: [format], fileName: () => fileName }, minified, {
     ...others,
-    plugins: [withoutWasmInMaps, withFirst(entry, wasm)],
+    resolve: { conditions: [...conditions, ...defaultClientConditions] },
+    plugins: [withoutWasmInMaps, withFirst(entry, wasm), additions],
   })
 
 const withFirst = (entry, wasm) => ({
   name: 'wasm-first',
   enforce: 'pre',
   transform: (code, id) =>
-    id === path(entry)
-      ? `${wasm.map((each) => `import './generated/${each}-wasm.js'; `).join('')}${code}`
+    id === entry && wasm.length
+      ? {
+          code: `${wasm.map((each) => `import './generated/${each}-wasm.js'; `).join('')}${code}`,
+          // The first line alone moves.
+          map: null,
+        }
       : null,
 })
 
-/** Modules of one file each. */
-export const singleModules = [
-  single('js-bindings/index.ts', 'warpjet.min.js', 'es', { wasm: ['core', 'evaluation'] }),
-  single('js-bindings/mesh.ts', 'mesh.min.js', 'es', { wasm: ['mesh'] }),
-]
+/** `add:x` adds the exports of the entry x to the global `warpjet`. */
+const addition = /(?:^|\/)add:(.+)$/
+const additions = {
+  name: 'additions',
+  enforce: 'pre',
+  resolveId: (id) => (addition.test(id) ? id : null),
+  load(id) {
+    const [, name] = addition.exec(id) ?? []
+    if (!name) return null
+    const entry = JSON.stringify(path(`js-bindings/${name}.ts`))
+    return `import * as names from ${entry}; Object.assign(globalThis.warpjet, names)`
+  },
+}
 
-/** A script that stands beside the one with the compiler, and throws its errors. */
-const beside = (entry, fileName) =>
-  single(entry, fileName, 'iife', {
-    resolve: {
-      alias: [
-        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
-      ],
-    },
-  })
+const wasmOf = { warpjet: ['core', 'evaluation'], mesh: ['mesh'] }
 
-/** Files for <script> tags, when those modules are there. */
-export const scripts = () => [
-  single('js-bindings/p5.global.ts', 'p5.warpjet.min.js', 'iife', {
-    wasm: ['core', 'evaluation'],
-    // The script fetches what reads models when a sketch first needs it.
-    resolve: {
-      alias: [
-        { find: './mesh-module.js', replacement: path('js-bindings/p5/mesh-module.global.ts') },
-      ],
-    },
+export const singleModuleBuilds = singleModules.map((name) =>
+  single(path(`js-bindings/${name}.ts`), `${name}.min.js`, 'es', { wasm: wasmOf[name] }),
+)
+
+/** Files for <script> tags. They need the single modules, which the main script fetches when a sketch first needs them. */
+export const scriptBuilds = () => [
+  single(path('js-bindings/p5.global.ts'), `${mainScript}.min.js`, 'iife', {
+    wasm: wasmOf.warpjet,
+    conditions: ['main-script'],
     define: { meshIntegrity: JSON.stringify(integrityOf('dist/mesh.min.js')) },
   }),
-  // The compiler is that of the script of p5.
-  single('js-bindings/glsl.global.ts', 'warpjet.glsl.min.js', 'iife', {
-    resolve: {
-      alias: [
-        { find: /^.*\/errors\.js$/, replacement: path('js-bindings/checks/errors.global.ts') },
-        {
-          find: /^.*\/compile\/(compile|compile-warp-text)\.js$/,
-          replacement: path('js-bindings/glsl/compile.global.ts'),
-        },
-      ],
-    },
-  }),
-  beside('js-bindings/deformers.global.ts', 'warpjet.deformers.min.js'),
-  beside('js-bindings/operators.global.ts', 'warpjet.operators.min.js'),
+  ...scriptsBeside.map((name) =>
+    single(`add:${name}`, `warpjet.${name}.min.js`, 'iife', { conditions: ['page-script'] }),
+  ),
 ]
 
 const integrityOf = (file) =>

@@ -6,4 +6,4 @@ export type {
   Scalar as Op,
   Scalar as Param,
   Vector as VectorOp,
-} from './types/types.js'
+} from './core/types/types.js'

@@ -2,4 +2,4 @@
  * 'warpjet/babylon': a warp as a plugin of a material of Babylon.js. `@babylonjs/core` is the application's own, from 9.34 on.
  */
 export { BabylonWarp, type BabylonWarpOptions } from './babylon/warp.js'
-export { WarpError } from './checks/errors.js'
+export { WarpError } from './errors/errors.js'

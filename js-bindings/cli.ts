@@ -9,8 +9,11 @@ import { help, helpOf } from './cli/help.js'
 import { info } from './cli/info.js'
 import { printable } from './cli/printable.js'
 import { UsageError, withFlags } from './cli/usage.js'
-import { WarpError } from './checks/errors.js'
+import { WarpError } from './errors/errors.js'
+import { registerFrontEnd } from './glsl-source/call.js'
 import { version } from './generated/version.js'
+
+registerFrontEnd()
 
 const commands: Record<string, (args: string[]) => Promise<void>> = { emit, bake, derive, info }
 

@@ -7,14 +7,14 @@ import type * as glsl from './glsl.js'
 import type * as operators from './operators.js'
 import type { CreateWarpOptions, Distort, LoadModelOptions, ModelOf } from './p5.js'
 import type { AdaptiveOptions, LevelsOptions } from './mesh.js'
-import type * as compiler from './index.js'
+import type * as compiler from './warpjet.js'
 
 type Compiler = Pick<typeof compiler, 'WarpError' | 'compile' | 'compileWarp' | 'gen' | 'version'>
 
 declare global {
   /** What p5.warpjet.min.js has beside p5's functions, and after warpjet.deformers.min.js, warpjet.glsl.min.js and
    * warpjet.operators.min.js what those add. */
-  const warpjet: Compiler & typeof deformers & typeof glsl & Pick<typeof operators, 'operators'>
+  const warpjet: Compiler & typeof deformers & typeof glsl & typeof operators
 
   /** glsl-autodiff's global. */
   const AutoDiff: Pick<Compiler, 'gen'>

@@ -10,13 +10,9 @@ export type { Material, Mesh, MeshInput, Picture } from './mesh/mesh-arrays.js'
 export type { Plain } from './mesh/geometry.js'
 export { subdivide, type AdaptiveOptions, type LevelsOptions } from './mesh/subdivide.js'
 /** @internal */
-export { varyGeometry } from './mesh/vary-geometry.js'
-/** @internal */
-export { fillP5Model } from './mesh/p5-model.js'
-/** @internal */
-export { subdivideP5Model } from './mesh/p5-subdivide.js'
+export { fillP5Model, subdivideP5Model, varyGeometry } from './p5/geometry/with-mesh.js'
 export { surfaceVariation, type SurfaceVariation } from './mesh/surface-variation.js'
 export type { Bytes, Resolve, Source } from './mesh/sources.js'
-export { WarpError } from './checks/errors.js'
-export type { Uniforms } from './inputs/vertices.js'
-export type { Attribute, Geometry } from './inputs/geometry.js'
+export { WarpError } from './errors/errors.js'
+export type { Uniforms } from './core/inputs/vertices.js'
+export type { Attribute, Geometry } from './core/inputs/geometry.js'

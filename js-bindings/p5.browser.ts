@@ -3,6 +3,6 @@ import p5 from 'p5'
 import { warpjet } from './p5/addon.js'
 
 export { warpjet as default, warpjet as setupWarp, createWarp } from './p5/addon.js'
-export { registerGlobally } from './p5/register.js'
+export { registerGlobally } from './p5/page/register.js'
 
 warpjet(p5)

@@ -3,11 +3,11 @@
  * same page, the first one stays, with what was added to it.
  */
 import * as library from './global.js'
-import { didYouMean, refusing } from './checks/nearest.js'
-import { located } from './p5/places.js'
-import { registerGlobally } from './p5/register.js'
-import { addScript, elsewhereNames } from './p5/scripts.js'
-import { tellWhatIsUncaught } from './p5/uncaught.js'
+import { didYouMean, refusing } from './errors/nearest.js'
+import { located } from './p5/page/places.js'
+import { registerGlobally } from './p5/page/register.js'
+import { addScript, elsewhereNames } from './p5/page/scripts.js'
+import { tellWhatIsUncaught } from './p5/page/uncaught.js'
 
 const globals = globalThis as {
   warpjet?: Partial<typeof library>

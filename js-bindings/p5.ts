@@ -2,14 +2,14 @@
  * 'warpjet/p5' where p5 cannot load, as on a server, and as a file of its own. It adds itself to a p5 that is a global, as
  * p5's script tag makes it; as a module p5 is none, and is handed over: `warpjet(p5)`.
  */
-import { registerGlobally } from './p5/register.js'
+import { registerGlobally } from './p5/page/register.js'
 
 export { warpjet as default, warpjet as setupWarp, createWarp } from './p5/addon.js'
 export type { Loading, Warping } from './p5/addon.js'
 export type { Distort } from './p5/create-warp.js'
-export type { LoadModelOptions, ModelOf, WarpModel } from './p5/load-model.js'
+export type { LoadModelOptions, ModelOf, WarpModel } from './p5/geometry/load-model.js'
 export type { CreateWarpOptions, WarpSpace, WarpType } from './p5/settings.js'
-export { registerGlobally } from './p5/register.js'
+export { registerGlobally } from './p5/page/register.js'
 export type { WarpUniforms } from './p5/sketch-uniforms.js'
 
 registerGlobally()

@@ -1,7 +1,7 @@
 /**
  * 'warpjet/react': `<Warp>` for @react-three/fiber. `react`, `@react-three/fiber` and `three` are the application's own.
  */
-export { Warp, type WarpProps } from './react/warp.js'
+export { Warp, type WarpProps } from './three/react/warp.js'
 export type { ThreeOffset, WarpSpace } from './three/settings.js'
 export type {
   ThreeUniform,
@@ -11,4 +11,4 @@ export type {
   ValuesOf,
 } from './three/uniforms.js'
 export type { WarpedObject } from './three/warp.js'
-export { WarpError } from './checks/errors.js'
+export { WarpError } from './errors/errors.js'

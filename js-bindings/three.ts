@@ -14,4 +14,4 @@ export type {
   UniformHandles,
   ValuesOf,
 } from './three/uniforms.js'
-export { WarpError } from './checks/errors.js'
+export { WarpError } from './errors/errors.js'

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { testFlags } from './flags.mjs'
 
-/** Where `borrow` of tests/browser/support finds them: a folder for what is taken, and the addresses. */
+/** Where `borrow` of tests/support/browser finds them: a folder for what is taken, and the addresses. */
 export const variable = 'WARPJET_BROWSERS'
 
 /** Starts `count` browsers for the processes that `work` starts, and stops them after it. */

@@ -6,7 +6,7 @@ import { installEnvironments } from './environments.mjs'
 import { withBrowsers } from './browsers.mjs'
 import { path, walk } from './files.mjs'
 import { cmakeBuild } from './cmake.mjs'
-import { checkHouse } from './house.mjs'
+import { checkDependencies } from './dependencies.mjs'
 import { exitCode, run } from './run.mjs'
 import { Stop } from './terminal.mjs'
 import { isEveryday, leftOut } from './tiers.mjs'
@@ -57,62 +57,76 @@ async function cpp(preset) {
   ])
 }
 
-/** `longest` are names of files that take long: they begin first, in this order. `atOnce` is how many run beside each other. */
-async function nodeTests(folder, { atOnce = availableParallelism(), longest = [] } = {}) {
+/**
+ * Runs the test files of a kind: `x.test.js` needs Node alone, `x.browser.test.js` a browser, and those in tests/package
+ * installed environments. `longest` names the files that start first, in this order; `atOnce` is how many run side by side.
+ */
+async function nodeTests(kind, { atOnce = availableParallelism(), longest = [] } = {}) {
   const isLeftOut = (file) => isEveryday() && file in leftOut.files
-  const all = walk(folder, /\.test\.js$/).filter((file) => !isLeftOut(file))
-  if (!all.length) throw new Stop(`There are no tests in ${folder}.`)
-  const isNamed = (name) => (file) => file.endsWith(`/${name}.test.js`)
-  const files = new Set([...longest.flatMap((name) => all.filter(isNamed(name))), ...all])
+  const all = testFiles(kind).filter((file) => !isLeftOut(file))
+  if (!all.length) throw new Stop(`There are no tests of the kind ${kind}.`)
+  const files = new Set([...longest.filter((file) => all.includes(file)), ...all])
   const ours = (name) => path('.scripts/lib', name)
   const printing = ['--import', pathToFileURL(ours('tests-console.mjs')).href]
   await node(...printing, ours('run-tests.mjs'), `${atOnce}`, ...files)
+}
+
+function testFiles(kind) {
+  const kindOf = (file) =>
+    file.startsWith('tests/package/')
+      ? 'package'
+      : file.endsWith('.browser.test.js')
+        ? 'browser'
+        : 'node'
+  return ['tests', 'web/tests']
+    .flatMap((folder) => walk(folder, /\.test\.js$/))
+    .filter((file) => kindOf(file) === kind)
 }
 
 // Tests wait for their pages: with two on two cores a sixth of the time is idle, with three nothing is.
 const browsersAtOnce = availableParallelism() + 1
 /** Each takes 40 seconds of a core and more, or waits for long: then it stands among those that work. */
 const longest = [
-  ...['playground', 'gallery', 'site', 'playground-attacks', 'p5-webgpu-examples'],
-  ...[
-    'playground-habits',
-    'playground-examples',
-    'three',
-    'playground-hosts',
-    'docs',
-    'random',
-    'site-offline',
-  ],
-  ...['operations', 'playground-help', 'glsl', 'three-webgpu', 'site-motion', 'p5-webgpu'],
-]
+  ...['playground', 'gallery', 'site', 'playground-attacks'].map((name) => `web/tests/${name}`),
+  'tests/p5/webgpu-examples',
+  ...['playground-habits', 'playground-examples'].map((name) => `web/tests/${name}`),
+  'tests/three/three',
+  ...['playground-hosts', 'docs'].map((name) => `web/tests/${name}`),
+  'tests/compile/random',
+  'web/tests/site-offline',
+  'tests/core/operations',
+  'web/tests/playground-help',
+  'tests/glsl-source/glsl',
+  'tests/three/webgpu',
+  'web/tests/site-motion',
+  'tests/p5/webgpu',
+].map((name) => `${name}.browser.test.js`)
 const browser = () =>
-  withBrowsers(browsersAtOnce, () =>
-    nodeTests('tests/browser', { atOnce: browsersAtOnce, longest }),
-  )
+  withBrowsers(browsersAtOnce, () => nodeTests('browser', { atOnce: browsersAtOnce, longest }))
 
 async function environments() {
   await installEnvironments()
-  await nodeTests('tests/package')
+  await nodeTests('package')
 }
 
 /** `group` is what `npm test -- <group>` selects; tiers.mjs names the titles that the everyday run leaves out. */
 export const checks = [
   { group: 'format', title: 'Formatting', work: checkFormat },
   {
-    group: 'house',
-    title: 'Rooms: no circles, and no language but in a dialect',
-    work: checkHouse,
+    group: 'dependencies',
+    title: 'Dependency rules',
+    work: checkDependencies,
   },
   {
     group: 'types',
     title: 'Types',
-    work: () => node(binary('typescript/bin/tsc'), '--project', 'tsconfig.json'),
+    work: () => node(binary('typescript-7/bin/tsc'), '--project', 'tsconfig.json'),
   },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
   { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
   { group: 'cpp', title: 'The same under ASan and UBSan', work: () => cpp('sanitize') },
   { group: 'fuzz', title: 'Fuzzing', work: fuzzRepeatably },
-  { group: 'js', title: 'JavaScript tests', work: () => nodeTests('tests/js') },
+  { group: 'js', title: 'JavaScript tests', work: () => nodeTests('node') },
   { group: 'browser', title: 'Browser tests', work: browser },
   { group: 'package', title: 'The package in its environments', work: environments },
 ]

@@ -1,29 +1,15 @@
 // The types that are shipped: one file an entry, and one for what several share.
 import { copyFileSync, rmSync } from 'node:fs'
+import { declared, importsIn } from './entries.mjs'
 import { path } from './files.mjs'
 import { run } from './run.mjs'
 
 const written = '.build/types'
 
-const entries = [
-  'index',
-  'text',
-  'p5',
-  'autodiff',
-  'mesh',
-  'deformers',
-  'glsl',
-  'three',
-  'three.webgpu',
-  'react',
-  'operators',
-  'operators-runtime',
-  'operators-plugin',
-  'babylon',
-]
-
-/** Only names what the entries export. */
+/** It only names what the entries export. */
 const globals = 'globals.d.ts'
+
+const entries = declared.filter((name) => `${name}.d.ts` !== globals)
 
 export const declarations = [
   ...entries.map((name) => `${name}.d.ts`),
@@ -32,11 +18,19 @@ export const declarations = [
   globals,
 ]
 
+const declaredImports = importsIn(written, '.d.ts')
+
+/** Resolves `#x` to its declaration, before the plugin of declarations looks for it beside the source. */
+const withImports = {
+  name: 'imports-of-declarations',
+  resolveId: { order: 'pre', handler: (id) => declaredImports[id] ?? null },
+}
+
 export async function declareTypes() {
   for (const folder of [written, 'dist/types'])
     rmSync(path(folder), { recursive: true, force: true })
   await run(process.execPath, [
-    'node_modules/typescript/bin/tsc',
+    'node_modules/typescript-7/bin/tsc',
     '--project',
     '.scripts/tsconfig.types.json',
   ])
@@ -46,7 +40,7 @@ export async function declareTypes() {
     input: Object.fromEntries(entries.map((name) => [name, path(written, `${name}.d.ts`)])),
     // Theirs are their own.
     external: /^(three|react|@react-three\/fiber|@babylonjs\/core)(\/|$)/,
-    plugins: [dts({ dtsInput: true, tsconfig: false })],
+    plugins: [withImports, dts({ dtsInput: true, tsconfig: false })],
     experimental: { attachDebugInfo: 'none' },
   })
   await bundle.write({

@@ -14,38 +14,40 @@ export const leftOut = {
       'it installs 900 MB of bundlers and needs the npm registry; what it proves changes only with package.json and the build',
   },
   files: {
-    'tests/browser/bench.test.js': 'the benchmark is run seldom, by hand, and ships to nobody',
-    'tests/browser/bench-pages.test.js': 'likewise its page',
-    'tests/browser/bench-results.test.js': 'likewise the page of its results',
-    'tests/browser/drop.test.js':
+    'tests/scripts/bench.browser.test.js':
+      'the benchmark is run seldom, by hand, and ships to nobody',
+    'tests/scripts/bench-pages.browser.test.js': 'likewise its page',
+    'tests/scripts/bench-results.browser.test.js': 'likewise the page of its results',
+    'web/tests/drop.browser.test.js':
       'the page for one’s own model changes seldom; what it calls has its tests every day',
-    'tests/browser/site.test.js':
-      'it opens every page twice, which takes minutes; site.test.js of tests/js holds their links, and gallery.test.js opens some',
-    'tests/browser/site-motion.test.js':
+    'web/tests/site.browser.test.js':
+      'it opens every page twice, which takes minutes; web/tests/site.test.js holds their links, and gallery.test.js opens some',
+    'web/tests/site-motion.browser.test.js':
       'likewise; gallery.test.js sees every day that the first page draws',
-    'tests/browser/site-offline.test.js': 'likewise; it waits until all of the site is kept',
-    'tests/browser/docs.test.js':
+    'web/tests/site-offline.browser.test.js': 'likewise; it waits until all of the site is kept',
+    'web/tests/docs.browser.test.js':
       'each block starts a p5 of its own, which takes minutes in all; what they call has its tests every day',
-    'tests/browser/playground.test.js':
+    'web/tests/playground.browser.test.js':
       'each of its sketches starts a p5 of its own, which takes minutes in all; the page ships to nobody',
-    'tests/browser/playground-costs.test.js': 'likewise, for its costs and checks',
-    'tests/browser/playground-help.test.js': 'likewise, for what completes and explains',
-    'tests/browser/playground-habits.test.js': 'likewise, for what one does beside writing',
-    'tests/browser/playground-hosts.test.js': 'likewise, for each of its hosts',
-    'tests/browser/playground-examples.test.js':
+    'web/tests/playground-costs.browser.test.js': 'likewise, for its costs and checks',
+    'web/tests/playground-help.browser.test.js': 'likewise, for what completes and explains',
+    'web/tests/playground-habits.browser.test.js': 'likewise, for what one does beside writing',
+    'web/tests/playground-hosts.browser.test.js': 'likewise, for each of its hosts',
+    'web/tests/playground-examples.browser.test.js':
       'likewise; gallery.test.js draws every example every day',
-    'tests/browser/script.test.js':
+    'tests/p5/script.browser.test.js':
       'the loader of the script changes seldom; p5.test.js and all like it load it every day',
-    'tests/browser/bundler.test.js': 'likewise what a bundler makes of the modules',
-    'tests/browser/p5-webgpu.test.js': 'what it compares with WebGL has its tests there every day',
-    'tests/browser/p5-webgpu-examples.test.js':
+    'tests/entries/bundler.browser.test.js': 'likewise what a bundler makes of the modules',
+    'tests/p5/webgpu.browser.test.js': 'what it compares with WebGL has its tests there every day',
+    'tests/p5/webgpu-examples.browser.test.js':
       'each is drawn by WebGL every day, and on a CPU a page with both takes ten seconds',
-    'tests/browser/p5-1-pictures.test.js':
+    'tests/p5/p5-1-pictures.browser.test.js':
       'it opens ninety pages twice; p5-1.test.js has a smoke test, and docs.test.js and gallery.test.js draw them by p5 2',
-    'tests/browser/three-webgpu.test.js':
+    'tests/three/webgpu.browser.test.js':
       'without a GPU it is slow, and the nodes hold the text that three.test.js draws',
-    'tests/browser/react.test.js': 'what it wraps has its tests every day',
-    'tests/browser/babylon.test.js': 'the plugin is small, and bundling Babylon.js takes long',
+    'tests/three/react.browser.test.js': 'what it wraps has its tests every day',
+    'tests/babylon/babylon.browser.test.js':
+      'the plugin is small, and bundling Babylon.js takes long',
   },
   parts: {
     'p5 1.11':

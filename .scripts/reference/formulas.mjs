@@ -1,5 +1,5 @@
 // What each plotted operation computes, and its derivatives by its operands, as one would write them; `web/docs/plots.md` shows them.
-// tests/js/formulas.test.js holds each against what warpjet computes. Where several operands share a part, `where` names it.
+// tests/core/formulas.test.js holds each against what warpjet computes. Where several operands share a part, `where` names it.
 
 /** By name: { value, by: [a derivative for each operand], where }. */
 export const formulas = {

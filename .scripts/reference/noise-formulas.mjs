@@ -1,5 +1,5 @@
 // What each noise computes and its derivative, for web/docs/plots-vectors.md, in the notation of vector-formulas.mjs.
-// tests/js/noise-formulas.test.js holds them against plain noise in double.
+// tests/core/noise-formulas.test.js holds them against plain noise in double.
 
 const octaves =
   'Over the octaves k, from 0 on: gₖ is gain to the power of k, nₖ the noise at lacunarity to the power of k times p, shifted a little, and dnₖ its derivative'

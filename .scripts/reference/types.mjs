@@ -1,4 +1,4 @@
-// js-bindings/types/methods.ts: every operation as a method of what it takes first and as a function of the builder.
+// js-bindings/core/types/methods.ts: every operation as a method of what it takes first and as a function of the builder.
 
 // Every signature stands beside its own comment: an editor shows none of a property whose type has several.
 

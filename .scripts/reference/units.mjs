@@ -1,4 +1,4 @@
-// What `position` is on the shapes of p5, for the pictures of web/docs/units.md. tests/browser/units.test.js reads the numbers off what
+// What `position` is on the shapes of p5, for the pictures of web/docs/units.md. tests/p5/units.browser.test.js reads the numbers off what
 // p5 draws.
 
 /** How far the eye is in front of the canvas, unless a sketch says otherwise. */

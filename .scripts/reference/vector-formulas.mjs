@@ -1,5 +1,5 @@
 // What operations on vectors and matrices compute, and their derivatives, in the notation of textbooks; `web/docs/plots-vectors.md`
-// shows them. tests/js/vector-formulas.test.js reads the very same text, holds each derivative against differences of its value,
+// shows them. tests/core/vector-formulas.test.js reads the very same text, holds each derivative against differences of its value,
 // and both against warpjet. `d` before a letter is a change of it.
 
 const change = 'da / |a| − a (a · da) / |a|³'

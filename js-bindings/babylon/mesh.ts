@@ -2,10 +2,10 @@
 import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
-import { WarpError, describe } from '../checks/errors.js'
+import { WarpError, describe } from '../errors/errors.js'
 import type { CpuWarp } from '../cpu/cpu-warp.js'
 import { warpProgram } from '../cpu/warp-program.js'
-import { allowNonFinite } from '../inputs/vertices.js'
+import { allowNonFinite } from '../core/inputs/vertices.js'
 
 const method = 'refresh'
 

@@ -1,7 +1,7 @@
 // Uniforms for the wrapping, the filter and the matrix of a texture of Babylon.js.
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import { Constants } from '@babylonjs/core/Engines/constants.js'
-import { hostWraps, samplingUniforms } from '../expression/texture.js'
+import { hostWraps, samplingUniforms } from '../core/expression/sampling.js'
 import type { BabylonUniform } from './uniform.js'
 
 const wrapNumbers: Record<number, number> = {

@@ -1,8 +1,8 @@
 // What goes into the vertex shaders of Babylon.js, which have the same names for a vertex in GLSL and in WGSL.
 import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
 import { type KeptWarp, writeWarp } from '../compile/warp-text.js'
-import { type Shape, imageShape, typeOf } from '../expression/shapes.js'
-import type { Target } from '../module/kept-module.js'
+import { type Shape, imageShape, typeOf } from '../core/expression/shapes.js'
+import type { Target } from '../core/module/kept-module.js'
 
 /** One that the offset reads, as the shader calls it. */
 export interface Labelled {

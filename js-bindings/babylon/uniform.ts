@@ -1,6 +1,6 @@
 // One uniform of a warp, by its name in the shader.
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
-import type { Shape } from '../expression/shapes.js'
+import type { Shape } from '../core/expression/shapes.js'
 
 export interface BabylonUniform {
   label: string

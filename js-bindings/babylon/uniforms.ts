@@ -2,9 +2,9 @@
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import { samplingOf } from './sampling.js'
 import type { BabylonUniform } from './uniform.js'
-import { WarpError, describe } from '../checks/errors.js'
-import { isCallable } from '../checks/options.js'
-import { type Shape, imageShape } from '../expression/shapes.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { isCallable } from '../options/options.js'
+import { type Shape, imageShape } from '../core/expression/shapes.js'
 import {
   type DeclaredUniforms,
   numbersFor,
@@ -12,8 +12,8 @@ import {
   unknownUniform,
   withSampling,
   withUniforms,
-} from '../inputs/declared-uniforms.js'
-import type { OffsetFunction } from '../types/types.js'
+} from '../core/inputs/declared-uniforms.js'
+import type { OffsetFunction } from '../core/types/types.js'
 
 const isTexture = (value: unknown): value is BaseTexture =>
   typeof (value as Partial<BaseTexture> | undefined)?.getInternalTexture === 'function'

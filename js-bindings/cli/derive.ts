@@ -1,7 +1,7 @@
 // `npx warpjet derive`: a function of shader text with its derivatives.
 import { writeFile } from 'node:fs/promises'
-import { differentiate } from '../glsl.js'
-import { type Target, targets } from '../module/kept-module.js'
+import { differentiate } from '../glsl-source/differentiate.js'
+import { type Target, targets } from '../core/module/kept-module.js'
 import { areOneFile, writing } from './files.js'
 import { readArguments } from './usage.js'
 import { given, readChoice, readText } from './warp-file.js'

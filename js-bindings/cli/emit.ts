@@ -1,8 +1,8 @@
 // `npx warpjet emit`: a warp as shader text.
 import { writeFile } from 'node:fs/promises'
 import { compileWarp } from '../compile/compile-warp.js'
-import type { Declared } from '../module/result.js'
-import { targets, type Target } from '../module/kept-module.js'
+import type { Declared } from '../core/module/result.js'
+import { targets, type Target } from '../core/module/kept-module.js'
 import { areOneFile, writing } from './files.js'
 import { readArguments } from './usage.js'
 import { blame, glslArguments, readChoice, readWarp } from './warp-file.js'

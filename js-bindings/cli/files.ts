@@ -1,6 +1,6 @@
 // Files that are written: where they may not be, and what can go wrong with them.
 import { stat } from 'node:fs/promises'
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 
 export async function writing(file: string, work: () => Promise<void>): Promise<void> {
   try {

@@ -1,5 +1,6 @@
 // `npx warpjet info`: what is in a model.
-import { type Mesh, loadMesh } from '../mesh.js'
+import { loadMesh } from '../mesh/load.js'
+import type { Mesh } from '../mesh/mesh-arrays.js'
 import { printable } from './printable.js'
 import { readArguments } from './usage.js'
 

@@ -2,12 +2,12 @@
 import { readFile } from 'node:fs/promises'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
-import { mostIterations } from '../glsl/options.js'
+import { mostIterations } from '../glsl-source/options.js'
 import { type UsageError, readCount } from './usage.js'
-import { WarpError, describe } from '../checks/errors.js'
-import { glslOffset } from '../glsl.js'
-import { inputSizes } from '../inputs/inputs.js'
-import type { OffsetFunction, UniformOptions } from '../types/types.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { glslOffset } from '../glsl-source/offset.js'
+import { inputSizes } from '../core/inputs/inputs.js'
+import type { OffsetFunction, UniformOptions } from '../core/types/types.js'
 
 /** What a file exports. */
 export interface WarpFile {

@@ -1,7 +1,7 @@
 // `compileWarp` for those who want its text alone.
 import { type Emits, compileOffset } from './offset.js'
-import { WarpError } from '../checks/errors.js'
-import type { OffsetFunction, UniformValues } from '../types/types.js'
+import { WarpError } from '../errors/errors.js'
+import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import type { WarpOptions, WarpText } from './warp-text.js'
 
 /**

@@ -1,11 +1,11 @@
 // `compileWarp`: from an offset function to a warp, as shader text and on the CPU.
 import { type Emits, type ValuesOfFrame, compileOffset } from './offset.js'
 import { type CpuWarp, createCpuWarp } from '../cpu/cpu-warp.js'
-import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
-import { type Known, makeProgram } from '../module/kept-module.js'
-import { lazily } from '../module/lazily.js'
+import type { DeclaredUniforms } from '../core/inputs/declared-uniforms.js'
+import { type Known, makeProgram } from '../core/module/kept-module.js'
+import { lazily } from '../core/module/lazily.js'
 import { warpResults } from '../wasm/tables.js'
-import type { OffsetFunction, UniformValues } from '../types/types.js'
+import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import { type KeptWarp, type WarpOptions, type WarpText, onSurface } from './warp-text.js'
 
 /** An offset function as shader text and on the CPU. */

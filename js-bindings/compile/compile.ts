@@ -1,21 +1,26 @@
 // Any expressions, as text and on the CPU: `compile`, and glsl-autodiff's `gen`.
-import { createBuilder } from '../expression/builder.js'
-import type { Session } from '../expression/session.js'
-import { WarpError, describe } from '../checks/errors.js'
-import { readOperators } from '../checks/operators.js'
-import { type Compiled, type CompileOptions, declaredOf, withSession } from '../module/result.js'
+import { createBuilder } from '../core/expression/builder.js'
+import type { Session } from '../core/expression/session.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { readOperators } from '../errors/operators.js'
+import {
+  type Compiled,
+  type CompileOptions,
+  declaredOf,
+  withSession,
+} from '../core/module/result.js'
 import { type Numbers, evaluate } from '../cpu/double.js'
-import { Expression, toExpression } from '../expression/expression.js'
+import { Expression, toExpression } from '../core/expression/expression.js'
 import {
   type KeptModule,
   checkTarget,
   makeProgram,
   resultsOf,
   writeText,
-} from '../module/kept-module.js'
-import { lazily } from '../module/lazily.js'
-import { checkCallback, checkOptions } from '../checks/options.js'
-import type { Expression as AnyExpression, Glsl } from '../types/types.js'
+} from '../core/module/kept-module.js'
+import { lazily } from '../core/module/lazily.js'
+import { checkCallback, checkOptions } from '../options/options.js'
+import type { Expression as AnyExpression, Glsl } from '../core/types/types.js'
 
 export interface CompiledExpressions extends Compiled {
   /**

@@ -3,8 +3,8 @@
  * week, and less by whole periods where it is added inside of something periodic.
  */
 import { runInDouble } from '../cpu/double.js'
-import { type Known, makeFrame } from '../module/kept-module.js'
-import type { Variable } from '../expression/shapes.js'
+import { type Known, makeFrame } from '../core/module/kept-module.js'
+import type { Variable } from '../core/expression/shapes.js'
 import type { KeptWarp } from './warp-text.js'
 
 /** By name, vec4s for uniforms of the shader. */

@@ -1,16 +1,16 @@
 // What both kinds of `compileWarp` do: the offset function is called, and texts are written of what is kept of it.
-import { finiteDouble, readNumbers } from '../checks/numbers.js'
-import { WarpError } from '../checks/errors.js'
-import { drawInputs } from '../inputs/inputs.js'
-import { type DeclaredUniforms, numbersFor } from '../inputs/declared-uniforms.js'
-import type { Variable } from '../expression/shapes.js'
-import { type Uniforms, checkUniforms } from '../inputs/vertices.js'
-import { type Known, type Target, checkTarget, inputsOf } from '../module/kept-module.js'
-import { lazily } from '../module/lazily.js'
+import { finiteDouble, readNumbers } from '../options/numbers.js'
+import { WarpError } from '../errors/errors.js'
+import { drawInputs } from '../core/inputs/inputs.js'
+import { type DeclaredUniforms, numbersFor } from '../core/inputs/declared-uniforms.js'
+import type { Variable } from '../core/expression/shapes.js'
+import { type Uniforms, checkUniforms } from '../core/inputs/vertices.js'
+import { type Known, type Target, checkTarget, inputsOf } from '../core/module/kept-module.js'
+import { lazily } from '../core/module/lazily.js'
 import { type FrameUniforms, frameOf } from './frame.js'
-import { noteApproximation } from '../checks/notes.js'
-import { checkOptions, own } from '../checks/options.js'
-import type { OffsetFunction } from '../types/types.js'
+import { noteApproximation } from '../errors/notes.js'
+import { checkOptions, own } from '../options/options.js'
+import type { OffsetFunction } from '../core/types/types.js'
 import {
   type KeptWarp,
   type TextOptions,

@@ -1,5 +1,5 @@
 // From an offset function to the module of its warp, once, and from there to texts.
-import { callable, createBuilder, operationNumber } from '../expression/builder.js'
+import { callable, createBuilder, operationNumber } from '../core/expression/builder.js'
 import {
   type Compiled,
   type CompileOptions,
@@ -7,18 +7,18 @@ import {
   declared,
   declaredOf,
   withSession,
-} from '../module/result.js'
-import { type Session, resultName } from '../expression/session.js'
-import { isExpression } from '../checks/describe.js'
-import { WarpError, describe, describeShape } from '../checks/errors.js'
-import { type Expression, toExpression } from '../expression/expression.js'
+} from '../core/module/result.js'
+import { type Session, resultName } from '../core/expression/session.js'
+import { isExpression } from '../errors/describe.js'
+import { WarpError, describe, describeShape } from '../errors/errors.js'
+import { type Expression, toExpression } from '../core/expression/expression.js'
 import {
   type InputName,
   drawInputs,
   inputSizes,
   variationInputs,
   vertexInputs,
-} from '../inputs/inputs.js'
+} from '../core/inputs/inputs.js'
 import {
   type KeptModule,
   type Known,
@@ -26,14 +26,23 @@ import {
   checkTarget,
   resultsOf,
   writeText,
-} from '../module/kept-module.js'
-import { lazyObject } from '../checks/lazy-object.js'
-import { didYouMean, refusing } from '../checks/nearest.js'
-import { checkCallback, checkOptions } from '../checks/options.js'
-import type { OffsetFunction, UniformOptions, UniformValues, WarpInputs } from '../types/types.js'
-import type { Variable } from '../expression/shapes.js'
+} from '../core/module/kept-module.js'
+import { lazyObject } from '../core/lazy-object.js'
+import { didYouMean, refusing } from '../errors/nearest.js'
+import { checkCallback, checkOptions } from '../options/options.js'
+import type {
+  OffsetFunction,
+  UniformOptions,
+  UniformValues,
+  WarpInputs,
+} from '../core/types/types.js'
+import type { Variable } from '../core/expression/shapes.js'
 import { turnedResults, warpOperands, warpResults } from '../wasm/tables.js'
-import { type DeclaredUniforms, readDeclared, withUniforms } from '../inputs/declared-uniforms.js'
+import {
+  type DeclaredUniforms,
+  readDeclared,
+  withUniforms,
+} from '../core/inputs/declared-uniforms.js'
 
 /** The host shader's expression for each input; its name unless given. */
 export type InputNames = Partial<Record<InputName, string>>

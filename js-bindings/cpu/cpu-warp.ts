@@ -1,16 +1,16 @@
 // A warp on the CPU: the same graph that became shader text, on the vertices of a mesh.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import { boundProgram, inputsRead } from '../wasm/evaluation.js'
 import type { Sink } from '../wasm/machine-code.js'
 import { runProgram } from '../wasm/run-program.js'
-import { type VertexInput, variationInputs, vertexInputs } from '../inputs/inputs.js'
-import type { Program } from '../module/kept-module.js'
-import { lazily } from '../module/lazily.js'
-import { noteApproximation } from '../checks/notes.js'
+import { type VertexInput, variationInputs, vertexInputs } from '../core/inputs/inputs.js'
+import type { Program } from '../core/module/kept-module.js'
+import { lazily } from '../core/module/lazily.js'
+import { noteApproximation } from '../errors/notes.js'
 import { runInDouble } from './double.js'
 import { type Moved, type Triple, inverse } from './inverse.js'
-import { readNumbers } from '../checks/numbers.js'
-import { checkOptions } from '../checks/options.js'
+import { readNumbers } from '../options/numbers.js'
+import { checkOptions } from '../options/options.js'
 import {
   type Box,
   type Range,
@@ -20,7 +20,7 @@ import {
   checkVertices,
   readRanges,
   uniformsOf,
-} from '../inputs/vertices.js'
+} from '../core/inputs/vertices.js'
 import { type Origin, keep, originsOf, readingOf } from './origins.js'
 import { copyOverwritten } from './overlaps.js'
 import { type WarpedVertices, leaveSinks, numbersOf, takeSinks, wanted } from './results.js'

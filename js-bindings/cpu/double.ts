@@ -1,11 +1,11 @@
 // Named expressions on the CPU, in double.
 import { getCore } from '../wasm/core.js'
-import { WarpError } from '../checks/errors.js'
-import type { Program } from '../module/kept-module.js'
-import { finiteDouble } from '../checks/numbers.js'
-import { own } from '../checks/options.js'
-import type { Variable } from '../expression/shapes.js'
-import { inputNumbers } from '../inputs/input-numbers.js'
+import { WarpError } from '../errors/errors.js'
+import type { Program } from '../core/module/kept-module.js'
+import { finiteDouble } from '../options/numbers.js'
+import { own } from '../options/options.js'
+import type { Variable } from '../core/expression/shapes.js'
+import { inputNumbers } from '../core/inputs/input-numbers.js'
 
 export type Numbers = number | ArrayLike<number>
 

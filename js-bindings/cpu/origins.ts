@@ -1,19 +1,19 @@
 // Where the inputs of a warp's program come from on the CPU: vertices, or uniforms, which are checked here.
-import { WarpError } from '../checks/errors.js'
-import { takeNumbers } from '../checks/numbers.js'
-import { isList, own } from '../checks/options.js'
-import type { Variable } from '../expression/shapes.js'
-import { inputNumbers } from '../inputs/input-numbers.js'
+import { WarpError } from '../errors/errors.js'
+import { takeNumbers } from '../options/numbers.js'
+import { isList, own } from '../options/options.js'
+import type { Variable } from '../core/expression/shapes.js'
+import { inputNumbers } from '../core/inputs/input-numbers.js'
 import {
   type DeclaredUniform,
   isWhole,
   numbersFor,
   unlisted,
   withDeclared,
-} from '../inputs/declared-uniforms.js'
-import { type VertexInput, vertexInputs } from '../inputs/inputs.js'
-import { type Uniforms, checkUniforms } from '../inputs/vertices.js'
-import type { Program } from '../module/kept-module.js'
+} from '../core/inputs/declared-uniforms.js'
+import { type VertexInput, vertexInputs } from '../core/inputs/inputs.js'
+import { type Uniforms, checkUniforms } from '../core/inputs/vertices.js'
+import type { Program } from '../core/module/kept-module.js'
 import { inputsRead } from '../wasm/evaluation.js'
 import type { Stream } from '../wasm/machine-code.js'
 import type { WarpProgram } from './warp-program.js'

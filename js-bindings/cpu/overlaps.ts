@@ -1,5 +1,5 @@
 // Checks how results and inputs of `evaluate` share memory.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import type { Sink, Stream } from '../wasm/machine-code.js'
 
 /** Throws if two results share memory. `names` are the keys of the option `out`. */

@@ -1,6 +1,6 @@
 // The results of a warp on the CPU: which numbers of the program they are, and the arrays that they go into.
-import { WarpError, describe } from '../checks/errors.js'
-import { noteChecked } from '../inputs/vertices.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { noteChecked } from '../core/inputs/vertices.js'
 import type { Sink } from '../wasm/machine-code.js'
 import { rejectShared } from './overlaps.js'
 

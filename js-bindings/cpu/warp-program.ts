@@ -1,7 +1,7 @@
 // What a warp that runs on the CPU keeps of its session, for other modules of ours too: they need nothing that runs it.
-import type { Program } from '../module/kept-module.js'
-import type { DeclaredUniforms } from '../inputs/declared-uniforms.js'
-import type { Uniforms } from '../inputs/vertices.js'
+import type { Program } from '../core/module/kept-module.js'
+import type { DeclaredUniforms } from '../core/inputs/declared-uniforms.js'
+import type { Uniforms } from '../core/inputs/vertices.js'
 
 /** What is kept of a session. There is no program if the warp calls a `glsl.fn` or `glsl.texture`. */
 export interface WarpProgram {

@@ -1,5 +1,5 @@
-import { WarpError } from '../checks/errors.js'
-import type { OffsetFunction, Scalar } from '../types/types.js'
+import { WarpError } from '../errors/errors.js'
+import type { OffsetFunction, Scalar } from '../core/types/types.js'
 import {
   type AxisOption,
   type NumberOption,

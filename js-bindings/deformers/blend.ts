@@ -1,5 +1,5 @@
-import { asOwn } from '../checks/operators.js'
-import type { OffsetFunction, UniformValues } from '../types/types.js'
+import { asOwn } from '../errors/operators.js'
+import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import { type NumberOption, number } from './kinds.js'
 import { reader } from './deformer.js'
 import { checkWarps, offsetOf } from './warps.js'

@@ -1,10 +1,10 @@
 // From what a caller hands to a deformer to what its formula works with. Constants are checked at once, what is computed
 // when the warp is made.
-import { WarpError, describe, describeShape } from '../checks/errors.js'
-import { asOwn, readOperators } from '../checks/operators.js'
-import { checkOptions, isCallable } from '../checks/options.js'
-import type { Expression } from '../expression/expression.js'
-import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
+import { WarpError, describe, describeShape } from '../errors/errors.js'
+import { asOwn, readOperators } from '../errors/operators.js'
+import { checkOptions, isCallable } from '../options/options.js'
+import type { Expression } from '../core/expression/expression.js'
+import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { type Kind, isExpression } from './kinds.js'
 
 export type Kinds = Record<string, Kind<unknown>>

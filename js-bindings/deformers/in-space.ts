@@ -1,7 +1,7 @@
-import { WarpError, describe, describeShape } from '../checks/errors.js'
-import type { Expression } from '../expression/expression.js'
-import { asOwn, readOperators } from '../checks/operators.js'
-import { isCallable, isList } from '../checks/options.js'
+import { WarpError, describe, describeShape } from '../errors/errors.js'
+import type { Expression } from '../core/expression/expression.js'
+import { asOwn, readOperators } from '../errors/operators.js'
+import { isCallable, isList } from '../options/options.js'
 import type {
   Glsl,
   Mat3,
@@ -10,7 +10,7 @@ import type {
   UniformValues,
   Vec3,
   WarpInputs,
-} from '../types/types.js'
+} from '../core/types/types.js'
 import { type OptionInputs, type OrFunction, isExpression } from './kinds.js'
 import { inputsAt, surfaceOf } from './places.js'
 import { checkWarps, offsetOf } from './warps.js'

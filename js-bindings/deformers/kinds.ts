@@ -1,9 +1,9 @@
 // What options of deformers may be: numbers, vectors and axes, each a constant, an expression, or a function of what the
 // offset function is given.
-import { isExpression as hasItsShape } from '../checks/describe.js'
-import { isList } from '../checks/options.js'
+import { isExpression as hasItsShape } from '../errors/describe.js'
+import { isList } from '../options/options.js'
 import { mostSeed } from '../wasm/tables.js'
-import type { Glsl, Operand, Scalar, Vec3, WarpInputs } from '../types/types.js'
+import type { Glsl, Operand, Scalar, Vec3, WarpInputs } from '../core/types/types.js'
 
 /** What an offset function is given. Which uniforms there are is said where the warp is made, which is elsewhere. */
 export type OptionInputs = WarpInputs & { uniforms: { readonly [name: string]: any } }

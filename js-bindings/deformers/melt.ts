@@ -1,4 +1,4 @@
-import type { OffsetFunction } from '../types/types.js'
+import type { OffsetFunction } from '../core/types/types.js'
 import {
   type AxisOption,
   type NumberOption,

@@ -1,5 +1,5 @@
 // Pieces that several formulas share.
-import type { Glsl, Scalar, Vec3 } from '../types/types.js'
+import type { Glsl, Scalar, Vec3 } from '../core/types/types.js'
 
 /** A point as seen from `center`: how far it is along `axis`, of length 1, and the vector to it from that line. */
 export function fromAxis(position: Vec3, center: Vec3, axis: Vec3) {

@@ -1,5 +1,5 @@
 // Where a warp stands among others: its inputs at a place that is itself computed.
-import type { Glsl, Scalar, Vec3, WarpInputs } from '../types/types.js'
+import type { Glsl, Scalar, Vec3, WarpInputs } from '../core/types/types.js'
 
 /** What the normals at a place are turned from: the vertex, an input, and its normal. */
 interface Surface {

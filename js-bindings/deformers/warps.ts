@@ -1,9 +1,9 @@
 // What all compositions check.
-import { WarpError, describe, describeShape } from '../checks/errors.js'
-import type { Expression } from '../expression/expression.js'
-import { readOperators } from '../checks/operators.js'
-import { isCallable } from '../checks/options.js'
-import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
+import { WarpError, describe, describeShape } from '../errors/errors.js'
+import type { Expression } from '../core/expression/expression.js'
+import { readOperators } from '../errors/operators.js'
+import { isCallable } from '../options/options.js'
+import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { isExpression } from './kinds.js'
 
 export function checkWarps(method: string, warps: readonly unknown[], first = 1) {

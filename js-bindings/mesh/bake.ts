@@ -1,12 +1,12 @@
 // `bakeWarp`: a mesh as a warp leaves it.
 import type { CpuWarp, EvaluationOptions } from '../cpu/cpu-warp.js'
 import type { WarpedVertices } from '../cpu/results.js'
-import { WarpError, describe } from '../checks/errors.js'
-import { anyNumber, finiteFloat, firstWrong } from '../checks/numbers.js'
-import { isList } from '../checks/options.js'
-import { type Uniforms, type Vertices, uniformsOf } from '../inputs/vertices.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { anyNumber, finiteFloat, firstWrong } from '../options/numbers.js'
+import { isList } from '../options/options.js'
+import { type Uniforms, type Vertices, uniformsOf } from '../core/inputs/vertices.js'
 import { type RunningProgram, warpProgram } from '../cpu/warp-program.js'
-import { type Geometry, isGeometry } from '../inputs/geometry.js'
+import { type Geometry, isGeometry } from '../core/inputs/geometry.js'
 import { type Plain, movedGeometry } from './geometry.js'
 import {
   type Mesh,

@@ -1,7 +1,7 @@
 // Decoders of compressed models: given by the caller, or found.
-import { WarpError, describe } from '../checks/errors.js'
-import { checkOptions } from '../checks/options.js'
-import { importFromWorkingFolder } from './sources.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { checkOptions } from '../options/options.js'
+import { importFromWorkingFolder, importPackage } from './sources.js'
 
 /** `MeshoptDecoder` of the package meshoptimizer. */
 export interface MeshoptDecoder {
@@ -25,7 +25,7 @@ export interface DracoDecoderModule {
 
 /**
  * Decoders of compressed glTF files. The default of each is the page's global `MeshoptDecoder` or `DracoDecoderModule`, or the
- * installed package.
+ * package: in Node the installed one, in a page the one that an import map names. A project with a bundler gives its decoder.
  */
 export interface Decoders {
   /** For `EXT_meshopt_compression` and `KHR_meshopt_compression`: `MeshoptDecoder` of the package meshoptimizer. */
@@ -46,7 +46,6 @@ export type Codec = keyof Decoders
 interface Kind {
   global: string
   package: string
-  find(): Promise<unknown>
   /** Resolves to a ready decoder made from the caller's value; `undefined` if that is no decoder. */
   prepare(given: unknown): Promise<unknown>
 }
@@ -58,7 +57,6 @@ const kinds: Record<Codec, Kind> = {
   meshopt: {
     global: 'MeshoptDecoder',
     package: 'meshoptimizer',
-    find: () => import('meshoptimizer'),
     async prepare(given) {
       const decoder = await given
       if (!isObject(decoder) || typeof decoder.decodeGltfBuffer !== 'function') return undefined
@@ -69,7 +67,6 @@ const kinds: Record<Codec, Kind> = {
   draco: {
     global: 'DracoDecoderModule',
     package: 'draco3dgltf',
-    find: () => import('draco3dgltf'),
     async prepare(given) {
       let module: unknown = await given
       // A CommonJS package is the default export of its module in Node.
@@ -104,9 +101,9 @@ export async function findDecoder(
       `${method}: expected ${place} to be the decoder of the package ${kind.package}, got ${describe(given)}.`,
     )
   }
-  for (const find of [kind.find, () => importFromWorkingFolder(kind.package)])
+  for (const find of [importPackage, importFromWorkingFolder])
     try {
-      const decoder = await kind.prepare(memberOr(await find(), kind.global))
+      const decoder = await kind.prepare(memberOr(await find(kind.package), kind.global))
       if (decoder) return decoder
     } catch {
       // The package is not installed, or a page has no way to it.

@@ -1,5 +1,5 @@
 // `exportGLB`: from a mesh to a file.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
 import { withJob } from '../wasm/mesh.js'
 

@@ -5,7 +5,7 @@ import {
   arraysOf,
   geometryAttributes,
   numbersOf,
-} from '../inputs/geometry.js'
+} from '../core/inputs/geometry.js'
 import type { Mesh, MeshInput } from './mesh-arrays.js'
 
 /** What is used of a BufferGeometry that is made. */

@@ -1,7 +1,7 @@
 // `loadMesh`: from a file to a mesh.
-import { WarpError, describe } from '../checks/errors.js'
-import { checkOptions } from '../checks/options.js'
-import { isGeometry } from '../inputs/geometry.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { checkOptions } from '../options/options.js'
+import { isGeometry } from '../core/inputs/geometry.js'
 import { geometryAs } from './geometry.js'
 import { type Codec, type Decoders, checkDecoders, findDecoder } from './decoders.js'
 import { type Mesh, takeMesh } from './mesh-arrays.js'

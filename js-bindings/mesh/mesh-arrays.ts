@@ -1,8 +1,8 @@
 // What a mesh is here: flat arrays, going in and coming out.
-import { WarpError, describe } from '../checks/errors.js'
-import { finiteFloat, firstWrong, inWords } from '../checks/numbers.js'
-import { isList } from '../checks/options.js'
-import { type Geometry, arraysOf, isGeometry } from '../inputs/geometry.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { finiteFloat, firstWrong, inWords } from '../options/numbers.js'
+import { isList } from '../options/options.js'
+import { type Geometry, arraysOf, isGeometry } from '../core/inputs/geometry.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import type { Job } from '../wasm/mesh.js'
 

@@ -1,5 +1,5 @@
 // Where the bytes of a model come from, in browsers and in Node.
-import { WarpError, describe, shorten } from '../checks/errors.js'
+import { WarpError, describe, shorten } from '../errors/errors.js'
 
 /** Bytes, or something that has them. */
 export type Bytes = ArrayBuffer | ArrayBufferView | Blob
@@ -175,6 +175,13 @@ export function resolveBeside(model: URL, method: string, canDoWithout = false):
     }
   }
 }
+
+/**
+ * A package that is installed beside this library in Node, or that the page's import map names. Bundlers leave the import as it
+ * is: webpack would fail where the package is missing, and where it is there, on what it imports of Node.
+ */
+export const importPackage = (name: string): Promise<unknown> =>
+  import(/* @vite-ignore */ /* webpackIgnore: true */ name)
 
 /** A package that is installed where Node was started, which need not be where this library is, as with npx. */
 export async function importFromWorkingFolder(name: string): Promise<unknown> {

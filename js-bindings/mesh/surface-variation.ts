@@ -1,6 +1,6 @@
 // `surfaceVariation`: how normals and uvs vary over a mesh.
-import { variationNames } from '../inputs/inputs.js'
-import { arrayNames } from '../inputs/vertices.js'
+import { variationNames } from '../core/inputs/inputs.js'
+import { arrayNames } from '../core/inputs/vertices.js'
 import { type MeshOrGeometry, putMesh } from './mesh-arrays.js'
 import type { FloatArray } from '../wasm/mesh-tables.js'
 import { type Job, withJob } from '../wasm/mesh.js'

@@ -1,5 +1,5 @@
 // Decodes the compressed parts of a glTF.
-import { WarpError, shorten } from '../checks/errors.js'
+import { WarpError, shorten } from '../errors/errors.js'
 import { type Codec, type MeshoptDecoder, adviceFor } from './decoders.js'
 import { type DracoModule, type DracoPlan, decodeDraco } from './draco.js'
 import type { Job } from '../wasm/mesh.js'

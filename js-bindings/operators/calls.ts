@@ -1,7 +1,7 @@
 // Calls in translated text: of functions that are known, and of the sketch's own, which are read as the offset function is.
-import { isClass, isExpression } from '../checks/describe.js'
-import { WarpError } from '../checks/errors.js'
-import { guardedKey, isOwnFunction } from '../checks/operators.js'
+import { isClass, isExpression } from '../errors/describe.js'
+import { WarpError } from '../errors/errors.js'
+import { guardedKey, isOwnFunction } from '../errors/operators.js'
 import { isKnown, ofExpressions, ofNumbers } from './functions.js'
 import { inHelper, isOfOperator } from './messages.js'
 import { type Glsl, holdsExpression, isSketch, isWarped, p5Prototype, wholeOf } from './values.js'

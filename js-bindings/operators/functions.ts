@@ -1,5 +1,5 @@
 // The functions of Math, p5 and p5.strands that translated text may call with expressions.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import { noteOnce } from './messages.js'
 import { type Glsl, isVectorLike, wholeOf } from './values.js'
 

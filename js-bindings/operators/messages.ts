@@ -1,5 +1,5 @@
 // Messages for operators on expressions in a function that could not be translated, and notes that are printed once.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 
 /** Messages that an operator on an expression, or a function of numbers, brings about. */
 export const isOfOperator = (error: unknown): error is Error =>

@@ -1,9 +1,9 @@
 // Reads a function's text and makes it anew, with operators that work on expressions.
 import type { Read } from './calls.js'
-import { isCallable } from '../checks/options.js'
-import { WarpError, describe } from '../checks/errors.js'
-import { type ReadOptions, isOwnFunction } from '../checks/operators.js'
-import type { OffsetFunction, WarpInputs } from '../types/types.js'
+import { isCallable } from '../options/options.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { type ReadOptions, isOwnFunction } from '../errors/operators.js'
+import type { OffsetFunction, WarpInputs } from '../core/types/types.js'
 import { noteChanging } from './changing.js'
 import { isSurelyGlobal, isThere } from './globals.js'
 import { cannotSee, sayingSo } from './messages.js'

@@ -1,8 +1,8 @@
 // Operators on expressions. Numbers among numbers stay numbers, and JavaScript's own:
 // `-1 % 3` is -1 there, while `x % 3` of an expression takes the sign of its divisor, as GLSL's mod.
-import { isExpression } from '../checks/describe.js'
-import { WarpError } from '../checks/errors.js'
-import type { OffsetFunction, Vec3, WarpInputs } from '../types/types.js'
+import { isExpression } from '../errors/describe.js'
+import { WarpError } from '../errors/errors.js'
+import type { OffsetFunction, Vec3, WarpInputs } from '../core/types/types.js'
 import { type ReadHelper, callsOf } from './calls.js'
 import { noteOnce, noteReadOnce, sayingSo } from './messages.js'
 import {

@@ -1,6 +1,6 @@
 // Finds the text of a function in the scripts of its page, since only these tell what is bound around it.
 import { parse } from 'acorn'
-import { fileOf, stackLines } from '../expression/source-lines.js'
+import { fileOf, stackLines } from '../core/expression/source-lines.js'
 import { type Place } from './resolve.js'
 import type { Tree } from './tree.js'
 

@@ -1,6 +1,6 @@
 // From the text of a function, whose operators work on numbers, to one whose operators ask what they work on. Lines stay where
 // they are, so that errors name the sketch's own.
-import { shorten } from '../checks/describe.js'
+import { shorten } from '../errors/describe.js'
 import {
   changesVector,
   endsFunction,

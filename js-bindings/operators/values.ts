@@ -1,5 +1,5 @@
 // The kinds of values that operators and functions distinguish.
-import { isExpression } from '../checks/describe.js'
+import { isExpression } from '../errors/describe.js'
 
 export type Glsl = Record<string, (...operands: unknown[]) => unknown>
 

@@ -2,8 +2,8 @@
  * The p5 addon: `p5.registerAddon(warpjet)` on 2.x, `warpjet(p5)` on 2.x and 1.11 alike. p5 is not imported here: it
  * cannot load without a browser, and beside a script tag it would be a second copy of p5.
  */
-import { WarpError, describe } from '../checks/errors.js'
-import type { OffsetFunction, UniformValues } from '../types/types.js'
+import { WarpError, describe } from '../errors/errors.js'
+import type { OffsetFunction, UniformValues } from '../core/types/types.js'
 import { type Distort, createWarp as create, putOnAgain } from './create-warp.js'
 import { type Canvas, rendererOf, sketchRemoved } from './host.js'
 import { dropStrokes, hasStrokes, strokeWasCalled } from './strokes.js'
@@ -14,14 +14,14 @@ import {
   awaitable,
   emptyModel,
   fillModel,
-} from './load-model.js'
+} from './geometry/load-model.js'
 import type { CreateWarpOptions } from './settings.js'
-import { giveArrays } from './variation-buffers.js'
-import { drawBox } from './dense-shapes.js'
-import { type SubdivideOptions, subdivideShape } from './subdivide.js'
-import type { Makers, WarpModel } from '../mesh/p5-model.js'
-import { addSurfaceVariation } from './add-surface-variation.js'
-import { watchShaderCalls } from './shader-calls.js'
+import { giveArrays } from './variation/variation-buffers.js'
+import { drawBox } from './geometry/dense-shapes.js'
+import { type SubdivideOptions, subdivideShape } from './geometry/subdivide.js'
+import type { Makers, WarpModel } from './geometry/model.js'
+import { addSurfaceVariation } from './variation/add-surface-variation.js'
+import { watchShaderCalls } from './page/shader-calls.js'
 
 /**
  * What the addon adds to a sketch and to a p5.Graphics. TypeScript lets nobody add to the default export that p5's own

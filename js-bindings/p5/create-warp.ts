@@ -1,13 +1,13 @@
 /** `createWarp` itself: calls the offset function once, and makes the function that a sketch calls to draw with the warp. */
 import { type KeptWarp, keepWarp, readOptions as readWarpOptions } from '../compile/warp-text.js'
-import { isExpression } from '../checks/describe.js'
-import { WarpError, describe } from '../checks/errors.js'
-import { operatorsKey, readOperators } from '../checks/operators.js'
-import { bakeIntoGeometry } from './bake.js'
-import { guarded } from './guards.js'
-import { namesFor } from './hooks.js'
+import { isExpression } from '../errors/describe.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { operatorsKey, readOperators } from '../errors/operators.js'
+import { bakeIntoGeometry } from './geometry/bake.js'
+import { guarded } from './page/guards.js'
+import { namesFor } from './hooks/hooks.js'
 import { rememberWarp } from './made-warps.js'
-import { located } from './places.js'
+import { located } from './page/places.js'
 import {
   type Canvas,
   type Shader,
@@ -21,12 +21,12 @@ import { type CreateWarpOptions, type WarpSettings, readOptions } from './settin
 import { checkShader, passOn } from './own-shader.js'
 import { shadersFor, styleFor } from './shaders.js'
 import { putOnStrokes } from './strokes.js'
-import { results, targetOf } from './styles.js'
-import { checkCallback } from '../checks/options.js'
-import type { OffsetFunction, UniformOverrides } from '../types/types.js'
-import { withUniforms } from '../inputs/declared-uniforms.js'
+import { results, targetOf } from './hooks/styles.js'
+import { checkCallback } from '../options/options.js'
+import type { OffsetFunction, UniformOverrides } from '../core/types/types.js'
+import { withUniforms } from '../core/inputs/declared-uniforms.js'
 import { type WarpUniforms, setInputs, setUniforms, valuesOf } from './sketch-uniforms.js'
-import { prepareBuffers } from './variation-buffers.js'
+import { prepareBuffers } from './variation/variation-buffers.js'
 
 /**
  * Puts the warp on what is drawn next: fills, and strokes as the option `stroke` says. Values of the option `uniforms` may be

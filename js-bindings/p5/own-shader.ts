@@ -1,7 +1,7 @@
 /** The option `shader`: a shader that the sketch made by `modify` or `buildMaterialShader`, for a warp to be put on. */
-import { WarpError, describe } from '../checks/errors.js'
+import { WarpError, describe } from '../errors/errors.js'
 import type { Shader } from './host.js'
-import { type HookStyle, targetOf } from './styles.js'
+import { type HookStyle, targetOf } from './hooks/styles.js'
 import type { WarpSettings } from './settings.js'
 
 /** What the sketch has set of a shader since it was handed over, for the warp's copies of it. */

@@ -1,5 +1,5 @@
 // Reads wrapping and filter of a p5.Texture as the numbers of a uniform; see `samplingUniforms`.
-import { hostWraps } from '../expression/texture.js'
+import { hostWraps } from '../core/expression/sampling.js'
 
 /** p5.Texture, as far as a warp reads it. p5 1.11 keeps WebGL's numbers, p5 2 its own words. */
 export interface Texture {

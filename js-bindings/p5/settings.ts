@@ -1,9 +1,13 @@
 /** Reads what a sketch hands to `createWarp` after the offset. */
-import { WarpError, describe } from '../checks/errors.js'
-import { checkOptions } from '../checks/options.js'
-import type { UniformOptions, UniformValues } from '../types/types.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { checkOptions } from '../options/options.js'
+import type { UniformOptions, UniformValues } from '../core/types/types.js'
 import type { Shader } from './host.js'
-import { type DeclaredUniforms, readDeclared, withSampling } from '../inputs/declared-uniforms.js'
+import {
+  type DeclaredUniforms,
+  readDeclared,
+  withSampling,
+} from '../core/inputs/declared-uniforms.js'
 
 /** Which of p5's materials the warp continues. */
 export type WarpType = 'specular' | 'normal'

@@ -1,11 +1,11 @@
 /** The shaders of one warp for one renderer: each is made when it is first drawn with. */
 import { type KeptWarp, writeMoves, writeWarp } from '../compile/warp-text.js'
-import { WarpError } from '../checks/errors.js'
-import { checkDefs } from './defs.js'
-import type { Target } from '../module/kept-module.js'
-import { lazily } from '../module/lazily.js'
-import { readsVariation } from './variation-text.js'
-import { hookStyleOf, isOfLines, namesFor, weave } from './hooks.js'
+import { WarpError } from '../errors/errors.js'
+import { checkDefs } from './page/defs.js'
+import type { Target } from '../core/module/kept-module.js'
+import { lazily } from '../core/module/lazily.js'
+import { readsVariation } from './variation/variation-text.js'
+import { hookStyleOf, isOfLines, namesFor, weave } from './hooks/hooks.js'
 import { type Canvas, type Shader, pointShaderOf, rendererOf } from './host.js'
 import type { WarpSettings } from './settings.js'
 import {
@@ -16,7 +16,7 @@ import {
   knownTo,
   refuseUndeclared,
 } from './sketch-uniforms.js'
-import { type WovenType, readsInstance, results, targetOf } from './styles.js'
+import { type WovenType, readsInstance, results, targetOf } from './hooks/styles.js'
 
 export function styleFor(canvas: Canvas) {
   const material = canvas.baseMaterialShader?.()

@@ -1,23 +1,23 @@
 /** The uniforms of a warp: the addon's own, which carry the inputs that change per draw, and the sketch's from `defs`. */
-import { WarpError, describe } from '../checks/errors.js'
-import { type Declared, declared as declaredOf } from '../module/result.js'
-import type { Known, Target } from '../module/kept-module.js'
-import { lazily } from '../module/lazily.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { type Declared, declared as declaredOf } from '../core/module/result.js'
+import type { Known, Target } from '../core/module/kept-module.js'
+import { lazily } from '../core/module/lazily.js'
 import { type FrameUniforms, frameOf } from '../compile/frame.js'
 import { type KeptWarp, isOfFrame } from '../compile/warp-text.js'
-import { type Variable, typeOf } from '../expression/shapes.js'
-import { samplingUniforms } from '../expression/texture.js'
+import { type Variable, typeOf } from '../core/expression/shapes.js'
+import { samplingUniforms } from '../core/expression/sampling.js'
 import {
   componentsOf,
   imageFor,
   listed,
   numbersFor,
   unlisted,
-} from '../inputs/declared-uniforms.js'
+} from '../core/inputs/declared-uniforms.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
 import { samplingNumbers } from './sampling.js'
-import { glslType } from './styles.js'
-import { own } from '../checks/options.js'
+import { glslType } from './hooks/styles.js'
+import { own } from '../options/options.js'
 import { type WarpSettings, uniformsIn } from './settings.js'
 
 /** Values by uniform name, as p5's `setUniform` takes them; a p5.Vector will do for a list of numbers. */

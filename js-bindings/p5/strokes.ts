@@ -2,7 +2,7 @@
  * Lines and points follow the fill where the option `stroke` says so, or, left out, where the sketch itself called `stroke()`:
  * sketches that never did were written for warps without lines.
  */
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import { type Canvas, type Renderer, type Shader, rendererOf, setState, stateOf } from './host.js'
 import type { WarpSettings } from './settings.js'
 import type { MovingShaders } from './shaders.js'

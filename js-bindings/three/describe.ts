@@ -1,6 +1,6 @@
 // How a sentence names what is of three.js.
 import type { Object3D } from 'three'
-import { WarpError, describe } from '../checks/errors.js'
+import { WarpError, describe } from '../errors/errors.js'
 
 const flags = ['isObject3D', 'isMaterial', 'isBufferGeometry', 'isTexture']
 

@@ -1,8 +1,8 @@
 // Geometries of three.js as the meshes of 'warpjet/mesh', and back.
 import { BufferAttribute, BufferGeometry } from 'three'
-import { WarpError, describe } from '../checks/errors.js'
+import { WarpError, describe } from '../errors/errors.js'
 import type { Mesh, MeshInput } from '../mesh/mesh-arrays.js'
-import { arraysOf, geometryAttributes } from '../inputs/geometry.js'
+import { arraysOf, geometryAttributes } from '../core/inputs/geometry.js'
 
 /**
  * A geometry as `bakeWarp`, `subdivide`, `exportGLB` and the others of 'warpjet/mesh' take it; its arrays are the

@@ -7,7 +7,7 @@ import {
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three'
-import { WarpError, describe } from '../checks/errors.js'
+import { WarpError, describe } from '../errors/errors.js'
 import { millisUniform, orientationName } from '../compile/host-names.js'
 import { describeOfThree, spriteError } from './describe.js'
 import { orientFaces } from './faces.js'

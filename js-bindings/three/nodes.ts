@@ -19,8 +19,8 @@ import {
   Vector4,
 } from 'three'
 import * as TSL from 'three/tsl'
-import { variationAttribute, variationNames } from '../inputs/inputs.js'
-import { type Shape, imageShape, typeOf } from '../expression/shapes.js'
+import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
+import { type Shape, imageShape, typeOf } from '../core/expression/shapes.js'
 import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
 import type { ThreeWarp, Turned } from './kept.js'
 import type { WarpSpace } from './settings.js'

@@ -12,9 +12,9 @@ import {
   Sphere,
   Vector3,
 } from 'three'
-import { variationAttribute, variationNames } from '../inputs/inputs.js'
-import { numbersOf } from '../inputs/geometry.js'
-import type { Vertices } from '../inputs/vertices.js'
+import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
+import { numbersOf } from '../core/inputs/geometry.js'
+import type { Vertices } from '../core/inputs/vertices.js'
 
 /** What can be warped. */
 export type Warpable = Mesh | Points | Line

@@ -1,7 +1,7 @@
 // What three.js draws with: WebGLRenderer, and WebGPURenderer once 'warpjet/three/webgpu' is imported, which brings what it needs.
 import type { Material, Mesh } from 'three'
-import { WarpError } from '../checks/errors.js'
-import { noteReplaced } from '../checks/notes.js'
+import { WarpError } from '../errors/errors.js'
+import { noteReplaced } from '../errors/notes.js'
 import type { ThreeWarp } from './kept.js'
 import { nameOf } from './describe.js'
 import { type Woven, checkMaterial, weaveInto } from './material.js'

@@ -1,8 +1,8 @@
 // The options of `warp` and `warpMaterial`, checked.
-import { WarpError, describe } from '../checks/errors.js'
-import { checkOptions } from '../checks/options.js'
-import type { UniformExpressions, UniformValue, WarpInputs } from '../types/types.js'
-import type { Vec3 } from '../types/expressions.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { checkOptions } from '../options/options.js'
+import type { UniformExpressions, UniformValue, WarpInputs } from '../core/types/types.js'
+import type { Vec3 } from '../core/types/expressions.js'
 import type { PlainOf, ThreeUniforms } from './uniforms.js'
 
 /**

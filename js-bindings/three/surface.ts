@@ -9,8 +9,8 @@ import {
   Sphere,
   Vector3,
 } from 'three'
-import { variationNames } from '../inputs/inputs.js'
-import { type Vertices, allowNonFinite } from '../inputs/vertices.js'
+import { variationNames } from '../core/inputs/inputs.js'
+import { type Vertices, allowNonFinite } from '../core/inputs/vertices.js'
 import type { ThreeWarp } from './kept.js'
 import { type Warpable, verticesOf } from './pose.js'
 

@@ -13,10 +13,10 @@ import {
   type Vector4,
   type Wrapping,
 } from 'three'
-import { WarpError, describe } from '../checks/errors.js'
-import { isCallable } from '../checks/options.js'
-import { type Shape, imageShape } from '../expression/shapes.js'
-import { hostWraps, samplingUniforms } from '../expression/texture.js'
+import { WarpError, describe } from '../errors/errors.js'
+import { isCallable } from '../options/options.js'
+import { type Shape, imageShape } from '../core/expression/shapes.js'
+import { hostWraps, samplingUniforms } from '../core/expression/sampling.js'
 import {
   type DeclaredUniforms,
   numbersFor,
@@ -24,7 +24,7 @@ import {
   unknownUniform,
   unlisted,
   withSampling,
-} from '../inputs/declared-uniforms.js'
+} from '../core/inputs/declared-uniforms.js'
 
 /** The value of a uniform. */
 export type ThreeUniform =

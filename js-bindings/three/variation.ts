@@ -1,7 +1,7 @@
 // How normals and uvs vary over a geometry, for offsets that depend on them: kept with it, as attributes.
 import { BufferAttribute, type BufferGeometry } from 'three'
-import { WarpError } from '../checks/errors.js'
-import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import { WarpError } from '../errors/errors.js'
+import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
 import { describeOfThree } from './describe.js'
 import { fromBufferGeometry } from './geometry.js'
 
@@ -18,7 +18,7 @@ export async function addSurfaceVariation<Geometry extends BufferGeometry>(
       `addSurfaceVariation: a BufferGeometry was expected, such as mesh.geometry, but ${describeOfThree(geometry)} came.`,
     )
   const mesh = fromBufferGeometry(geometry)
-  const { surfaceVariation } = await import('../mesh.js')
+  const { surfaceVariation } = await import('../mesh/surface-variation.js')
   const variation = surfaceVariation(mesh)
   for (const name of variationNames) {
     const numbers = variation[`${name}s`]

@@ -10,9 +10,9 @@ import {
   type Raycaster,
   Sphere,
 } from 'three'
-import { WarpError } from '../checks/errors.js'
-import { noteApproximation } from '../checks/notes.js'
-import { variationAttribute, variationNames } from '../inputs/inputs.js'
+import { WarpError } from '../errors/errors.js'
+import { noteApproximation } from '../errors/notes.js'
+import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
 import { describeOfThree, nameOf, spriteError } from './describe.js'
 import { type Extent, extentInBatch, extentOf, movedBox, stateOf } from './extent.js'
 import { type ThreeWarp, keep } from './kept.js'

@@ -3,9 +3,9 @@
  * makes either is taken out of `main` and put together, in the order in which it depends on each other, in front of
  * what uses it.
  */
-import { WarpError } from '../checks/errors.js'
-import { variationAttribute, variationNames } from '../inputs/inputs.js'
-import { typeOf } from '../expression/shapes.js'
+import { WarpError } from '../errors/errors.js'
+import { variationAttribute, variationNames } from '../core/inputs/inputs.js'
+import { typeOf } from '../core/expression/shapes.js'
 import { declareOrientation } from './faces.js'
 import { millisUniform, orientationName, outputs } from '../compile/host-names.js'
 import type { Text, ThreeWarp, Turned } from './kept.js'

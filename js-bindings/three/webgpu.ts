@@ -1,7 +1,7 @@
 // `warpMaterial` and `warpNode` for WebGPURenderer, on WebGPU and on WebGL 2, and what `warp` needs for it.
 import type { Material } from 'three'
 import type { Node } from 'three/webgpu'
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import { spriteError } from './describe.js'
 import { type ThreeWarp, keep } from './kept.js'
 import {

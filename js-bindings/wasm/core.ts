@@ -1,5 +1,5 @@
 // Loads the compiler. Nothing happens before the first warp.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import { startCore } from './core-calls.js'
 import { megabytesOf } from './start.js'
 

@@ -1,9 +1,9 @@
 // What runs programs on many vertices: a wasm of its own, since it needs SIMD and the compiler does not. It is loaded when
 // the first warp is evaluated, and holds nothing between two calls.
-import { WarpError } from '../checks/errors.js'
-import type { Program } from '../module/kept-module.js'
+import { WarpError } from '../errors/errors.js'
+import type { Program } from '../core/module/kept-module.js'
 import inlined from '../generated/evaluation-wasm.js'
-import type { Range } from '../inputs/vertices.js'
+import type { Range } from '../core/inputs/vertices.js'
 import { mathematics } from './mathematics.js'
 import { megabytesOf, start } from './start.js'
 

@@ -1,6 +1,6 @@
 // A program as machine code: a wasm module whose bytes the evaluation's C++ writes, on the evaluation's own memory, where it
 // holds nothing between two runs.
-import type { Program } from '../module/kept-module.js'
+import type { Program } from '../core/module/kept-module.js'
 import { type Evaluation, type Memory, afterFailure, allocate, isAlive } from './evaluation.js'
 
 /** The numbers of an input, `size` a vertex or, if it is uniform, `size` in all. */

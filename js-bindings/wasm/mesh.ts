@@ -1,5 +1,5 @@
 // The wasm module of meshes: it starts when it is first used, and holds nothing between two calls.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import {
   type ByteArray,
   type FloatArray,
@@ -10,7 +10,7 @@ import {
 } from './mesh-tables.js'
 import factory from '../generated/mesh.js'
 import inlined from '../generated/mesh-wasm.js'
-import { anyNumber, firstWrong, inWords } from '../checks/numbers.js'
+import { anyNumber, firstWrong, inWords } from '../options/numbers.js'
 import { instantiate } from './start.js'
 
 /** mesh.cpp. Addresses and counts above 2 GB come as negative numbers. */

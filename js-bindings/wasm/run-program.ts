@@ -1,7 +1,7 @@
 // Programs on many vertices: by machine code where the engine compiles any, else by the evaluation's own interpreter. Both
 // give the same bits.
-import type { Program } from '../module/kept-module.js'
-import { WarpError } from '../checks/errors.js'
+import type { Program } from '../core/module/kept-module.js'
+import { WarpError } from '../errors/errors.js'
 import { type Evaluation, type Memory, getEvaluation, withMemory } from './evaluation.js'
 import {
   MachineCode,

@@ -1,6 +1,6 @@
 // How each wasm module starts: it is inlined as text, and compiled synchronously, so that `createWarp` works in a plain
 // `setup()`.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 
 /** By .scripts/lib/inline.mjs: frequent bytes are a letter each, the others two, which gzip packs as well as bytes. */
 export interface Inlined {

@@ -1,5 +1,5 @@
 // Modules whose functions take and give texts, as JavaScript calls them.
-import { WarpError } from '../checks/errors.js'
+import { WarpError } from '../errors/errors.js'
 import { mathematics } from './mathematics.js'
 import { type Inlined, megabytesOf, start } from './start.js'
 

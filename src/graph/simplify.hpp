@@ -14,8 +14,8 @@ namespace warpjet {
 //
 // What turns back, such as sin²(x) + cos²(x) = 1, is folded as if sines and cosines were exact. A
 // GPU's are not, and entries of a Jacobian that are folded and those that are not then differ by
-// the factor sin² + cos²: tests/browser/normals.test.js holds what that costs. In double it is off
-// by a few ulps of the largest product.
+// the factor sin² + cos²: tests/compile/normals.browser.test.js holds what that costs. In double it
+// is off by a few ulps of the largest product.
 std::optional<NodeId> simplify(Graph& graph, Op op, Operands<NodeId>& operands);
 
 }  // namespace warpjet

@@ -58,7 +58,7 @@ TEST_F(LowerTest, EveryRowInEveryLanguageKeepsItsValueAndNeedsNothingThatIsMissi
   for (const ops::Declaration& info : ops::declarations) {
     const Expression root = apply(info.name);
     for (const Language language : languages) {
-      // What has no text for bits says so; see tests/js/glsl.test.js.
+      // What has no text for bits says so; see tests/glsl-source/glsl.test.js.
       if (!refused(graph, {&root.id, 1}, language).empty()) continue;
       const Expression low = lowered(root, language);
       expectWritable(low.id, language, info.name);

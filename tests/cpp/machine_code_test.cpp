@@ -1,5 +1,5 @@
 // Machine code: numbers and a whole module against bytes by hand. That it computes what the
-// interpreter does, tests/js/machine-code.test.js sees, where there is an engine.
+// interpreter does, tests/cpu/machine-code.test.js sees, where there is an engine.
 #include "eval/machine_code.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 import { mkdirSync } from 'node:fs'
 import { preview } from 'vite'
 import { path, walk } from '../../.scripts/lib/files.mjs'
-import { launchFirefox } from '../browser/support/two-browsers.js'
+import { launchFirefox } from '../support/browser/two-browsers.js'
 
 const folder = '.build/site'
 const screenshots = path('.build/screenshots/firefox')

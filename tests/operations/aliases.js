@@ -45,5 +45,5 @@ export const madeOf = {
   lengthSq: (x, y, z) => x * x + y * y + z * z,
 }
 
-/** Methods of p5.Vector, of which tests/js/vectors.test.js compares the values with p5's own. */
+/** Methods of p5.Vector, of which tests/core/vectors.test.js compares the values with p5's own. */
 export const ofVectors = ['copy', 'rem', 'limit', 'setMag', 'heading', 'angleBetween', 'array']

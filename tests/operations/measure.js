@@ -2,7 +2,7 @@
 // derivative by every number of every operand, against differences of the reference. Nothing here
 // knows what is right but the reference.
 import { setImmediate } from 'node:timers/promises'
-import { sizeOf } from '../browser/support/pipelines/text.js'
+import { sizeOf } from '../support/browser/pipelines/text.js'
 import { seededRandom } from '../warps/random.js'
 import { jacobian } from './numeric.js'
 

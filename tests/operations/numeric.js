@@ -1,5 +1,5 @@
 // Derivatives of plain functions of numbers, from differences in double precision. As
-// tests/browser/support/oracle.js has them, but for any number of arguments and results, and with
+// tests/support/browser/oracle.js has them, but for any number of arguments and results, and with
 // steps that adapt: a kink nearby only makes them shorter.
 
 /** From 1/128 to 2e-7. Longer ones lose less to rounding, shorter ones come closer to a kink. */

@@ -1,7 +1,7 @@
 // A case of the reference as a program: its value and the derivatives by every component of every
 // input.
 import { compile } from '../../dist/warpjet.js'
-import { sizeOf } from '../browser/support/pipelines/text.js'
+import { sizeOf } from '../support/browser/pipelines/text.js'
 
 const makers = {
   1: 'param',

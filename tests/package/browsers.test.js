@@ -4,8 +4,8 @@ import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { rolldown } from 'rolldown'
 import * as vite from 'vite'
-import { launchBrowser, openPage } from '../browser/support/browser.js'
-import { servePages } from '../browser/support/server.js'
+import { launchBrowser, openPage } from '../support/browser/browser.js'
+import { servePages } from '../support/browser/server.js'
 import { folder, load, project, runIn } from './support/project.js'
 
 let browser, pages

@@ -21,7 +21,7 @@ test('attw --profile esm-only', () => {
   assert.equal(status, 0, output)
 })
 
-const tsc = fileURLToPath(new URL('../../node_modules/typescript/bin/tsc', import.meta.url))
+const tsc = fileURLToPath(new URL('../../node_modules/typescript-7/bin/tsc', import.meta.url))
 
 for (const [module, moduleResolution] of [
   ['esnext', 'bundler'],

@@ -4,8 +4,8 @@ import { spawn } from 'node:child_process'
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { after, before, test } from 'node:test'
 import { preview } from 'vite'
-import { difference, pixels } from '../browser/support/bench.js'
-import { bytesOf, launchBrowser, openPage } from '../browser/support/browser.js'
+import { difference, pixels } from '../support/browser/bench.js'
+import { bytesOf, launchBrowser, openPage } from '../support/browser/browser.js'
 import {
   ball,
   canvasPixels,
@@ -14,7 +14,7 @@ import {
   settled,
   still,
   write,
-} from '../browser/support/playground.js'
+} from '../support/browser/playground.js'
 import { project, tarball } from './support/project.js'
 
 const folder = `${project}/npm-project`

@@ -110,7 +110,7 @@ test('the workflow is one, and each line that it runs is known to work', async (
     readdirSync(home).filter((name) => name.endsWith('.tgz')),
     [tarball()],
   )
-  // What `npm run site` writes is opened by tests/browser/site.test.js.
+  // What `npm run site` writes is opened by web/tests/site.browser.test.js.
   assert.ok(manifest.scripts.site)
   assert.deepEqual(runs, [
     runOf(/GITHUB_REF_NAME/),

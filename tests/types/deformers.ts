@@ -21,7 +21,7 @@ import {
   type NumberOption,
   type VectorOption,
 } from '../../js-bindings/deformers.js'
-import { compileWarp, type OffsetFunction, type WarpInputs } from '../../js-bindings/index.js'
+import { compileWarp, type OffsetFunction, type WarpInputs } from '../../js-bindings/warpjet.js'
 import { createWarp } from '../../js-bindings/p5.js'
 
 const all: OffsetFunction[] = [

@@ -17,7 +17,7 @@ import {
   type Target,
   type Vec3,
   compileWarp,
-} from '../../js-bindings/index.js'
+} from '../../js-bindings/warpjet.js'
 import { warp as warpThree } from '../../js-bindings/three.js'
 import { Mesh } from 'three'
 

@@ -1,6 +1,6 @@
 // What the types of 'warpjet/mesh' must allow and refuse; only checked, never run.
 import { MeshoptDecoder } from 'meshoptimizer'
-import { compileWarp } from '../../js-bindings/index.js'
+import { compileWarp } from '../../js-bindings/warpjet.js'
 import {
   type DracoDecoderModule,
   type Mesh,

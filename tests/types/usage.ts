@@ -18,7 +18,7 @@ import {
   type Vec3,
   type Vec4,
   type Vector,
-} from '../../js-bindings/index.js'
+} from '../../js-bindings/warpjet.js'
 import { createWarp, type Loading, type WarpModel } from '../../js-bindings/p5.js'
 
 compileWarp(({ glsl, position, normal, uv, color, millis, mouseX, size }) => {

@@ -1,7 +1,7 @@
 // The formulas of 'warpjet/deformers' in plain numbers, as their documentation has them: by options of constants, from a
 // point to its offset. What they do about an axis is written in the frame of that axis.
-import { noise } from '../js/support/noise.js'
-import { add, cross, dot, normalize, subtract } from '../browser/support/matrix.js'
+import { noise } from '../support/noise.js'
+import { add, cross, dot, normalize, subtract } from '../support/browser/matrix.js'
 
 const { abs, cos, exp, hypot, max, min, PI, sin, sqrt } = Math
 

@@ -1,7 +1,7 @@
 // The warps of the gallery as plain functions of numbers, by the names that sketches.js gives them. The sketches have the
 // other half. See stress.js.
 import { deformerSketches } from './deformer-sketches.js'
-import { fbm } from '../js/support/noise.js'
+import { fbm } from '../support/noise.js'
 import { clamp } from './plain.js'
 
 const { sin, cos, exp, sqrt, hypot, fround } = Math

@@ -1,6 +1,6 @@
 import { isRun } from '../../.scripts/lib/tiers.mjs'
 import { compileWarp } from '../../dist/warpjet.js'
-import { degrees } from '../browser/support/compare.js'
+import { degrees } from '../support/browser/compare.js'
 import { gallery } from './gallery.js'
 import { inputs } from './inputs.js'
 import { normalAt } from './normal-field.js'

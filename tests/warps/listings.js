@@ -1,5 +1,5 @@
 // The warps that the paper, the article and the documentation of p5.warp and glsl-autodiff show, written anew.
-import { add, subtract } from '../browser/support/matrix.js'
+import { add, subtract } from '../support/browser/matrix.js'
 import { clamp } from './plain.js'
 
 const { sin, cos, hypot, max, PI } = Math

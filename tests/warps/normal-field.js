@@ -1,6 +1,6 @@
 // How the normals of the tests' vertices vary over the surface: as on a sphere of the mesh's size, in every direction. So
 // each vertex stands for a surface of its own, near which the normal is a linear function.
-import { add, dot, normalize, subtract } from '../browser/support/matrix.js'
+import { add, dot, normalize, subtract } from '../support/browser/matrix.js'
 
 const axes = [
   [1, 0, 0],

@@ -21,7 +21,7 @@ const numbers = { PI: Math.PI, TWO_PI: 2 * Math.PI, HALF_PI: Math.PI / 2 }
  * sketch's folder, followed by the variable if there are several; `options` are those of createWarp.
  */
 export async function sketchWarps() {
-  // Those of three.js are modules, and no p5 could be pretended to them; tests/browser/gallery.test.js draws them.
+  // Those of three.js are modules, and no p5 could be pretended to them; web/tests/gallery.browser.test.js draws them.
   const folders = readdirSync(examples)
     .filter((folder) => !folder.startsWith('three-'))
     .sort()

@@ -1,6 +1,6 @@
 /** How far a method's normals are from those of the double oracle, which knows nothing of our compiler. */
-import { angleBetween, warpVertex } from '../../tests/browser/support/oracle.js'
-import { dot } from '../../tests/browser/support/matrix.js'
+import { angleBetween, warpVertex } from '../../tests/support/browser/oracle.js'
+import { dot } from '../../tests/support/browser/matrix.js'
 import { methods } from './methods.js'
 import { probePixels, probeVertices, sampleVertices, vertexProbe } from './probe.js'
 

@@ -1,5 +1,6 @@
 /** Models as the page gets them: from the visitor's files, or from the gallery. */
 import { loadMesh } from '../../dist/mesh.js'
+import { MeshoptDecoder } from 'meshoptimizer'
 import dracoWasm from 'draco3dgltf/draco_decoder_gltf.wasm?url'
 import { airplane } from '../models/airplane.js'
 import { bunny } from '../models/bunny.js'
@@ -9,8 +10,9 @@ const readable = /\.(glb|gltf|obj|stl)$/i
 
 const advice = 'drop a .glb, a .gltf or .obj with its files, or an .stl'
 
-/** Draco's decoder, fetched when a model needs it; that of meshopt is found by the library itself. */
 const decoders = {
+  meshopt: MeshoptDecoder,
+  // Fetched when a model needs it.
   draco: async () => {
     const { default: draco } = await import('draco3dgltf')
     return draco.createDecoderModule({ locateFile: () => dracoWasm })
@@ -63,6 +65,15 @@ export const samples = {
   box,
 }
 
+/** `100%.png` is the name of a file, but no escaped one. */
+function decoded(uri) {
+  try {
+    return decodeURIComponent(uri)
+  } catch {
+    return uri
+  }
+}
+
 /** The model among the files, and the others for what it names → { name, mesh, picture } */
 export async function loadFiles(files) {
   const model = files.find(({ name }) => readable.test(name))
@@ -75,7 +86,8 @@ export async function loadFiles(files) {
     )
   }
   const byName = new Map(files.map((file) => [file.name, file]))
-  const resolve = (uri) => byName.get(decodeURIComponent(uri).split('/').at(-1))
+  const nameOf = (uri) => uri.split('/').at(-1)
+  const resolve = (uri) => byName.get(nameOf(uri)) ?? byName.get(nameOf(decoded(uri)))
   const mesh = await loadMesh(model, { resolve, decoders })
   return { name: model.name.replace(readable, ''), mesh, picture: await decode(mesh) }
 }

@@ -7,6 +7,7 @@ import { readFile, readdir } from 'node:fs/promises'
 import { extname } from 'node:path'
 import { models, toOBJ } from '../models/index.js'
 import { withPolicy } from '../site/policy.js'
+import { importsOf } from './imports-of.js'
 import { pathOf } from './path-of.js'
 
 const root = new URL('../../', import.meta.url)
@@ -22,16 +23,6 @@ const libraries = [
   'node_modules/p5/lib/p5.min.js',
   'node_modules/p5/lib/p5.webgpu.min.js',
   'node_modules/p5-v1/lib/p5.min.js',
-  // Those of three.js take modules, which their pages map names to.
-  'dist/three.js',
-  'dist/warpjet.js',
-  // What it imports once a sketch asks for it.
-  'dist/mesh.js',
-  'dist/deformers.js',
-  'dist/glsl.js',
-  ...['basics', 'compiler', 'evaluation', 'front-end', 'meshes', 'p5-hooks', 'three-warp'].map(
-    (name) => `dist/shared/${name}.js`,
-  ),
   ...['three.module.js', 'three.core.js'].map((name) => `node_modules/three/build/${name}`),
   ...[
     'controls/OrbitControls.js',
@@ -42,6 +33,9 @@ const libraries = [
   ].map((name) => `node_modules/three/examples/jsm/${name}`),
   'node_modules/glsl-noise/simplex/3d.glsl',
 ]
+/** Examples of three.js take modules, which their pages map names to. */
+const modules = ['three', 'warpjet', 'mesh', 'deformers', 'glsl'].map((name) => `dist/${name}.js`)
+const isShared = (path) => /^dist\/shared\/[\w-]+\.js$/.test(path)
 const fonts = {
   'fredoka.woff': 'node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff',
 }
@@ -89,7 +83,7 @@ const framedPage = (html) =>
 
 /** The content of the file at `path` below the gallery; undefined where there is none. */
 async function contentOf(path) {
-  if (libraries.includes(path)) return read(path)
+  if (libraries.includes(path) || modules.includes(path) || isShared(path)) return read(path)
   if (recorders.includes(path)) return read(`web/${path}`)
   if (path in frameScripts) return read(frameScripts[path])
 
@@ -107,7 +101,8 @@ async function contentOf(path) {
 
 /** Everything that a built gallery needs: for each example its pages, its sketch, and what the sketch loads. */
 async function allPaths() {
-  const paths = [...libraries, ...recorders, ...Object.keys(frameScripts)]
+  const paths = [...libraries, ...modules, ...(await importsOf(modules))]
+  paths.push(...recorders, ...Object.keys(frameScripts))
   const shared = [...Object.keys(models).map((name) => `${name}.obj`), ...Object.keys(fonts)]
   paths.push(...shared.map((file) => `playground/files/${file}`))
   const folders = await readdir(new URL('examples/', root))

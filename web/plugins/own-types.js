@@ -8,24 +8,24 @@ import { fileURLToPath } from 'node:url'
 const path = (file) => fileURLToPath(new URL(`../../js-bindings/${file}`, import.meta.url))
 
 /** Entries whose functions sketches call, by host. */
-const entries = { p5: 'globals.ts', three: 'three.ts', both: 'index.ts' }
+const entries = { p5: 'globals.ts', three: 'three.ts', both: 'warpjet.ts' }
 
 /** Where the options of a function are declared, by its file and its name. */
 const optionsOf = {
   'globals.ts createWarp': [['p5/settings.ts', 'CreateWarpOptions']],
-  'globals.ts loadWarpModel': [['mesh/p5-model.ts', 'LoadModelOptions']],
+  'globals.ts loadWarpModel': [['p5/geometry/model.ts', 'LoadModelOptions']],
   'three/warp.ts warp': [['three/settings.ts', 'WarpOptions']],
   'three/material.ts warpMaterial': [['three/settings.ts', 'WarpOptions']],
   'compile/compile-warp.ts compileWarp': [
     ['compile/warp-text.ts', 'WarpOptions'],
-    ['module/result.ts', 'CompileOptions'],
+    ['core/module/result.ts', 'CompileOptions'],
   ],
 }
 
 /** → { inputs: [member], functions: [{ name, host, form, meaning, options: [member] }] }; a member is { name, form, meaning, host }. */
 export async function ownTypes() {
   // The newest TypeScript cannot be asked for a tree from JavaScript.
-  const { default: ts } = await import('typescript-5.4')
+  const { default: ts } = await import('typescript')
   const trees = new Map()
 
   function treeOf(file) {
@@ -104,7 +104,7 @@ export async function ownTypes() {
     ({ literal }) => literal.text,
   )
   return {
-    inputs: membersOf(['types/offset.ts', 'WarpInputs']).map((input) => ({
+    inputs: membersOf(['core/types/offset.ts', 'WarpInputs']).map((input) => ({
       ...input,
       host: ofP5.includes(input.name) ? 'p5' : 'both',
     })),

@@ -55,7 +55,7 @@ const made = (name, shapes, note, reference, more) => ({
 
 const joined = (...parts) => parts.flat()
 
-/** Named by their letters, as methods; tests/js/operations.test.js has all of them. */
+/** Named by their letters, as methods; tests/core/operations.test.js has all of them. */
 const swizzles = {
   2: ['x', 'g', 'u', 'yx', 'ss', 'vu', 'rgrg'],
   3: ['z', 'b', 'xx', 'zyx', 'gbr', 'ptsp'],

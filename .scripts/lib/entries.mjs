@@ -1,0 +1,48 @@
+// The entries of the package, read from package.json: its `exports` are the one list of them.
+import { readFileSync } from 'node:fs'
+import { path } from './files.mjs'
+
+const { bin, exports, imports } = JSON.parse(readFileSync(path('package.json'), 'utf8'))
+
+const targetsOf = (entry) =>
+  typeof entry === 'string' ? [entry] : Object.values(entry).flatMap(targetsOf)
+const targets = [...new Set(targetsOf({ ...exports, ...bin }))]
+
+/** The names of the targets of a form, which is a pattern with the name as its group. */
+const namesOf = (form) => targets.flatMap((target) => form.exec(target)?.[1] ?? [])
+
+/** Modules that share files: `x` is built from js-bindings/x.ts into dist/x.js. `memory` is for tests, and not in the package. */
+export const modules = [...namesOf(/^(?:\.\/)?dist\/((?!.*\.min\.js)[\w.-]+)\.js$/), 'memory']
+
+/** Declarations: `x` is js-bindings/x.ts declared by dist/types/x.d.ts. */
+export const declared = namesOf(/^\.\/dist\/types\/([\w.-]+)\.d\.ts$/)
+
+const minified = namesOf(/^\.\/dist\/([\w.-]+)\.min\.js$/)
+
+/** Modules of one file: `x` is built from js-bindings/x.ts into dist/x.min.js. */
+export const singleModules = minified.filter((name) => modules.includes(name))
+
+/** The script for a page with p5, which is built from js-bindings/p5.global.ts. */
+export const mainScript = 'p5.warpjet'
+
+/** Scripts beside it: `x` is built from js-bindings/x.ts into dist/warpjet.x.min.js, and adds its exports to the global. */
+export const scriptsBeside = minified.flatMap((name) => /^warpjet\.(.+)$/.exec(name)?.[1] ?? [])
+
+/** All files of dist that are built of them. */
+export const bundles = [...modules, ...minified.map((name) => `${name}.min`)].map(
+  (name) => `dist/${name}.js`,
+)
+
+/** Their sources. */
+export const sources = [...modules, ...declared, 'p5.global'].map(
+  (name) => `js-bindings/${name}.ts`,
+)
+
+/** Maps the `imports` of package.json to their files in another folder, such as that of the declarations. */
+export const importsIn = (folder, extension) =>
+  Object.fromEntries(
+    Object.entries(imports).map(([name, { default: file }]) => [
+      name,
+      path(file.replace('./js-bindings', folder).replace(/\.ts$/, extension)),
+    ]),
+  )

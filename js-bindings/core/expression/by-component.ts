@@ -1,0 +1,46 @@
+// p5.Vector's methods take a vector as its numbers too: `v.mult(x, y, z)` is `v.mult(glsl.vec3(x, y, z))`.
+import { WarpError } from '../../errors/errors.js'
+import { describeShape } from '../../errors/describe.js'
+import type { Expression } from './expression.js'
+import type { Session } from './session.js'
+
+/** Maps an operation to the number of operands that follow the numbers. */
+const following: Readonly<Record<string, number>> = {
+  add: 0,
+  sub: 0,
+  mult: 0,
+  div: 0,
+  mod: 0,
+  dot: 0,
+  cross: 0,
+  dist: 0,
+  distance: 0,
+  mix: 1,
+}
+
+/** Operations that take any number of operands: there, too few numbers for a vector would each count for all components. */
+const isChained = (name: string) => /^(?:add|sub|mult|div)$/.test(name)
+
+/**
+ * The operands of an operation, with one vector, made by `vectorOf`, in place of the numbers for its components. Throws a `WarpError` for
+ * another number of them than the vector has.
+ */
+export function gatherNumbers(
+  session: Session,
+  name: string,
+  operands: Expression[],
+  vectorOf: (numbers: Expression[]) => Expression,
+): Expression[] {
+  const after = following[name]
+  if (after === undefined || operands.length < 3 + after) return operands
+  const [columns, rows] = session.shapeOf(operands[0]!)
+  const numbers = operands.slice(1, operands.length - after)
+  const isNumber = (each: Expression) => session.shapeOf(each).join() === '1,1'
+  if (columns > 1 || rows < 2 || !numbers.every(isNumber)) return operands
+  if (numbers.length === rows) return [operands[0]!, vectorOf(numbers), ...operands.slice(1 + rows)]
+  if (!isChained(name)) return operands
+  const vector = describeShape([columns, rows])
+  throw new WarpError(
+    `${name}: ${vector} takes one number for all components or ${rows}, one for each, but got ${numbers.length}; write v.${name}(glsl.vec${rows}(…)), or v.${name}(a).${name}(b).`,
+  )
+}

@@ -1,0 +1,2 @@
+export { WarpError } from '#warp-error'
+export { describe, describeShape, shorten } from './describe.js'

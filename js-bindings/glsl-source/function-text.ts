@@ -1,0 +1,62 @@
+// What each language writes around statements that the compiler wrote: a whole function, and the size of an image.
+import type { Target } from '../core/module/kept-module.js'
+import type { Named } from './listing.js'
+
+export interface FunctionParts {
+  name: string
+  type: string
+  parameters: readonly Named[]
+  /** Statements that declare and set `result`, and what stands above the function. */
+  code: string
+  declarations: string
+  result: string
+}
+
+/** WGSL's words for types. */
+const wgslTypes: Record<string, string> = { float: 'f32', int: 'i32', uint: 'u32', bool: 'bool' }
+
+const wgslType = (type: string) =>
+  wgslTypes[type] ?? type.replace(/^(mat)(\d)$/, '$1$2x$2').replace(/^(vec\d|mat\dx\d)$/, '$1f')
+
+export function functionText(target: Target, parts: FunctionParts): string {
+  const { name, type, parameters, code, declarations, result } = parts
+  const isWgsl = target === 'wgsl'
+  const listed = parameters
+    .map((each) => (isWgsl ? `${each.name}: ${wgslType(each.type)}` : `${each.type} ${each.name}`))
+    .join(', ')
+  const head = isWgsl ? `fn ${name}(${listed}) -> ${wgslType(type)}` : `${type} ${name}(${listed})`
+  const body = `${code.trimEnd()}\nreturn ${result};`.replace(/^(?=.)/gm, '  ')
+  return `${declarations}${head} {\n${body}\n}\n`
+}
+
+/** What GLSL calls the input `instance`. */
+export const instanceID = 'gl_InstanceID'
+
+/** As each language asks for it; WebGL 1 has it told by a uniform. */
+const imageSizes: Record<Target, (image: string) => string> = {
+  glsl300: (image) => `vec2(textureSize(${image}, 0))`,
+  glsl100: (image) => `${image}Size`,
+  wgsl: (image) => `vec2f(textureDimensions(${image}))`,
+}
+
+export const imageSizeText = (target: Target, image: string) => imageSizes[target](image)
+
+/** How each language reads a variable of another type as floats, or as those of one half of whole numbers. */
+export function textsAsFloats(
+  name: string,
+  type: string,
+  half: 'low' | 'high' | undefined,
+): Record<Target, string> {
+  const [size = ''] = /\d/.exec(type) ?? []
+  const isUnsigned = type.startsWith('u')
+  /** WGSL has bits of vectors by vectors alone, and shifts by what has no sign. */
+  const wgslNumber = (number: number, isUnsigned: boolean) =>
+    size ? `vec${size}${isUnsigned ? 'u' : 'i'}(${number})` : `${number}${isUnsigned ? 'u' : ''}`
+  const part = (number: (number: number, isUnsigned: boolean) => string, shift: boolean) => {
+    if (half === 'low') return `${name} & ${number(0xffff, isUnsigned)}`
+    return half === 'high' ? `${name} >> ${number(16, shift)}` : name
+  }
+  const glsl = `${size ? `vec${size}` : 'float'}(${part((number, isUnsigned) => `${number}${isUnsigned ? 'u' : ''}`, isUnsigned)})`
+  const wgsl = `${size ? `vec${size}f` : 'f32'}(${part(wgslNumber, true)})`
+  return { glsl300: glsl, glsl100: glsl, wgsl }
+}

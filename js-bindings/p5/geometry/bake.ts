@@ -1,0 +1,171 @@
+/**
+ * A warp that is called inside `buildGeometry()`, or after `beginGeometry()`: p5 collects vertices there and draws nothing, so the CPU
+ * moves them, with the uniforms of that call.
+ */
+import { WarpError } from '../../errors/errors.js'
+import { lazily } from '../../core/module/lazily.js'
+import { arrayNames, type Vertices } from '../../core/inputs/vertices.js'
+import { unlisted } from '../../core/inputs/declared-uniforms.js'
+import { variationNames } from '../../core/inputs/inputs.js'
+import {
+  type BuiltShape,
+  type GeometryBuilder,
+  type Renderer,
+  type Shader,
+  type Vector,
+  rendererOf,
+  stateOf,
+} from '../host.js'
+import { type MadeWarp, onCpu } from '../made-warps.js'
+import { variationOf } from '../variation/shape-variation.js'
+import { type Values, type WarpUniforms, inputsNow } from '../sketch-uniforms.js'
+import { nameOf } from '../variation/variation-buffers.js'
+
+/** Moves the vertices of a shape, which p5 calls `name`. */
+type Bake = (shape: BuiltShape, name: string) => Pick<BuiltShape, 'vertices' | 'vertexNormals'>
+
+interface Baking {
+  bake: Bake
+  /** True if the warp moves vertices that the model's transforms were applied to. */
+  isOfWorld: boolean
+}
+
+/** Maps a builder to the shaders of the warps that were called since it began. */
+const baking = new WeakMap<GeometryBuilder, Map<Shader, Baking>>()
+
+/** To be called when a warp was put on; does nothing while no geometry is being built. Throws a `WarpError`. */
+export function bakeIntoGeometry(
+  made: MadeWarp,
+  shader: Shader,
+  given: WarpUniforms,
+  values: Values,
+) {
+  const renderer = rendererOf(made.canvas)!
+  const builder = renderer.geometryBuilder
+  if (!builder) return
+  checkBakeable(made)
+  const warps = baking.get(builder) ?? collect(builder, renderer)
+  warps.set(shader, {
+    bake: bakeOf(made, given, values),
+    isOfWorld: made.settings.space === 'world',
+  })
+}
+
+function checkBakeable({ settings: { space, shader } }: MadeWarp) {
+  if (space === 'camera')
+    throw new WarpError(
+      `buildGeometry: a warp of space: 'camera' depends on the camera, and a geometry has none; call the warp before model(…), or make it with space: 'world'.`,
+    )
+  if (Object.keys(shader?.hooks.modified.vertex ?? {}).length > 0)
+    throw new WarpError(
+      'buildGeometry: the hooks of the option "shader" run on the GPU alone; call the warp before model(…), or make it without that option.',
+    )
+}
+
+/** From now on the builder moves what it collects while one of the warps is on. */
+function collect(builder: GeometryBuilder, renderer: Renderer) {
+  const warps = new Map<Shader, Baking>()
+  baking.set(builder, warps)
+  const add = builder.addGeometry.bind(builder)
+  builder.addGeometry = (shape) => {
+    const { userFillShader } = stateOf(renderer)
+    const warp = userFillShader && warps.get(userFillShader)
+    if (!warp) add(shape)
+    else if (warp.isOfWorld) addMoved(builder, add, shape, warp.bake)
+    else add({ ...shape, ...warp.bake(shape, nameOf(shape)) })
+  }
+  return warps
+}
+
+/** p5 transforms what it collects: so in world space what it has added is moved. */
+function addMoved(
+  { geometry }: GeometryBuilder,
+  add: (shape: BuiltShape) => void,
+  shape: BuiltShape,
+  bake: Bake,
+) {
+  const before = {
+    vertices: geometry.vertices.length,
+    vertexNormals: geometry.vertexNormals.length,
+    uvs: geometry.uvs.length,
+    faces: geometry.faces.length,
+    vertexColors: geometry.vertexColors.length,
+  }
+  add(shape)
+  const { vertices, vertexNormals } = bake(
+    {
+      vertices: geometry.vertices.slice(before.vertices),
+      vertexNormals: geometry.vertexNormals.slice(before.vertexNormals),
+      uvs: geometry.uvs.slice(before.uvs) as number[],
+      faces: geometry.faces
+        .slice(before.faces)
+        .map((face) => face.map((corner) => corner - before.vertices)),
+      vertexColors: geometry.vertexColors.slice(before.vertexColors),
+    },
+    '',
+  )
+  vertices.forEach((vertex, i) => (geometry.vertices[before.vertices + i] = vertex))
+  vertexNormals.forEach((normal, i) => (geometry.vertexNormals[before.vertexNormals + i] = normal))
+}
+
+const vectorLike = (vector: Vector, x: number, y: number, z: number) =>
+  Object.assign(vector.copy!(), { x, y, z })
+
+function bakeOf(made: MadeWarp, given: WarpUniforms, values: Values): Bake {
+  const { canvas, warp, settings } = made
+  const { labels, uniforms } = settings
+  const cpu = lazily(() => onCpu(made))
+  const declared = [...labels].filter(([name]) => !uniforms.get(name)!.image)
+  const others = Object.entries(given).filter(([name]) => !labels.has(name))
+  const all = lazily(() => ({
+    ...inputsNow(canvas),
+    instance: 0,
+    ...Object.fromEntries(declared.map(([name, label]) => [name, unlisted(values.get(label)!())])),
+    ...Object.fromEntries(others),
+  }))
+  return (shape, name) => {
+    const mesh = verticesOf(shape, stateOf(rendererOf(canvas)!).curFillColor as number[])
+    if (warp.varies && settings.surfaceVariation !== false) {
+      const variation = variationOf(shape, name)
+      for (const each of variationNames) mesh[arrayNames[each]] = variation[each]
+    }
+    const { positions, normals } = evaluated(() =>
+      cpu().evaluate(mesh, { uniforms: all() as never }),
+    )
+    const vectors = (vectors: Vector[], numbers: Float32Array) =>
+      vectors.map((vector, i) =>
+        vectorLike(vector, numbers[3 * i]!, numbers[3 * i + 1]!, numbers[3 * i + 2]!),
+      )
+    return {
+      vertices: vectors(shape.vertices, positions),
+      vertexNormals: normals ? vectors(shape.vertexNormals, normals) : shape.vertexNormals,
+    }
+  }
+}
+
+function verticesOf(shape: BuiltShape, fill: readonly number[]): Vertices {
+  const { vertices, vertexNormals, vertexColors } = shape
+  const count = vertices.length
+  const flat = (vectors: Vector[]) => {
+    const numbers = new Float32Array(3 * vectors.length)
+    vectors.forEach(({ x, y, z }, i) => numbers.set([x, y, z], 3 * i))
+    return numbers
+  }
+  const mesh: Vertices = { positions: flat(vertices) }
+  if (vertexNormals.length === count) mesh.normals = flat(vertexNormals)
+  const uvs = shape.uvs.flat()
+  if (uvs.length === 2 * count) mesh.uvs = Float32Array.from(uvs)
+  const colors = Array.from({ length: 4 * count }, (_, i) => vertexColors[i] ?? fill[i % 4]!)
+  mesh.colors = Float32Array.from(colors)
+  return mesh
+}
+
+function evaluated<Result>(evaluate: () => Result): Result {
+  try {
+    return evaluate()
+  } catch (error) {
+    if (!(error instanceof WarpError)) throw error
+    const advice = /only the GPU/.test(error.message) ? ' Call it before model(…) instead.' : ''
+    throw new WarpError(error.message.replace(/^evaluate: /, 'buildGeometry: ') + advice)
+  }
+}

@@ -1,0 +1,70 @@
+/** Mistakes in the option `defs`, told before p5 prints the whole of a broken shader. */
+import { WarpError } from '../../errors/errors.js'
+import { shorten } from '../../errors/describe.js'
+import type { Renderer, Shader } from '../host.js'
+import { placeOf } from './places.js'
+
+/** What is used of a WebGL context. */
+interface Gl {
+  VERTEX_SHADER: number
+  COMPILE_STATUS: number
+  createShader(type: number): object | null
+  shaderSource(shader: object, text: string): void
+  compileShader(shader: object): void
+  getShaderParameter(shader: object, name: number): unknown
+  getShaderInfoLog(shader: object): string | null
+  deleteShader(shader: object): void
+}
+
+interface Device {
+  createShaderModule(description: { code: string }): {
+    getCompilationInfo(): Promise<{
+      messages: { type: string; lineNum: number; message: string }[]
+    }>
+  }
+}
+
+/** A line of the shader, from 1, and what is wrong there. */
+type Complaint = readonly [line: number, why: string]
+
+function complaintsOf(gl: Gl, text: string): Complaint[] {
+  const shader = gl.createShader(gl.VERTEX_SHADER)
+  if (!shader) return []
+  gl.shaderSource(shader, text)
+  gl.compileShader(shader)
+  const log = gl.getShaderParameter(shader, gl.COMPILE_STATUS) ? '' : gl.getShaderInfoLog(shader)
+  gl.deleteShader(shader)
+  const found = (log ?? '').matchAll(/^ERROR: \d+:(\d+): (.*)$/gm)
+  return Array.from(found, ([, line, why]) => [+line!, why!])
+}
+
+/** The first complaint that is about `defs`, in a sentence; a word that is missing at its end comes up after it. */
+function sentence(text: string, defs: string, complaints: readonly Complaint[]) {
+  const lines = defs.split('\n')
+  const first = text.slice(0, text.indexOf(defs)).split('\n').length
+  const [line, why] = complaints.find(([at]) => at >= first && at <= first + lines.length) ?? []
+  if (!line) return undefined
+  const number = Math.min(line - first, lines.length - 1)
+  return `createWarp: the option "defs" has a mistake in its line ${number + 1}, "${shorten(lines[number]!.trim())}": ${why}.`
+}
+
+/** Throws a `WarpError`, on WebGPU later, since it tells later. */
+export function checkDefs(shader: Shader, defs: string, { GL, device }: Renderer) {
+  const text = shader.vertSrc()
+  if (GL) {
+    const said = sentence(text, defs, complaintsOf(GL as Gl, text))
+    if (said) throw new WarpError(said)
+    return
+  }
+  const place = placeOf(new Error())
+  const compiled = (device as Device).createShaderModule({ code: text }).getCompilationInfo()
+  void compiled.then(({ messages }) => {
+    const errors = messages.filter(({ type }) => type === 'error')
+    const said = sentence(
+      text,
+      defs,
+      errors.map(({ lineNum, message }) => [lineNum, message]),
+    )
+    if (said) throw new WarpError(said + place)
+  })
+}

@@ -1,0 +1,88 @@
+/**
+ * Functions of p5 and of JavaScript's Math that work on numbers alone: while an offset function runs, each says what to write
+ * instead where it is handed an expression. Afterwards they are what they were.
+ */
+import { isExpression } from '../../errors/describe.js'
+import { WarpError } from '../../errors/errors.js'
+import { guardedKey } from '../../errors/operators.js'
+import type { OffsetFunction } from '../../core/types/types.js'
+import { type Canvas, sketchOf } from '../host.js'
+
+const alike =
+  'sin cos tan asin acos atan sinh cosh tanh abs floor ceil round sign trunc sqrt exp log log2 fract degrees radians'
+
+/** By name, what to write. */
+const instead: Record<string, string> = {
+  ...Object.fromEntries(alike.split(' ').map((name) => [name, `x.${name}()`])),
+  atan2: 'glsl.atan(y, x)',
+  pow: 'glsl.pow(x, 2)',
+  sq: 'x.mult(x)',
+  min: 'glsl.min(x, y)',
+  max: 'glsl.max(x, y)',
+  hypot: 'glsl.vec2(x, y).length()',
+  mag: 'glsl.vec2(x, y).length()',
+  dist: 'a.dist(b) of two vectors, such as glsl.vec2(x, y)',
+  lerp: 'glsl.mix(from, to, amount)',
+  constrain: 'glsl.clamp(x, low, high)',
+  norm: 'x.sub(low).div(high - low)',
+  map: 'x.sub(low).div(high - low).mult(newHigh - newLow).add(newLow)',
+  noise: 'position.mult(3).noise(), or glsl.vec3(x, y, z).noise()',
+  createVector: 'glsl.vec3(x, y, z)',
+  color: 'glsl.vec4(red, green, blue, alpha)',
+  millis: 'millis',
+  // Of p5.strands.
+  vec2: 'glsl.vec2(x, y)',
+  vec3: 'glsl.vec3(x, y, z)',
+  vec4: 'glsl.vec4(x, y, z, w)',
+}
+
+let isNoted = false
+
+/** Said once: nothing is wrong with a number of this moment, but seldom is it meant. */
+function noteClock() {
+  if (isNoted) return
+  isNoted = true
+  console.warn(
+    "createWarp: p5's millis() stands still in a warp; take the millis that the offset function is given, as in ({ glsl, millis }) => ….",
+  )
+}
+
+/** The offset function, guarded while it runs. */
+export const guarded =
+  (canvas: Canvas, offset: OffsetFunction): OffsetFunction =>
+  (inputs) => {
+    const sketch = sketchOf(canvas)
+    const undo = [
+      ...guard(Math, 'Math.'),
+      ...guard(sketch, "p5's "),
+      ...(sketch._isGlobal ? guard(globalThis, "p5's ") : []),
+    ]
+    try {
+      return offset(inputs)
+    } finally {
+      for (const restore of undo.reverse()) restore()
+    }
+  }
+
+function guard(object: object, owner: string): (() => void)[] {
+  return Object.entries(instead).flatMap(([name, what]) => {
+    const own = Object.getOwnPropertyDescriptor(object, name)
+    const original: unknown = Reflect.get(object, name)
+    if (typeof original !== 'function' || (own ? !own.configurable : !Object.isExtensible(object)))
+      return []
+    const value = function (this: unknown, ...given: unknown[]): unknown {
+      if (given.some(isExpression))
+        throw new WarpError(
+          `${owner}${name} works on numbers, not on expressions of a warp; write ${what}.`,
+        )
+      if (name === 'millis') noteClock()
+      return Reflect.apply(original, this, given)
+    }
+    Object.defineProperty(value, guardedKey, { value: original })
+    Object.defineProperty(object, name, { value, configurable: true, writable: true })
+    return () => {
+      if (own) Object.defineProperty(object, name, own)
+      else Reflect.deleteProperty(object, name)
+    }
+  })
+}

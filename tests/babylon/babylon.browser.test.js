@@ -1,0 +1,357 @@
+// 'warpjet/babylon' in a page: a motion that a matrix can do, done by a warp and by Babylon.js itself, is the same picture.
+import assert from 'node:assert/strict'
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { after, before, describe, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { build } from 'vite'
+import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
+import { servePages } from '../support/browser/server.js'
+import { differing } from '../support/browser/three/pixels.js'
+
+const root = fileURLToPath(new URL('../../', import.meta.url))
+const project = '.build/babylon'
+
+const code = `
+import { Engine } from '@babylonjs/core/Engines/engine.js'
+import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
+import { ArcRotateCamera } from '@babylonjs/core/Cameras/arcRotateCamera.js'
+import { Ray } from '@babylonjs/core/Culling/ray.js'
+import { DirectionalLight } from '@babylonjs/core/Lights/directionalLight.js'
+import { HemisphericLight } from '@babylonjs/core/Lights/hemisphericLight.js'
+import { ShadowGenerator } from '@babylonjs/core/Lights/Shadows/shadowGenerator.js'
+import '@babylonjs/core/Lights/Shadows/shadowGeneratorSceneComponent.js'
+import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
+import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
+import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
+import { RawTexture } from '@babylonjs/core/Materials/Textures/rawTexture.js'
+import { Constants } from '@babylonjs/core/Engines/constants.js'
+import { Matrix, Vector3, Quaternion } from '@babylonjs/core/Maths/math.vector.js'
+import { MeshBuilder } from '@babylonjs/core/Meshes/meshBuilder.js'
+import { Scene } from '@babylonjs/core/scene.js'
+import { BabylonWarp } from 'warpjet/babylon'
+
+const size = 96
+const motion = Matrix.Compose(
+  Vector3.One(), Quaternion.FromEulerAngles(0.4, 0.7, -0.3), new Vector3(0.2, 0.1, -0.15))
+const m = motion.m
+const amount = [0.3, -0.2, 0.25]
+
+const offset = ({ glsl, position, millis, uniforms }) =>
+  uniforms.linear.mult(position).sub(position).add(uniforms.shift.mult(millis.div(1000)))
+
+const engines = {}
+async function engineFor(backend) {
+  if (engines[backend]) return engines[backend]
+  const canvas = document.body.appendChild(document.createElement('canvas'))
+  canvas.width = canvas.height = size
+  if (backend === 'webgl')
+    return (engines[backend] = new Engine(canvas, false, { preserveDrawingBuffer: true }))
+  const engine = new WebGPUEngine(canvas, { antialias: false })
+  await engine.initAsync()
+  return (engines[backend] = engine)
+}
+
+function sceneOn(engine, kind) {
+  const scene = new Scene(engine)
+  const camera = new ArcRotateCamera('camera', 0.7, 1.1, 4, Vector3.Zero(), scene)
+  camera.minZ = 0.1
+  new HemisphericLight('sky', new Vector3(0, 1, 0), scene).intensity = 0.3
+  const sun = new DirectionalLight('sun', new Vector3(-0.5, -1, -0.6), scene)
+  sun.position = new Vector3(2, 4, 3)
+  Object.assign(sun, { shadowMinZ: 1, shadowMaxZ: 12, autoUpdateExtends: false })
+  Object.assign(sun, { orthoLeft: -3, orthoRight: 3, orthoTop: 3, orthoBottom: -3 })
+  const ground = MeshBuilder.CreateGround('ground', { width: 8, height: 8 }, scene)
+  ground.position.y = -1
+  ground.receiveShadows = true
+  const knot = MeshBuilder.CreateTorusKnot('knot', { radius: 0.5, tube: 0.18, radialSegments: 64, tubularSegments: 12 }, scene)
+  const material = kind === 'PBR' ? new PBRMaterial('pbr', scene) : new StandardMaterial('standard', scene)
+  if (kind === 'PBR') Object.assign(material, { metallic: 0.1, roughness: 0.5 })
+  knot.material = material
+  const generator = new ShadowGenerator(256, sun)
+  generator.addShadowCaster(knot)
+  return { scene, knot, material }
+}
+
+/** By Babylon.js itself. */
+function move(knot, matrix = motion) {
+  knot.setPivotMatrix(Matrix.Identity())
+  matrix.decompose(knot.scaling, (knot.rotationQuaternion = new Quaternion()), knot.position)
+}
+
+function warped(material) {
+  const warp = new BabylonWarp(material, offset, {
+    uniforms: { linear: [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]], shift: [0, 0, 0] },
+  })
+  warp.values.shift = new Vector3(m[12], m[13], m[14])
+  warp.millis = 1000
+  return warp
+}
+
+/** The same motion of what a mirror shows; known when the warp is made, or by uniforms alone. */
+const mirrored = Matrix.Scaling(-1, 1, 1).multiply(motion)
+const linearOf = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]
+const mirroring = {
+  known: (material) => new BabylonWarp(material, ({ glsl, position }) => {
+    const [a, b, c, d, e, f, g, h, i] = linearOf(mirrored.m)
+    return glsl.mat3(glsl.vec3(a, b, c), glsl.vec3(d, e, f), glsl.vec3(g, h, i)).mult(position)
+      .sub(position).add(glsl.vec3(mirrored.m[12], mirrored.m[13], mirrored.m[14]))
+  }),
+  'by uniforms': (material) => {
+    const warp = new BabylonWarp(material, offset, {
+      uniforms: { linear: linearOf(mirrored.m), shift: new Vector3(mirrored.m[12], mirrored.m[13], mirrored.m[14]) },
+    })
+    warp.millis = 1000
+    return warp
+  },
+}
+
+/** Its normals left as they were, in the one language and in the other. */
+function withoutNormals(warp, material) {
+  const { getCustomCode } = warp
+  warp.getCustomCode = (...args) => {
+    const code = getCustomCode.apply(warp, args)
+    const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL.replaceAll('normalUpdated = warpjetTurned;', '')
+    return code && { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: text }
+  }
+  material.markDirty(true)
+}
+
+function byImage(material, scene) {
+  const numbers = Float32Array.from({ length: 16 }, (_, i) => [...amount, 1][i % 4])
+  const map = new RawTexture(numbers, 2, 2, Constants.TEXTUREFORMAT_RGBA, scene, false, false,
+    Constants.TEXTURE_NEAREST_SAMPLINGMODE, Constants.TEXTURETYPE_FLOAT)
+  new BabylonWarp(material, ({ glsl, uniforms, uv }) => glsl.texture(uniforms.map, uv).xyz(), { uniforms: { map } })
+}
+
+/** The texture's own settings, or the same said by hand. */
+function bySampling(material, scene, isByHand) {
+  const bytes = Uint8Array.from({ length: 4 * 15 }, (_, i) => (i * 89) % 256)
+  const map = new RawTexture(bytes, 5, 3, Constants.TEXTUREFORMAT_RGBA, scene, false, false,
+    Constants.TEXTURE_BILINEAR_SAMPLINGMODE)
+  Object.assign(map, { wrapU: Constants.TEXTURE_MIRROR_ADDRESSMODE, wrapV: Constants.TEXTURE_MIRROR_ADDRESSMODE,
+    uScale: 1.7, vScale: 2.2, uOffset: 0.2, vOffset: -0.4 })
+  const byHand = ({ glsl, uv, uniforms }) =>
+    glsl.texture(uniforms.map, uv.mult(glsl.vec2(1.7, 2.2)).add(glsl.vec2(0.2, -0.4)),
+      { wrap: 'mirror', filter: 'bilinear', transform: false })
+  const byHost = ({ glsl, uv, uniforms }) => glsl.texture(uniforms.map, uv)
+  const colour = isByHand ? byHand : byHost
+  new BabylonWarp(material, (inputs) => colour(inputs).xyz().mult(0.4), { uniforms: { map } })
+}
+
+window.draw = async (backend, kind, way) => {
+  const engine = await engineFor(backend)
+  const { scene, knot, material } = sceneOn(engine, kind)
+  // That of a canvas is gone once the frame is.
+  const target = new RenderTargetTexture('target', size, scene)
+  scene.activeCamera.outputRenderTarget = target
+  if (way === 'moved') move(knot)
+  if (/mirror/.test(way)) Object.assign(material, { backFaceCulling: false, twoSidedLighting: true })
+  if (way === 'mirrored') move(knot, mirrored)
+  if (way === 'mirroring, switched off') {
+    const warp = mirroring.known(material)
+    await scene.whenReadyAsync()
+    warp.isEnabled = false
+  }
+  mirroring[way.replace('mirroring, ', '')]?.(material)
+  if (way === 'shifted') move(knot, Matrix.Translation(...amount))
+  if (way === 'by an image') byImage(material, scene)
+  if (way.startsWith('sampled by')) bySampling(material, scene, way === 'sampled by hand')
+  if (['warped', 'without its normals', 'without its shadow'].includes(way)) {
+    const warp = warped(material)
+    if (way === 'without its normals') withoutNormals(warp, material)
+    if (way === 'without its shadow') material.shadowDepthWrapper = null
+  }
+  if (way === 'switched off') {
+    const warp = warped(material)
+    await scene.whenReadyAsync()
+    warp.isEnabled = false
+  }
+  await scene.whenReadyAsync()
+  for (let i = 0; i < 4; i++) {
+    engine.beginFrame()
+    scene.render()
+    engine.endFrame()
+    // Shaders of shadows are made when those of the surface are there.
+    await new Promise((drawn) => setTimeout(drawn, 20))
+  }
+  const pixels = await target.readPixels()
+  scene.dispose()
+  return [...new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.byteLength)]
+}
+
+/** Rays against a warped mesh, and against one that was moved → how far hits are apart, and how many there were. */
+window.pick = async () => {
+  const engine = await engineFor('webgl')
+  const { scene, knot, material } = sceneOn(engine, 'Standard')
+  const { scene: other, knot: reference } = sceneOn(engine, 'Standard')
+  move(reference)
+  reference.computeWorldMatrix(true)
+  const warp = warped(material)
+  let [hits, misses, apart, before] = [0, 0, 0, 0]
+  const rays = Array.from({ length: 300 }, (_, i) => {
+    const from = new Vector3(4 * Math.cos(i), 2 * Math.sin(3 * i), 4 * Math.sin(i))
+    const to = new Vector3(Math.sin(5 * i), Math.cos(7 * i), Math.sin(11 * i)).scale(0.6)
+    return new Ray(from, to.subtract(from).normalize(), 10)
+  })
+  const pickedBy = (ray, scene, mesh) => scene.pickWithRay(ray, (each) => each === mesh)
+  for (const ray of rays) {
+    const [a, b] = [pickedBy(ray, scene, knot), pickedBy(ray, other, reference)]
+    if (a.hit !== b.hit || (a.hit && Vector3.Distance(a.pickedPoint, b.pickedPoint) > 1e-3)) before++
+  }
+  warp.refresh(knot)
+  for (const ray of rays) {
+    const [a, b] = [pickedBy(ray, scene, knot), pickedBy(ray, other, reference)]
+    if (a.hit !== b.hit) misses++
+    else if (a.hit) {
+      hits++
+      apart = Math.max(apart, Vector3.Distance(a.pickedPoint, b.pickedPoint))
+    }
+  }
+  const box = (mesh) => mesh.getBoundingInfo().boundingBox
+  const { minimumWorld: min, maximumWorld: max } = box(knot)
+  const outside = knot.getPositionData().length > 0 &&
+    reference.getPositionData().some((_, i, all) => {
+      if (i % 3) return false
+      const p = Vector3.TransformCoordinates(new Vector3(all[i], all[i + 1], all[i + 2]), motion)
+      return p.x < min.x - 1e-5 || p.y < min.y - 1e-5 || p.z < min.z - 1e-5 || p.x > max.x + 1e-5 || p.y > max.y + 1e-5 || p.z > max.z + 1e-5
+    })
+  scene.dispose()
+  other.dispose()
+  return { hits, misses, apart, before, outside }
+}
+/** What is said of mistakes. */
+window.mistakes = async () => {
+  const { scene, material } = sceneOn(await engineFor('webgl'), 'Standard')
+  const warp = warped(material)
+  const said = [
+    () => (warp.values.linaer = 3),
+    () => (warp.values.shift = 'x'),
+    () => (warp.values.shift = [0, NaN, 0]),
+    () => (warp.millis = 'x'),
+    () => new BabylonWarp(material, offset),
+  ].map((work) => {
+    try {
+      work()
+      return ''
+    } catch (error) {
+      return String(error)
+    }
+  })
+  const { x } = warp.values.shift
+  scene.dispose()
+  return { said, isKept: x === m[12] && warp.millis === 1000 }
+}
+// Without somebody who holds it, the browser loses the device.
+window.gpu = navigator.gpu
+document.title = 'ready'
+`
+
+let browser, pages, page, messages
+before(async () => {
+  mkdirSync(`${root}${project}`, { recursive: true })
+  writeFileSync(`${root}${project}/page.js`, code)
+  await build({
+    configFile: false,
+    logLevel: 'error',
+    root: `${root}${project}`,
+    base: './',
+    build: {
+      outDir: 'dist',
+      minify: false,
+      target: 'es2022',
+      rolldownOptions: {
+        input: `${root}${project}/page.js`,
+        output: { entryFileNames: 'page.js' },
+      },
+    },
+  })
+  browser = await launchBrowserWithWebGPU()
+  pages = await servePages()
+  const html = `<!doctype html><body><script type="module" src="/${project}/dist/page.js"></script>`
+  ;({ page, messages } = await openPage(browser, pages.page(html)))
+  await page
+    .waitForFunction(() => document.title === 'ready')
+    .catch((error) => {
+      throw new Error(`${error.message}\n${messages.join('\n')}`)
+    })
+})
+after(async () => {
+  await browser.close()
+  await pages.close()
+})
+
+const draw = (...what) => page.evaluate((what) => draw(...what), what)
+const printed = () => messages.splice(0).filter((text) => !text.startsWith('BJS - '))
+
+for (const backend of ['webgl', 'webgpu'])
+  describe(backend, () => {
+    for (const kind of ['Standard', 'PBR'])
+      test(`${kind}Material, with its shadow`, async () => {
+        const still = await draw(backend, kind, 'still')
+        const moved = await draw(backend, kind, 'moved')
+        const warped = await draw(backend, kind, 'warped')
+        assert.ok(differing(still, moved) > 300, `${differing(still, moved)} pixels are moved`)
+        assert.equal(differing(warped, moved), 0)
+        for (const without of ['without its normals', 'without its shadow']) {
+          const count = differing(await draw(backend, kind, without), moved)
+          assert.ok(count > 100, `${count} pixels differ ${without}`)
+        }
+        if (kind === 'Standard') {
+          const off = await draw(backend, kind, 'switched off')
+          assert.equal(differing(off, still), 0)
+        }
+        assert.deepEqual(printed(), [])
+      })
+
+    for (const kind of ['Standard', 'PBR'])
+      test(`${kind}Material and a motion that mirrors, of both sides`, async () => {
+        const still = await draw(backend, kind, 'mirror nothing')
+        const expected = await draw(backend, kind, 'mirrored')
+        assert.ok(differing(still, expected) > 300)
+        for (const how of ['known', 'by uniforms'])
+          assert.equal(differing(await draw(backend, kind, `mirroring, ${how}`), expected), 0, how)
+        assert.equal(differing(await draw(backend, kind, 'mirroring, switched off'), still), 0)
+        assert.deepEqual(printed(), [])
+      })
+
+    test('an image among the uniforms', async () => {
+      const [shown, expected] = [
+        await draw(backend, 'Standard', 'by an image'),
+        await draw(backend, 'Standard', 'shifted'),
+      ]
+      assert.equal(differing(shown, expected), 0)
+      assert.ok(differing(expected, await draw(backend, 'Standard', 'still')) > 300)
+      assert.deepEqual(printed(), [])
+    })
+
+    test('a texture wraps, is scaled and is moved as it is set', async () => {
+      const [shown, expected] = [
+        await draw(backend, 'Standard', 'sampled by Babylon.js'),
+        await draw(backend, 'Standard', 'sampled by hand'),
+      ]
+      assert.ok(differing(shown, expected) <= 4)
+      assert.ok(differing(expected, await draw(backend, 'Standard', 'still')) > 300)
+      assert.deepEqual(printed(), [])
+    })
+  })
+
+test('rays and culling follow where they are told to', async () => {
+  const { hits, misses, apart, before, outside } = await page.evaluate(() => pick())
+  assert.ok(hits > 60 && before > 60, `${hits} hits, ${before} otherwise before`)
+  assert.equal(misses, 0)
+  assert.ok(apart < 1e-4, `${apart} apart`)
+  assert.equal(outside, false)
+})
+
+test('mistakes are told in a sentence, and what was set before stays', async () => {
+  const { said, isKept } = await page.evaluate(() => mistakes())
+  const expected = [
+    /^WarpError: BabylonWarp: the warp has no uniform "linaer"; there are linear, shift\.$/,
+    /^WarpError: The warp's uniform "shift" is a vec3 and takes an array of 3 numbers, but the text "x" came/,
+    /^WarpError: The warp's uniform "shift" /,
+    /^WarpError: BabylonWarp: millis must be a number of milliseconds, .* is the text "x"\.$/,
+    /^WarpError: BabylonWarp: the material "standard" is warped already/,
+  ]
+  said.forEach((text, i) => assert.match(text, expected[i]))
+  assert.equal(isKept, true)
+})

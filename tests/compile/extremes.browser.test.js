@@ -1,0 +1,29 @@
+// Normals in shaders where float32 overflows or underflows on the way to them: those of the exact derivative.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { compileWarp } from '../../dist/warpjet.js'
+import { extremes } from '../warps/extremes.js'
+import { openPipelines, targetsInThisRun } from '../support/browser/pipelines.js'
+
+let pipelines
+
+before(async () => (pipelines = await openPipelines()))
+after(() => pipelines?.close())
+
+for (const target of targetsInThisRun)
+  for (const { name, offset, points } of extremes)
+    test(`the normal in ${target} is finite, and right: ${name}`, async () => {
+      const program = {
+        ...compileWarp(offset, { target }),
+        inputs: ['position', 'normal'].map((name) => ({ name, shape: 3 })),
+        outputs: [{ name: 'warpedNormal', shape: 3 }],
+      }
+      const given = points.map(({ position, normal }) => [...position, ...normal])
+      const results = await pipelines.run(target, program, given)
+      points.forEach(({ position, expected }, k) => {
+        const found = [...results[k]]
+        found.forEach((x, i) =>
+          assert.ok(Math.abs(x - expected[i]) < 1e-3, `${found}, not ${expected}, at ${position}`),
+        )
+      })
+    })

@@ -1,0 +1,117 @@
+// The random expressions of tests/compile/random.test.js on real GPU pipelines in every dialect: values and some derivatives,
+// within what errors of float32 size come to. Forty expressions share a shader; a failure is tracked down to one of them, and
+// shrunk to a small case.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { setImmediate } from 'node:timers/promises'
+import { compile } from '../../dist/warpjet.js'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { callbackText } from '../random/ast.js'
+import { blockSize, randomCase } from '../random/generate.js'
+import { compareGpu, gpuExpected, gpuResults, programOf, toFloats } from '../random/gpu.js'
+import { describe, shrink } from '../random/shrink.js'
+import { openPipelines, targetsInThisRun as targets } from '../support/browser/pipelines.js'
+
+const count = isRun('every random expression') ? 2000 : 400
+const mostFailures = 3
+
+let pipelines
+before(async () => (pipelines = await openPipelines()))
+after(() => pipelines.close())
+
+const expectedOf = (test) => test.points.map((point) => gpuExpected(test, point))
+
+/** What cases come to in one shader → { given } or { error }. Another compiler may stand in for ours. */
+async function runCases(target, cases, compiler = compile) {
+  try {
+    const program = programOf(cases, target, compiler)
+    return { given: await pipelines.run(target, program, cases[0].points.map(toFloats)) }
+  } catch (error) {
+    return { error }
+  }
+}
+
+/** Judges what `runCases` gave → { failures, counts }; what does not compile is run in smaller shaders. */
+async function judge(target, cases, expected, { given, error }) {
+  if (given) return compareGpu(cases, given, expected)
+  if (cases.length === 1) {
+    const failure = { kind: 'error', message: error.message }
+    return { failures: [{ test: cases[0], failure }], counts: none() }
+  }
+  const half = cases.length >> 1
+  const parts = []
+  for (const range of [
+    [0, half],
+    [half, cases.length],
+  ]) {
+    const part = cases.slice(...range)
+    parts.push(await judge(target, part, expected.slice(...range), await runCases(target, part)))
+  }
+  // Each alone is right, and all together are not: names that meet, or too much for a shader.
+  if (!parts.some(({ failures }) => failures.length)) throw error
+  return {
+    failures: parts.flatMap(({ failures }) => failures),
+    counts: parts.map(({ counts }) => counts).reduce(addCounts, none()),
+  }
+}
+
+const none = () => ({ compared: 0, total: 0 })
+const addCounts = (a, b) => ({ compared: a.compared + b.compared, total: a.total + b.total })
+
+async function failureOf(target, test) {
+  const outcome = await runCases(target, [test])
+  const { failures } = await judge(target, [test], [expectedOf(test)], outcome)
+  return failures[0]?.failure
+}
+
+/** A seed's failures in some dialects, as text: it is shrunk in the first one. */
+async function report([{ target, test, failure }, ...others]) {
+  const small = await shrink(test, failure, (smaller) => failureOf(target, smaller))
+  const source = callbackText(small.test.root, gpuResults(small.test))
+  const names = [target, ...others.map((each) => each.target)].join(', ')
+  return `${names}, ${describe({ ...small, failure: { ...small.failure, source } })}`
+}
+
+test(`${count} random expressions compile and agree in every dialect`, async (t) => {
+  const sums = Object.fromEntries(targets.map((target) => [target, none()]))
+  const failed = new Map()
+  for (let first = 0; first < count && failed.size < mostFailures; first += blockSize) {
+    const cases = Array.from({ length: blockSize }, (_, i) => randomCase(first + i))
+    const running = targets.map((target) => runCases(target, cases))
+    const expected = []
+    for (const test of cases) {
+      expected.push(expectedOf(test))
+      // Lets messages to and from the browser through, which works meanwhile.
+      await setImmediate()
+    }
+    for (const [i, target] of targets.entries()) {
+      const { failures, counts } = await judge(target, cases, expected, await running[i])
+      sums[target] = addCounts(sums[target], counts)
+      for (const each of failures) {
+        const { seed } = each.test
+        failed.set(seed, [...(failed.get(seed) ?? []), { target, ...each }])
+      }
+    }
+  }
+  const texts = []
+  for (const failures of [...failed.values()].slice(0, mostFailures))
+    texts.push(await report(failures))
+  assert.equal(texts.join('\n\n'), '')
+
+  for (const target of targets) {
+    const { compared, total } = sums[target]
+    t.diagnostic(`${target}: ${compared} of ${total} numbers compared`)
+    assert(total > 20 * count && compared >= 0.95 * total, `only ${compared} of ${total} compared`)
+  }
+})
+
+test('a wrong text is found', async () => {
+  const wrong = (callback, options) => {
+    const compiled = compile(callback, options)
+    return { ...compiled, code: compiled.code.replaceAll('max(', 'min(') }
+  }
+  const cases = Array.from({ length: blockSize }, (_, seed) => randomCase(seed))
+  const outcome = await runCases('glsl300', cases, wrong)
+  const { failures } = await judge('glsl300', cases, cases.map(expectedOf), outcome)
+  assert(failures.length > 0)
+})

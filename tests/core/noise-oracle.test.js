@@ -1,0 +1,56 @@
+// The noise of tests/support/noise.js, which other tests are held against, is the noise that warpjet compiles.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { compile } from '../../dist/warpjet.js'
+import * as plain from '../support/noise.js'
+
+const dimensions = { worley: [1, 2, 3], curl: [3, 4] }
+const fractals = ['fbm', 'ridged', 'turbulence']
+const bases = ['noise', 'simplex', 'valueNoise']
+const kinds = [...bases, 'worley', 'curl', ...fractals]
+
+/** Points all around the origin, on borders of cells too, or so many times as far away. */
+function pointsOf(n, scale) {
+  const random = Array.from({ length: 150 / Math.sqrt(scale) }, (_, i) =>
+    Array.from({ length: n }, (_, k) => 20 * scale * Math.sin(12.3 * i + 4.5 * k + 6.7)),
+  )
+  return [...random, ...[0, 1, -2, 0.5, 7.25].map((x) => Array(n).fill(x * scale))]
+}
+
+const optionsOf = (kind) => {
+  const seeds = [{}, { seed: 7 }, { seed: -123456 }]
+  if (kind === 'curl') return [...seeds, ...bases.map((noise) => ({ noise, seed: 2 }))]
+  if (!fractals.includes(kind)) return seeds
+  const others = bases.map((noise) => ({ noise, octaves: 3, lacunarity: 2.3, gain: 0.6, seed: 3 }))
+  return [...seeds, { octaves: 1 }, ...others]
+}
+
+const variable = (glsl, n) => (n === 1 ? glsl.param('p') : glsl[`vec${n}Param`]('p'))
+
+/** The greatest difference of a kind from its twin over some points. */
+function difference(kind, points, options) {
+  const n = points[0].length
+  const compiled = compile((glsl) => ({ value: glsl[kind](variable(glsl, n), options) }))
+  const differences = points.flatMap((p) => {
+    const { value } = compiled.evaluate({ p: n === 1 ? p[0] : p })
+    const [found, expected] = [value, plain[kind](p, options)].map((x) => [x].flat())
+    assert.equal(found.length, expected.length)
+    return found.map((x, i) => Math.abs(x - expected[i]))
+  })
+  return Math.max(...differences)
+}
+
+// Far away, doubles are 4e-12 apart, and simplex skews its coordinates; the hash has come round a few times.
+const bounds = { 1: 1e-12, 1000: 2e-10 }
+
+describe('the plain noise is the compiled one:', () => {
+  for (const kind of kinds)
+    for (const n of dimensions[kind] ?? [1, 2, 3, 4])
+      test(`${kind}, ${n}D`, () => {
+        for (const options of optionsOf(kind))
+          for (const [scale, bound] of Object.entries(bounds)) {
+            const found = difference(kind, pointsOf(n, scale), options)
+            assert.ok(found <= bound, `${found} off with ${JSON.stringify(options)}`)
+          }
+      })
+})

@@ -1,0 +1,71 @@
+// Every kind of noise in every dialect on a real GPU pipeline: values and first and second
+// derivatives, against the CPU in double, which tests/core/noise.test.js checks by itself. "Value to
+// 1e-4" is what makes a bake equal the screen.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { compile } from '../../dist/warpjet.js'
+import { components } from '../operations/program.js'
+import { isFractal, kindsOfNoise, noisePoints, settingsOf } from '../operations/noise.js'
+import { openPipelines, targetsInThisRun as targets } from '../support/browser/pipelines.js'
+
+const makers = ['param', 'vec2Param', 'vec3Param', 'vec4Param']
+const sizes = { worley: 2, curl: 3 }
+
+let pipelines
+before(async () => (pipelines = await openPipelines()))
+after(() => pipelines?.close())
+
+/** The values, the derivatives of the first of them, and the derivatives of one of those. */
+function programOf(kind, dimensions, options, target) {
+  const size = sizes[kind] ?? 1
+  const program = compile(
+    (glsl) => {
+      const p = glsl[makers[dimensions - 1]]('p')
+      const noise = glsl[kind](p, options)
+      const inputs = components(p, dimensions)
+      const value = size === 1 ? noise : noise.x()
+      const slopes = inputs.map((input) => glsl.derivative(value, input))
+      const bends = inputs.map((input) => glsl.derivative(slopes[0], input))
+      const named = (list, name) => list.map((expression, i) => [`${name}${i}`, expression])
+      return {
+        noise,
+        ...Object.fromEntries([...named(slopes, 'slope'), ...named(bends, 'bend')]),
+      }
+    },
+    { target },
+  )
+  const numbers = ['slope', 'bend'].flatMap((name) =>
+    Array.from({ length: dimensions }, (_, i) => ({ name: `${name}${i}`, shape: 1 })),
+  )
+  return {
+    ...program,
+    inputs: [{ name: 'p', shape: dimensions }],
+    outputs: [{ name: 'noise', shape: size }, ...numbers],
+  }
+}
+
+for (const target of targets) {
+  describe(`noise in ${target}:`, () => {
+    for (const { kind, dimensions } of kindsOfNoise)
+      test(`${kind} of ${dimensions} dimensions`, async () => {
+        const options = settingsOf(kind)
+        const program = programOf(kind, dimensions, options, target)
+        // Far away float32 rounds the coordinates that an octave multiplies.
+        const points = noisePoints(dimensions, 60, isFractal(kind) ? 12 : undefined)
+        const got = await pipelines.run(target, program, points)
+        const size = sizes[kind] ?? 1
+        const problems = []
+        points.forEach((point, k) => {
+          const expected = Object.values(program.evaluate({ p: point })).flat()
+          expected.forEach((value, i) => {
+            const error = Math.abs(got[k][i] - value)
+            // Slopes and bends are as exact, by their own size.
+            const bound = i < size ? 1e-4 : 1e-4 * Math.max(1, ...expected.map(Math.abs))
+            if (!(error <= bound))
+              problems.push(`${point}: number ${i} is ${got[k][i]}, not ${value}`)
+          })
+        })
+        assert.deepEqual(problems.slice(0, 5), [])
+      })
+  })
+}

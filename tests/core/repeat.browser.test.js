@@ -1,0 +1,104 @@
+// Random folds on real GPU pipelines: loops in loops, their values and slopes, against plain loops in double precision.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { compile } from '../../dist/warpjet.js'
+import { foldCallback, foldNumber, randomFoldCase, slopes } from '../random/folds.js'
+import { openPipelines, targetsInThisRun as targets } from '../support/browser/pipelines.js'
+
+const count = 120
+/** So many share a shader. */
+const blockSize = 40
+
+let pipelines
+before(async () => (pipelines = await openPipelines()))
+after(() => pipelines.close())
+
+/** Sines of a GPU are off by 2e-4, which each step hands on to the next. */
+const waves = 2e-3
+/** How far each input is moved to see how errors grow: what changes then is not known better. */
+const step = 2e-3
+const mostUncertain = 0.1
+
+/** What the value and the slopes must be at a point → [{ value, tolerance }], or null where errors grow or a kink is near. */
+function expectedOf(fold, point) {
+  const at = (where) => [{ value: foldNumber(fold, where), isFirm: true }, ...slopes(fold, where)]
+  const near = point.flatMap((_, i) =>
+    [-step, step].map((by) => at(point.map((x, k) => (k === i ? x + by : x)))),
+  )
+  return at(point).map(({ value, isFirm }, i) => {
+    const scale = Math.max(1, Math.abs(value))
+    const spread = Math.max(...near.map((each) => Math.abs(each[i].value - value)))
+    const tolerance = waves * scale + 2 * spread
+    const isSure = isFirm && near.every((each) => each[i].isFirm)
+    return isSure && tolerance <= mostUncertain * scale ? { value, tolerance } : null
+  })
+}
+
+/** The numbers of each fold at each point: its value and three slopes. */
+async function run(target, folds, points, change = (code) => code) {
+  const compiled = folds.map((fold) => {
+    const second = `second${fold.seed}`
+    return compile(
+      (glsl) => {
+        const { [second]: unused, ...results } = foldCallback(fold)(glsl)
+        return results
+      },
+      { target },
+    )
+  })
+  const program = {
+    code: change(compiled.map(({ code }) => code).join('\n')),
+    declarations: [...new Set(compiled.map(({ declarations }) => declarations))].join('\n'),
+    inputs: folds[0].inputs.map((name) => ({ name, shape: 1 })),
+    outputs: folds.flatMap(({ seed }) => [
+      { name: `value${seed}`, shape: 1 },
+      { name: `slope${seed}`, shape: 3 },
+    ]),
+  }
+  return pipelines.run(target, program, points)
+}
+
+/** → { wrong, compared, total }, `wrong` as text. */
+function judge(folds, points, given) {
+  const found = { wrong: [], compared: 0, total: 0 }
+  for (const [p, point] of points.entries())
+    for (const [f, fold] of folds.entries()) {
+      const got = Array.from(given[p].slice(4 * f, 4 * f + 4))
+      const expected = expectedOf(fold, point)
+      found.total += 4
+      found.compared += expected.filter(Boolean).length
+      const isWrong = (each, i) => each && !(Math.abs(got[i] - each.value) <= each.tolerance)
+      if (expected.some(isWrong))
+        found.wrong.push(
+          `seed ${fold.seed} at ${point}: ${got}, not ${expected.map((each) => each?.value)}`,
+        )
+    }
+  return found
+}
+
+const blocks = Array.from({ length: count / blockSize }, (_, block) =>
+  Array.from({ length: blockSize }, (_, i) => randomFoldCase(block * blockSize + i)),
+)
+const pointsOf = (folds) => folds.slice(0, 3).map(({ point }) => point)
+
+for (const target of targets)
+  test(`${target}: ${count} random folds are the loops that they stand for`, async (t) => {
+    const all = { wrong: [], compared: 0, total: 0 }
+    for (const folds of blocks) {
+      const points = pointsOf(folds)
+      const { wrong, compared, total } = judge(folds, points, await run(target, folds, points))
+      all.wrong.push(...wrong)
+      all.compared += compared
+      all.total += total
+    }
+    assert.deepEqual(all.wrong, [])
+    t.diagnostic(`${all.compared} of ${all.total} numbers compared`)
+    assert(all.compared >= 0.8 * all.total, `only ${all.compared} of ${all.total} compared`)
+  })
+
+test('a loop of one step less is found', async () => {
+  const shorter = (code) => code.replace(/ < (\d+);/g, (_, steps) => ` < ${steps - 1};`)
+  const points = pointsOf(blocks[0])
+  const { wrong } = judge(blocks[0], points, await run('glsl300', blocks[0], points, shorter))
+  assert(wrong.length > 0)
+})

@@ -1,0 +1,623 @@
+// Warps on the CPU: what comes out, bounds, and what wrong input gives. tests/compile/normals.browser.test.js holds all of the numbers
+// against an oracle, beside those of the GPU.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { evaluationMemoryInUse } from '../../dist/memory.js'
+import { WarpError, compileWarp } from '../../dist/warpjet.js'
+import { glslOffset } from '../../dist/glsl.js'
+import { moments } from '../support/browser/compare.js'
+import { warps } from '../warps/index.js'
+
+const wave = compileWarp(({ glsl, position, millis }) =>
+  glsl.vec3(0, position.x().mult(3).add(millis.div(500)).sin().mult(0.2), 0),
+)
+const uniforms = { millis: 250 }
+const plane = { positions: [0, 0, 0, 1, 0, 0], normals: [0, 1, 0, 0, 1, 0] }
+
+describe('evaluate', () => {
+  test('gives float32 arrays and leaves what came in alone', () => {
+    const mesh = {
+      positions: new Float32Array(plane.positions),
+      normals: Object.freeze([...plane.normals]),
+    }
+    const { positions, normals } = wave.evaluate(mesh, { uniforms })
+    assert.ok(positions instanceof Float32Array && normals instanceof Float32Array)
+    assert.deepEqual([...mesh.positions], plane.positions)
+    assert.ok(Math.abs(positions[4] - 0.2 * Math.sin(3.5)) < 1e-7)
+    assert.equal(positions[3], 1)
+  })
+
+  test('writes into arrays that come along, also into its own input', () => {
+    const { positions, normals } = wave.evaluate(plane, { uniforms })
+    const out = { positions: new Float32Array(9).fill(7), normals: new Float32Array(6) }
+    const given = wave.evaluate(plane, { uniforms, out })
+    assert.equal(given.positions, out.positions)
+    assert.equal(given.normals, out.normals)
+    assert.deepEqual(given.positions, Float32Array.of(...positions, 7, 7, 7))
+    assert.deepEqual(given.normals, normals)
+    const own = {
+      positions: new Float32Array(plane.positions),
+      normals: new Float32Array(plane.normals),
+    }
+    wave.evaluate(own, { uniforms, out: own })
+    assert.deepEqual(own, { positions, normals })
+    const refused = (wrong, message) =>
+      assert.throws(() => wave.evaluate(plane, { uniforms, out: wrong }), {
+        name: 'WarpError',
+        message,
+      })
+    refused({ positions: new Float32Array(5) }, /out\.positions .* 6 numbers, but has only 5/)
+    refused({ normals: [0, 0, 0] }, /out\.normals must be a Float32Array/)
+    refused({ normal: new Float32Array(6) }, /normal/)
+  })
+
+  test('makes no array of the size of the mesh where all are given', () => {
+    const count = 3 * 10_000
+    const mesh = { positions: new Float32Array(count), normals: new Float32Array(count) }
+    const out = { positions: new Float32Array(count), normals: new Float32Array(count) }
+    const largest = (options) => {
+      const plain = Float32Array
+      const lengths = []
+      const construct = (target, from) => {
+        const made = Reflect.construct(target, from)
+        if (typeof from[0] === 'number') lengths.push(made.length)
+        return made
+      }
+      globalThis.Float32Array = new Proxy(plain, { construct })
+      try {
+        wave.evaluate(mesh, options)
+      } finally {
+        globalThis.Float32Array = plain
+      }
+      return Math.max(0, ...lengths)
+    }
+    assert.equal(largest({ uniforms }), count)
+    for (let i = 0; i < 3; i++) assert.ok(largest({ uniforms, out }) < 1000)
+  })
+
+  test('checks a Float32Array when it comes for the first time, and none that it made', () => {
+    const refusal = { name: 'WarpError', message: /positions\[0\].* is NaN/ }
+    const positions = Float32Array.of(NaN, 0, 0)
+    assert.throws(() => wave.evaluate({ positions }, { uniforms }), refusal)
+    assert.throws(() => wave.evaluate({ positions }, { uniforms }), refusal)
+    positions[0] = 1
+    const { positions: made } = wave.evaluate({ positions }, { uniforms })
+    for (const array of [positions, made]) {
+      array[0] = NaN
+      assert.ok(Number.isNaN(wave.evaluate({ positions: array }, { uniforms }).positions[0]))
+    }
+    const list = [1, 0, 0]
+    wave.evaluate({ positions: list }, { uniforms })
+    list[0] = NaN
+    assert.throws(() => wave.evaluate({ positions: list }, { uniforms }), refusal)
+  })
+
+  test('takes any number of vertices, none too', () => {
+    assert.deepEqual(wave.evaluate({ positions: [], normals: [] }, { uniforms }), {
+      positions: new Float32Array(0),
+      normals: new Float32Array(0),
+    })
+    // Around what is in the wasm at a time.
+    for (const count of [1, 5, 4095, 4096, 4097, 9001]) {
+      const xs = Float32Array.from({ length: count }, (_, i) => Math.sin(i))
+      const positions = Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 ? 0 : xs[i / 3]))
+      const normals = Float32Array.from({ length: 3 * count }, (_, i) => Number(i % 3 === 1))
+      const moved = wave.evaluate({ positions, normals }, { uniforms })
+      assert.equal(moved.positions.length, 3 * count)
+      for (let i = 0; i < count; i += 97) {
+        const one = wave.evaluateAt([xs[i], 0, 0], { normal: [0, 1, 0], uniforms })
+        assert.deepEqual([...moved.positions.subarray(3 * i, 3 * i + 3)], one.position)
+        assert.deepEqual([...moved.normals.subarray(3 * i, 3 * i + 3)], one.normal)
+      }
+      assert.equal(
+        moved.positions.at(-2),
+        wave.evaluateAt([xs.at(-1), 0, 0], { uniforms }).position[1],
+      )
+    }
+  })
+
+  test('gives normals only where normals came, tangents where both came', () => {
+    const keys = (mesh) => Object.keys(wave.evaluate(mesh, { uniforms }))
+    const { positions, normals } = plane
+    const tangents = [1, 0, 0, 1, 1, 0, 0, -1]
+    assert.deepEqual(keys({ positions }), ['positions'])
+    assert.deepEqual(keys({ positions, tangents }), ['positions'])
+    assert.deepEqual(keys({ positions, normals, tangents }), ['positions', 'normals', 'tangents'])
+    assert.deepEqual(Object.keys(wave.evaluateAt([1, 2, 3], { uniforms })), ['position'])
+    const bare = compileWarp(({ position }) => position, { normals: false })
+    assert.deepEqual(Object.keys(bare.evaluate({ positions, normals })), ['positions'])
+  })
+
+  test('turns tangents with the surface: y = 0.2 sin(3x + t) has the slope 0.6 cos(3x + t)', () => {
+    const { normals, tangents } = wave.evaluate(
+      { ...plane, tangents: [1, 0, 0, 1, 0, 0, 2, -1] },
+      { uniforms },
+    )
+    const slope = 0.6 * Math.cos(0.5)
+    const length = Math.hypot(1, slope)
+    const expected = [1 / length, slope / length, 0, 1, 0, 0, 1, -1]
+    expected.forEach((x, i) => assert.ok(Math.abs(tangents[i] - x) < 1e-6, `${i}: ${tangents[i]}`))
+    for (const i of [0, 1]) {
+      const [n, t] = [normals.subarray(3 * i, 3 * i + 3), tangents.subarray(4 * i, 4 * i + 3)]
+      assert.ok(Math.abs(n[0] * t[0] + n[1] * t[1] + n[2] * t[2]) < 1e-6)
+    }
+  })
+
+  test('finds inputs by the names of the warp, whatever the shader calls them', () => {
+    const renamed = compileWarp(
+      ({ glsl, position, millis, uv, mouseX }) =>
+        position
+          .mult(millis)
+          .add(glsl.vec3(uv, mouseX))
+          .add(glsl.mat3Param('turn').mult(position))
+          .mult(glsl.param('amount')),
+      { names: { position: 'aPosition', millis: 'uTime', mouse: 'uMouse.xy' } },
+    )
+    const turn = [0, 1, 0, -1, 0, 0, 0, 0, 1]
+    const { position } = renamed.evaluateAt([1, 2, 3], {
+      uv: [10, 20],
+      uniforms: { millis: 2, mouse: [30, 40], amount: 0.5, turn },
+    })
+    const moved = [2 + 10 - 2, 4 + 20 + 1, 6 + 30 + 3]
+    assert.deepEqual(
+      position,
+      [1, 2, 3].map((x, i) => x + moved[i] / 2),
+    )
+  })
+
+  test('leaves nothing behind: a thousand times is like once', () => {
+    const before = process.memoryUsage().arrayBuffers
+    const positions = new Float32Array(3 * 5000)
+    for (let i = 0; i < 1000; i++) wave.evaluate({ positions }, { uniforms })
+    global.gc?.()
+    assert.ok(process.memoryUsage().arrayBuffers - before < 100e6)
+  })
+})
+
+describe('foldover', () => {
+  test('marks where det(I + J) is not above 0', () => {
+    // x -> x + 2 sin(x) has the derivative 1 + 2 cos(x).
+    const folded = compileWarp(({ glsl, position }) => glsl.vec3(position.x().sin().mult(2), 0, 0))
+    const xs = Array.from({ length: 1000 }, (_, i) => i / 100)
+    const { mask, count } = folded.foldover({ positions: xs.flatMap((x) => [x, 5, -7]) })
+    const expected = xs.map((x) => Number(1 + 2 * Math.cos(x) <= 0))
+    assert.deepEqual([...mask], expected)
+    assert.equal(count, expected.filter(Boolean).length)
+    assert.ok(mask instanceof Uint8Array)
+  })
+
+  test('a mirror is inside out everywhere, and so is what is flattened', () => {
+    const positions = [1, 2, 3, 4, 5, 6]
+    const count = (warp) => compileWarp(warp).foldover({ positions }).count
+    assert.equal(
+      count(({ glsl, position }) => glsl.vec3(position.x().mult(-2), 0, 0)),
+      2,
+    )
+    assert.equal(
+      count(({ glsl, position }) => glsl.vec3(position.x().neg(), 0, 0)),
+      2,
+    )
+    assert.equal(
+      count(({ glsl }) => glsl.vec3(1, 2, 3)),
+      0,
+    )
+    assert.equal(wave.foldover({ positions: [] }, { uniforms }).count, 0)
+  })
+})
+
+describe('bounds', () => {
+  const box = (size) => ({ min: [-size, -size, -size], max: [size, size, size] })
+
+  const cells = 10
+
+  /** What becomes of a box, at a grid of points. */
+  function sampled(offset, size, inputs) {
+    const truth = { min: Array(3).fill(Infinity), max: Array(3).fill(-Infinity) }
+    for (let i = 0; i <= cells; i++)
+      for (let j = 0; j <= cells; j++)
+        for (let k = 0; k <= cells; k++) {
+          const p = [i, j, k].map((n) => size * ((2 * n) / cells - 1))
+          const normal = p.map((x) => Math.sign(x) / Math.sqrt(3))
+          const uv = [i / cells, j / cells]
+          const here = { ...inputs, position: p, normal, uv, color: [0, 1, 0.5, 1] }
+          offset(p, here).forEach((x, axis) => {
+            truth.min[axis] = Math.min(truth.min[axis], p[axis] + x)
+            truth.max[axis] = Math.max(truth.max[axis], p[axis] + x)
+          })
+        }
+    return truth
+  }
+
+  const holds = ({ min, max }, truth) =>
+    [0, 1, 2].every((axis) => min[axis] <= truth.min[axis] && max[axis] >= truth.max[axis])
+
+  for (const { name, compile, offset, size, reach, params, kept } of warps) {
+    const warp = compile('glsl300')
+    if (!warp.bounds) continue
+    test(`hold all that becomes of a box, and in the gallery at most twice as much: ${name}`, () => {
+      for (const moment of moments) {
+        const all = { ...moment, ...params }
+        const bounds = warp.bounds(box(size), { uniforms: all })
+        const truth = sampled(offset, size, all)
+        assert.ok(holds(bounds, truth), `${JSON.stringify([bounds, truth])}`)
+        for (let axis = 0; kept && axis < 3; axis++) {
+          const extent = Math.max(truth.max[axis] - truth.min[axis], reach / 1000)
+          const ratio = (bounds.max[axis] - bounds.min[axis]) / extent
+          assert.ok(ratio <= 2, `${ratio} times as large as needed`)
+        }
+      }
+    })
+  }
+
+  // A grid of 25 × 25 × 25 finds the same.
+  test('that are a twentieth too small would be found, of nearly every warp', () => {
+    const moment = moments[1]
+    const refused = warps.filter(({ compile, offset, size, params }) => {
+      const inputs = { ...moment, ...params }
+      const bounds = compile('glsl300').bounds?.(box(size), { uniforms: inputs })
+      if (!bounds) return false
+      const { min, max } = bounds
+      const inwards = (ends, others) => ends.map((x, i) => x + 0.05 * (others[i] - x))
+      const tooSmall = { min: inwards(min, max), max: inwards(max, min) }
+      return !holds(tooSmall, sampled(offset, size, inputs))
+    })
+    assert.ok(refused.length >= 65, `only ${refused.length} of ${warps.length}`)
+  })
+
+  test('hold both sides of the cut of atan(y, x), of a plane too', () => {
+    const angle = compileWarp(({ glsl, position }) =>
+      glsl.vec3(0, 0, position.y().atan(position.x())),
+    )
+    const { min, max } = angle.bounds({ min: [-1, 0, 0], max: [1, 0, 0] })
+    assert.ok(min[2] <= -Math.PI && max[2] >= Math.PI, `${min[2]} to ${max[2]}`)
+    assert.ok(max[2] >= angle.evaluateAt([-1, 0, 0]).position[2])
+  })
+
+  test('count uvs as 0 to 1 unless the box says otherwise', () => {
+    const warp = compileWarp(({ glsl, uv, color, normal }) =>
+      glsl.vec3(uv.x(), color.x(), normal.x()),
+    )
+    const point = { min: [0, 0, 0], max: [0, 0, 0] }
+    const near = (found, expected) =>
+      found.forEach((x, i) => assert.ok(Math.abs(x - expected[i]) < 1e-3, `${found}`))
+    near(warp.bounds(point).min, [0, 0, -1])
+    near(warp.bounds(point).max, [1, 1, 1])
+    const wider = warp.bounds({ ...point, uvs: { min: [-2, 0], max: [5, 0] } })
+    near(wider.min, [-2, 0, -1])
+    near(wider.max, [5, 1, 1])
+  })
+})
+
+describe('one sentence for', () => {
+  const refuses = (work, expected) =>
+    assert.throws(work, (error) => {
+      assert.ok(error instanceof WarpError, `${error.stack}`)
+      assert.match(error.message, expected)
+      return true
+    })
+  const positions = [1, 2, 3]
+
+  test('meshes', () => {
+    refuses(
+      () => wave.evaluate(),
+      /evaluate: a mesh with an array of positions was expected, but undefined came/,
+    )
+    refuses(
+      () => wave.evaluate({ positions: 3 }),
+      /positions must be a flat array of 3 numbers a vertex, but is the number 3/,
+    )
+    refuses(() => wave.evaluate({ positions: [1, 2] }), /three numbers a vertex, but has 2 numbers/)
+    refuses(
+      () =>
+        wave.evaluate({
+          positions: [
+            [1, 2, 3],
+            [1, 2, 3],
+            [1, 2, 3],
+          ],
+        }),
+      /positions\[0\], of vertex 0, must be a finite number/,
+    )
+    refuses(
+      () => wave.evaluate({ positions, normals: [1] }),
+      /normals must have 3 numbers a vertex, 3 for these positions, but has 1/,
+    )
+    refuses(
+      () => wave.evaluate({ positions: [1, 2, 3, 4, NaN, 6] }, { uniforms }),
+      /positions\[4\], of vertex 1, must be a finite number, but is NaN/,
+    )
+    refuses(
+      () => wave.evaluate({ positions: [1, 2, Infinity] }, { uniforms }),
+      /positions\[2\], of vertex 0, must be a finite number, but is Infinity/,
+    )
+    refuses(
+      () => wave.evaluateAt([1, 2], { uniforms }),
+      /evaluateAt: the position must be an array of 3 finite numbers, but is an array of 2/,
+    )
+    refuses(
+      () => wave.evaluateAt([1, 2, 3], { uniforms, normal: [0, NaN, 1] }),
+      /the normal must be an array of 3 finite numbers, but has NaN among them/,
+    )
+  })
+
+  test('uniforms', () => {
+    refuses(
+      () => wave.evaluate({ positions }),
+      /the warp reads "millis"; give it a value in the uniforms, as in \{ "millis": 0 \}/,
+    )
+    refuses(
+      () => wave.evaluate({ positions }, { uniforms: { milis: 3 } }),
+      /the warp has no uniform "milis"; there are millis, mouse, size, pixelDensity/,
+    )
+    refuses(
+      () => wave.evaluate({ positions }, { uniforms: { millis: '3' } }),
+      /the uniform "millis" must be a finite number, but is the text "3"/,
+    )
+    refuses(
+      () => wave.evaluate({ positions }, { uniforms: 3 }),
+      /uniforms must be an object, such as \{ millis: 1200 \}, but is the number 3/,
+    )
+    const follows = compileWarp(({ glsl, mouse }) => glsl.vec3(mouse, glsl.param('amount')))
+    refuses(
+      () => wave.evaluate({ positions, uniforms }),
+      /uniforms stand beside the mesh, not in it, as in evaluate\(mesh, \{ uniforms/,
+    )
+    refuses(
+      () => wave.bounds({ min: [0, 0, 0], max: [1, 1, 1] }, { millis: 1 }),
+      /write \{ uniforms: \{ millis: … \} \}/,
+    )
+    refuses(
+      () => follows.evaluate({ positions }, { uniforms: { mouse: [1, 2] } }),
+      /reads "amount"/,
+    )
+    refuses(() => follows.evaluate({ positions }, { uniforms: { amount: 1 } }), /"mouse": \[0,0\]/)
+    refuses(
+      () => follows.evaluate({ positions }, { uniforms: { amount: 1, mouse: [1] } }),
+      /"mouse" must be an array of 2 finite numbers, but is an array of 1/,
+    )
+  })
+
+  test('attributes that the warp reads', () => {
+    const colored = compileWarp(({ color }) => color.rgb())
+    refuses(
+      () => colored.evaluate({ positions }),
+      /the warp reads the color of each vertex, but no "colors" came/,
+    )
+    const inflated = compileWarp(({ normal }) => normal.mult(2))
+    refuses(
+      () => inflated.evaluateAt(positions),
+      /evaluateAt: the warp reads the normal of each vertex, but no "normal" came/,
+    )
+  })
+
+  test('boxes', () => {
+    refuses(
+      () => wave.bounds(),
+      /bounds: box must be \{ min, max \}, each of 3 numbers, but is undefined/,
+    )
+    refuses(
+      () => wave.bounds({ min: [0, 0, 0] }),
+      /bounds: box\.max must be an array of 3 finite numbers, but is undefined/,
+    )
+    refuses(
+      () => wave.bounds({ min: [0, 2, 0], max: [1, 1, 1] }, { uniforms }),
+      /bounds: box\.min\[1\] is 2, above box\.max\[1\], which is 1/,
+    )
+    refuses(
+      () => wave.bounds({ min: [0, 0, 0], max: [1, 1, 1] }),
+      /bounds: the warp reads "millis"/,
+    )
+  })
+
+  test('warps that the CPU cannot run, and without normals', () => {
+    const own = compileWarp(({ glsl, position }) => {
+      const bump = glsl.fn({
+        name: 'bump',
+        source: 'float bump(float x) { return x; }',
+        arity: 1,
+        derivatives: [1],
+      })
+      return glsl.vec3(bump(position.x()), 0, 0)
+    })
+    for (const method of ['evaluate', 'foldover'])
+      refuses(
+        () => own[method]({ positions }),
+        new RegExp(
+          `${method}: this warp calls a function of glsl\\.fn or reads an image by glsl\\.texture, which only the GPU can do`,
+        ),
+      )
+    const bare = compileWarp(({ position }) => position, { normals: false })
+    refuses(
+      () => bare.foldover({ positions }),
+      /foldover: the warp was compiled with "normals: false"/,
+    )
+  })
+
+  test('tangents without normals', () => {
+    refuses(
+      () => compileWarp(({ position }) => position, { normals: false, tangents: true }),
+      /compileWarp: tangents are turned with the normal; leave "normals: false" out/,
+    )
+    refuses(
+      () => compileWarp(({ position }) => position, { tangents: 1 }),
+      /compileWarp: the option "tangents" must be true or false, but is the number 1/,
+    )
+  })
+})
+
+describe('bounds of what is NaN somewhere', () => {
+  const box = { min: [-1, -1, -1], max: [1, 1, 1] }
+  const boundsOf = (offset) => compileWarp(offset).bounds(box)
+  /** Around these numbers, and not much larger. */
+  function assertAround([min, max], [low, high]) {
+    assert.ok(min <= low && low - min < 0.05 && max >= high && max - high < 0.05, `${[min, max]}`)
+  }
+
+  test('are around the numbers', () => {
+    const root = boundsOf(({ glsl, position: { x, y } }) =>
+      glsl.vec3(y.sqrt(), 0, x.asin().mult(2)),
+    )
+    assertAround([root.min[0], root.max[0]], [-1, 2])
+    assertAround([root.min[1], root.max[1]], [-1, 1])
+    const far = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.mult(3).asin(), 0))
+    assertAround([far.min[1], far.max[1]], [-1 - Math.PI / 2, 1 + Math.PI / 2])
+  })
+
+  test('are infinite where the values are, and empty where there are none', () => {
+    const pole = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.log(), 0))
+    assert.equal(pole.min[1], -Infinity)
+    assert.ok(pole.max[1] >= 1 && pole.max[1] < 1.05)
+    const { min, max } = boundsOf(({ glsl, position: { x } }) => glsl.vec3(0, x.sub(2).sqrt(), 0))
+    assert.deepEqual([min[1], max[1]], [Infinity, -Infinity])
+    assertAround([min[0], max[0]], [-1, 1])
+  })
+})
+
+describe('memory that inputs and results share', () => {
+  const bend = compileWarp(({ glsl, position }) =>
+    glsl.vec3(position.y.mult(0.5), position.x.sin(), position.z.mult(position.x)),
+  )
+  const count = 10_000
+  const values = Float32Array.from({ length: 4 * count }, (_, i) => Math.sin(1.7 * i))
+  const normals = Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 === 1 ? 1 : 0))
+  const tangents = Float32Array.from({ length: 4 * count }, (_, i) =>
+    Number(i % 4 === 0 || i % 4 === 3),
+  )
+  const positions = values.slice(0, 3 * count)
+  const expected = bend.evaluate({ positions, normals, tangents })
+
+  /** An array of a buffer that has room on both sides, filled with what is given. */
+  function placed(buffer, at, numbers) {
+    const view = new Float32Array(buffer, 4 * at, numbers.length)
+    view.set(numbers)
+    return view
+  }
+
+  test('gives the same, wherever the result lies', () => {
+    for (let run = 0; run < 3; run++)
+      for (const shift of [
+        -30_001, -12_288, -3, -1, 0, 1, 2, 3, 4, 12_287, 12_288, 15_000, 29_999, 30_000,
+      ]) {
+        const buffer = new ArrayBuffer(4 * 100_000)
+        const input = placed(buffer, 40_000, positions)
+        const out = { positions: new Float32Array(buffer, 4 * (40_000 + shift), 3 * count) }
+        const { positions: moved } = bend.evaluate({ positions: input }, { out })
+        assert.deepEqual(moved, expected.positions, `by ${shift}`)
+      }
+  })
+
+  test('of another kind of input too: normals over positions, tangents over normals, doubles', () => {
+    for (const shift of [-9000, -1, 0, 1, 5000]) {
+      const buffer = new ArrayBuffer(4 * 200_000)
+      const mesh = {
+        positions: placed(buffer, 50_000, positions),
+        normals: placed(buffer, 90_000, normals),
+        tangents: placed(buffer, 130_000, tangents),
+      }
+      const at = (offset, size) => new Float32Array(buffer, 4 * (offset + shift), size * count)
+      const out = { positions: at(130_000, 3), normals: at(50_000, 3), tangents: at(90_000, 4) }
+      assert.deepEqual(bend.evaluate(mesh, { out }), expected, `by ${shift}`)
+    }
+    const buffer = new ArrayBuffer(8 * 40_000)
+    for (const shift of [0, 8, 60_000, 120_000]) {
+      const doubles = new Float64Array(buffer, 0, 3 * count)
+      doubles.set(positions)
+      const out = { positions: new Float32Array(buffer, shift, 3 * count) }
+      assert.deepEqual(bend.evaluate({ positions: doubles }, { out }).positions, expected.positions)
+    }
+  })
+
+  test('two results need memory of their own', () => {
+    const same = new Float32Array(4 * count)
+    const refused = (out, message) =>
+      assert.throws(() => bend.evaluate({ positions, normals, tangents }, { out }), {
+        name: 'WarpError',
+        message,
+      })
+    refused(
+      { positions: same, normals: same },
+      /^evaluate: out\.positions and out\.normals must have memory of their own, but are the same array\.$/,
+    )
+    refused({ normals: same, tangents: same }, /out\.normals and out\.tangents .* same array/)
+    const buffer = new ArrayBuffer(4 * 80_000)
+    const at = (place) => new Float32Array(buffer, 4 * place)
+    refused(
+      { positions: at(0), tangents: at(3 * count - 1) },
+      /out\.positions and out\.tangents .* same part of a buffer/,
+    )
+    refused({ positions: at(3 * count - 1), normals: at(0) }, /out\.positions and out\.normals/)
+    // Neighbours are fine, and so are arrays that are not written.
+    const out = { positions: at(0), normals: at(3 * count) }
+    assert.deepEqual(
+      bend.evaluate({ positions, normals }, { out }).normals.slice(0, 3 * count),
+      expected.normals,
+    )
+    assert.equal(
+      bend.evaluate({ positions }, { out: { positions: same, normals: same } }).positions,
+      same,
+    )
+  })
+})
+
+describe('uniforms that nothing depends on', () => {
+  const box = { min: [0, 0, 0], max: [1, 1, 1] }
+  const mesh = { positions: [1, 2, 3] }
+  /** Each entry point with these uniforms. */
+  function callAll(warp, uniforms) {
+    warp.evaluate(mesh, { uniforms })
+    warp.evaluateAt([1, 2, 3], { uniforms })
+    warp.bounds(box, { uniforms })
+    warp.foldover(mesh, { uniforms })
+    warp.inverseAt([1, 2, 3], { uniforms })
+    warp.frameUniforms(uniforms)
+  }
+  const sources = [
+    'return p;',
+    'float k = amount * 2.0; return p;',
+    'float k = amount * 2.0; k = 1.0; return p * k;',
+    'if (false) return p * amount; return p;',
+    'return vec3(p.xy, amount).xxy;',
+    'return p * (amount - amount);',
+    'return p * pow(amount, 0.0);',
+  ]
+  for (const perFrame of [false, true])
+    test(`may be given, ${perFrame ? 'with' : 'without'} frame constants`, () => {
+      for (const body of sources) {
+        const text = glslOffset(`uniform float amount;\nvec3 offset(vec3 p) { ${body} }`)
+        for (const more of [{}, { uniforms: { amount: 2 } }]) {
+          const warp = compileWarp(text, { perFrame, ...more })
+          callAll(warp, { amount: 3 })
+          assert.throws(() => warp.evaluateAt([1, 2, 3], { uniforms: { amout: 3 } }), /"amout"/)
+          assert.throws(
+            () => warp.evaluateAt([1, 2, 3], { uniforms: { amount: [1, 2] } }),
+            /"amount"/,
+          )
+          if (more.uniforms || !body.includes('amount')) callAll(warp, {})
+        }
+      }
+      const built = compileWarp(
+        ({ position, uniforms: { amount, center }, glsl }) =>
+          position
+            .mult(amount.sub(amount))
+            .add(position.sub(center).mult(0), glsl.param('other').mult(0)),
+        { perFrame, uniforms: { amount: 1, center: [1, 2, 3] } },
+      )
+      callAll(built, { amount: 3, center: { x: 1, y: 2, z: 3 }, other: 5, millis: 7 })
+      callAll(built, {})
+    })
+
+  test('of every type that a text can declare', () => {
+    const types = {
+      int: -3,
+      uint: 3e9,
+      bool: true,
+      vec3: [1, 2, 3],
+      ivec2: [1, -2],
+      mat3: Array(9).fill(1),
+    }
+    for (const [type, value] of Object.entries(types)) {
+      const source = `#version 300 es\nuniform ${type} amount; uniform sampler2D image; vec3 offset(vec3 p) { return p; }`
+      callAll(compileWarp(glslOffset(source)), { amount: value })
+    }
+  })
+})

@@ -1,0 +1,261 @@
+// Warps as machine code on the CPU: the same bits as by the interpreter, which computes the first call; and what becomes of
+// the code. Of a NaN, whose bits WebAssembly leaves open, only that it is one.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { setTimeout } from 'node:timers/promises'
+import { setFlagsFromString } from 'node:v8'
+import { runInNewContext } from 'node:vm'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
+
+setFlagsFromString('--expose-gc')
+const collect = runInNewContext('gc')
+
+let made = 0
+const { Module } = WebAssembly
+WebAssembly.Module = function (bytes) {
+  made++
+  return new Module(bytes)
+}
+
+const { compileWarp } = await import('../../dist/warpjet.js')
+await import('../../dist/glsl.js')
+const { evaluationMemoryInUse } = await import('../../dist/memory.js')
+const { above, randomFunction } = await import('../glsl/generate.js')
+const { moments } = await import('../support/browser/compare.js')
+const { seededRandom } = await import('../warps/random.js')
+const { warps } = await import('../warps/index.js')
+
+const sizes = {
+  positions: 3,
+  normals: 3,
+  uvs: 2,
+  colors: 4,
+  tangents: 4,
+  normalXGradients: 3,
+  normalYGradients: 3,
+  normalZGradients: 3,
+  uGradients: 3,
+  vGradients: 3,
+}
+
+function meshOf(vertices, numberAt) {
+  const entries = Object.entries(sizes).map(([name, size], array) => [
+    name,
+    Float32Array.from({ length: size * vertices }, (_, i) => numberAt(i, array)),
+  ])
+  return Object.fromEntries(entries)
+}
+
+const random = seededRandom(7)
+const ordinary = meshOf(1000, () => 2 * random() - 1)
+
+/** Where formulas change over: zeros, denormals, the ends of float32, and what is too large for a sine by its formula. */
+const extremes = [
+  0,
+  -0,
+  1,
+  -1,
+  0.5,
+  1.5,
+  -2.5,
+  1e-45,
+  -1e-39,
+  1e-20,
+  3e38,
+  -3e38,
+  1e10,
+  12799.9,
+  12800.1,
+  -99999,
+  1048577,
+  3,
+  -7,
+  88.8,
+  -104,
+  2 ** 24,
+  0.999999,
+  4091,
+  16777217,
+]
+const extreme = meshOf(extremes.length ** 2, (i, array) => {
+  const vertex = Math.floor(i / 3)
+  const [first, second] = [vertex % extremes.length, Math.floor(vertex / extremes.length)]
+  return extremes[[first, second, first + second + array][i % 3] % extremes.length]
+})
+
+const first = (mesh, vertices) =>
+  Object.fromEntries(
+    Object.entries(mesh).map(([name, all]) => [name, all.subarray(0, vertices * sizes[name])]),
+  )
+
+const bits = (floats) => new Uint32Array(floats.buffer, floats.byteOffset, floats.length)
+
+function assertSame(found, expected, message) {
+  for (const [name, floats] of Object.entries(found)) {
+    const [a, b] = [bits(floats), bits(expected[name])]
+    for (let i = 0; i < a.length; i++)
+      if (a[i] !== b[i] && !(Number.isNaN(floats[i]) && Number.isNaN(expected[name][i])))
+        assert.fail(`${message}: ${name}[${i}] is ${floats[i]}, not ${expected[name][i]}`)
+  }
+}
+
+/** A warp that was never run: by the interpreter, and then, on so many vertices at a time, by its code. */
+function assertBothSame(warp, mesh, uniforms, counts, message) {
+  const expected = warp.evaluate(mesh, { uniforms })
+  const before = made
+  for (const count of counts)
+    assertSame(warp.evaluate(first(mesh, count), { uniforms }), expected, `${message}, ${count}`)
+  assert.equal(made, before + 1, `${message}: machine code is made once`)
+}
+
+const counts = [1, 3, 5, 17, 1000]
+
+describe('the same bits', () => {
+  test('of every warp of the tests', () => {
+    let compared = 0
+    for (const { name, compile, params } of warps) {
+      const warp = compile('glsl300')
+      if (!warp.evaluate) continue
+      assertBothSame(warp, ordinary, { ...moments[1], ...params }, counts, name)
+      assertSame(
+        warp.evaluate(ordinary, { uniforms: { ...moments[2], ...params } }),
+        compile('glsl300').evaluate(ordinary, { uniforms: { ...moments[2], ...params } }),
+        `${name}, later`,
+      )
+      compared++
+    }
+    assert.ok(compared > 60, `${compared} warps`)
+  })
+
+  const unary =
+    'neg sqrt inversesqrt exp exp2 log log2 sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh abs sign floor ceil round trunc fract not'
+  const binary = 'add sub mult div pow atan mod min max step lt le gt ge eq ne and or'
+  const ternary = 'clamp mix ifElse smoothstep'
+  const noises = 'noise simplex valueNoise fbm ridged turbulence worley curl'
+  for (const [list, arity] of [
+    [unary, 1],
+    [binary, 2],
+    [ternary, 3],
+    [noises, 0],
+  ])
+    for (const name of list.split(' '))
+      for (const isUniform of arity ? [false, true] : [false])
+        test(`of ${name} of ${['a place', 'a number', 'two', 'three'][arity]}${isUniform ? ' that all vertices share' : ''}`, () => {
+          const offset = ({ glsl, position, millis, mouseX, mouseY }) => {
+            const given = isUniform
+              ? [millis, mouseX, mouseY]
+              : ['x', 'y', 'z'].map((c) => position[c]())
+            const all = arity ? glsl[name](...given.slice(0, arity)) : position[name]()
+            const value = /worley|curl/.test(name) ? all.x() : all
+            return glsl.vec3(glsl.ifElse(glsl.gt(value, 3e38), 7, value), 0, 0)
+          }
+          for (const millis of isUniform ? extremes.slice(0, 16) : [0]) {
+            const uniforms = { millis, mouse: [millis / 3, 2 - millis] }
+            const mesh = isUniform ? first(extreme, 3) : extreme
+            assertBothSame(
+              compileWarp(offset),
+              mesh,
+              uniforms,
+              [5, mesh.positions.length / 3],
+              name,
+            )
+          }
+        })
+
+  const texts = isRun('every random expression') ? 400 : 100
+  test(`of ${texts} random functions in GLSL: loops, conditions, whole numbers`, () => {
+    for (let seed = 1; seed <= texts; seed++) {
+      const { glsl: text } = randomFunction(seed)
+      const warp = compileWarp(({ glsl, position }) => glsl.source(above + text)(position))
+      assertBothSame(warp, first(ordinary, 37), {}, [1, 37], `function ${seed}`)
+    }
+  })
+
+  test('of a warp in several functions of code, between which values are kept', () => {
+    const warp = compileWarp(({ glsl, position, millis }) => {
+      const [x, y, z] = [position.x(), position.y(), position.z()]
+      const waves = Array.from({ length: 300 }, (_, i) =>
+        [x, y, z][i % 3]
+          .mult(1 + i / 10)
+          .add(millis)
+          .add(i)
+          .sin(),
+      )
+      const forth = waves.reduce((sum, wave) => sum.mult(0.9).add(wave), x)
+      const back = waves.reduceRight((sum, wave) => sum.mult(0.9).add(wave.mult(wave)), y)
+      return glsl.vec3(forth, back, forth.mult(back))
+    })
+    assertBothSame(warp, ordinary, { millis: 3 }, counts, 'waves')
+  })
+
+  test('of more vertices than are in the memory at a time, and into arrays that came along', () => {
+    const warp = compileWarp(({ position, millis }) => position.yzx().mult(3).add(millis).sin())
+    const mesh = {
+      positions: Float32Array.from({ length: 3 * 9001 }, (_, i) => Math.sin(i)),
+      normals: Float32Array.from({ length: 3 * 9001 }, (_, i) => Math.cos(i)),
+    }
+    const uniforms = { millis: 2 }
+    const expected = warp.evaluate(mesh, { uniforms })
+    assertSame(warp.evaluate(mesh, { uniforms }), expected, 'all')
+    warp.evaluate(mesh, { uniforms, out: mesh })
+    assertSame(mesh, expected, 'in place')
+  })
+
+  test('of one vertex by itself', () => {
+    const warp = compileWarp(({ position, millis }) => position.yzx().mult(3).add(millis).sin())
+    const at = () =>
+      warp.evaluateAt([0.1, 0.2, 0.3], { normal: [0, 1, 0], uniforms: { millis: 1 } })
+    const expected = at()
+    for (let i = 0; i < 3; i++) assert.deepEqual(at(), expected)
+  })
+})
+
+const offsets =
+  (i) =>
+  ({ glsl, position }) =>
+    glsl.vec3(position.y().mult(i).sin(), position.z().add(i).exp(), 0)
+
+test('nothing is left of warps that are dropped', async () => {
+  const count = isRun('thousands of warps') ? 3000 : 300
+  const mesh = first(ordinary, 64)
+  compileWarp(offsets(0)).evaluate(mesh) // what runs programs has started
+  const { Instance } = WebAssembly
+  const instances = []
+  WebAssembly.Instance = function (...given) {
+    const instance = new Instance(...given)
+    instances.push(new WeakRef(instance))
+    return instance
+  }
+  const inside = evaluationMemoryInUse()
+  let kept
+  for (let i = 0; i < count; i++) {
+    kept = compileWarp(offsets(i))
+    for (let k = 0; k < 2; k++) kept.evaluate(mesh)
+  }
+  WebAssembly.Instance = Instance
+  assert.equal(instances.length, count)
+  assert.equal(evaluationMemoryInUse(), inside)
+  for (let i = 0; i < 5; i++) {
+    collect()
+    await setTimeout(20)
+  }
+  const left = instances.filter((instance) => instance.deref()).length
+  assert.ok(left >= 1 && left < 20, `${left} of ${count} are left`)
+  assert.ok(kept.evaluate(mesh), 'which goes on')
+})
+
+// The last one: nothing is compiled any more.
+test('where compiling is forbidden the interpreter goes on, and nobody notices', () => {
+  const allowed = compileWarp(offsets(1))
+  const expected = [1, 2].map(() => allowed.evaluate(ordinary))[1]
+  let tried = 0
+  WebAssembly.Module = function () {
+    tried++
+    throw new WebAssembly.CompileError('Wasm code generation disallowed by embedder')
+  }
+  const forbidden = compileWarp(offsets(1))
+  for (let i = 0; i < 3; i++) assertSame(forbidden.evaluate(ordinary), expected, 'forbidden')
+  const other = compileWarp(offsets(1))
+  for (let i = 0; i < 3; i++) assertSame(other.evaluate(ordinary), expected, 'another')
+  assert.equal(tried, 1, 'it is not tried again')
+})

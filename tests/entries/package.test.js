@@ -1,0 +1,145 @@
+// What `npm i warpjet` brings.
+import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
+import { existsSync, readFileSync, readdirSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { bundles, declared, sources } from '../../.scripts/lib/entries.mjs'
+
+const root = fileURLToPath(new URL('../../', import.meta.url))
+
+/** What npm would put into the package. */
+function packedFiles() {
+  const packed = execFileSync('npm', ['pack', '--dry-run', '--json', '--ignore-scripts'], {
+    cwd: root,
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'ignore'],
+  })
+  const report = JSON.parse(packed)
+  const [{ files }] = Array.isArray(report) ? report : Object.values(report)
+  return files
+}
+
+test('the package holds what a user needs and nothing else', () => {
+  const files = packedFiles()
+  const others = files
+    .map(({ path }) => path)
+    .filter(
+      (path) =>
+        !/^dist\/(shared\/)?[\w.-]+\.js(\.map)?$|^dist\/types\/[\w.-]+\.d\.ts$|^web\/docs\//.test(
+          path,
+        ),
+    )
+  assert.deepEqual(others.sort(), [
+    'CHANGELOG.md',
+    'LICENSE',
+    'NOTICE',
+    'README.md',
+    'package.json',
+    'web/gallery.png',
+  ])
+  const packed = new Set(files.map(({ path }) => path))
+  const ours = bundles.filter((file) => file !== 'dist/memory.js')
+  for (const file of [...ours, ...declared.map((name) => `dist/types/${name}.d.ts`)])
+    assert.ok(packed.has(file), file)
+  assert.ok(!files.some(({ path }) => path.startsWith('dist/memory.')))
+})
+
+test('files with side effects are files of the package and their sources', () => {
+  const { sideEffects } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  for (const file of sideEffects) assert.ok(existsSync(`${root}${file}`), file)
+  // A bundler must keep what an entry does when it is loaded.
+  const acts = (file) => /^[\w.]+\(/m.test(readFileSync(`${root}${file}`, 'utf8'))
+  const acting = sources.filter(acts)
+  assert.ok(acting.includes('js-bindings/glsl.ts'))
+  for (const file of acting) assert.ok(sideEffects.includes(`./${file}`), file)
+})
+
+test('every entry loads in Node, without a DOM and without p5', async () => {
+  const core = await import('warpjet')
+  const autodiff = await import('warpjet/autodiff')
+  const addon = await import('warpjet/p5')
+  const mesh = await import('warpjet/mesh')
+  const text = await import('warpjet/text')
+  assert.equal(autodiff.gen, core.gen)
+  assert.equal(text.gen, core.gen)
+  assert.equal(typeof addon.default, 'function')
+  assert.equal(mesh.WarpError, core.WarpError)
+  const { twist } = await import('warpjet/deformers')
+  assert.throws(() => twist(5), core.WarpError)
+  assert.match(core.compileWarp(twist()).code, /warpedNormal/)
+  assert.equal(typeof globalThis.window, 'undefined')
+})
+
+test('require loads every entry, in the versions of Node that package.json names', () => {
+  const require = createRequire(import.meta.url)
+  const { exports } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  const entries = Object.keys(exports).filter((key) =>
+    /^\.\/dist\/(?!.*\.min\.js$)/.test(exports[key].default),
+  )
+  assert.ok(entries.length > 10)
+  for (const entry of entries.map((key) => key.slice(1)))
+    assert.ok(Object.keys(require(`warpjet${entry}`)).length, entry)
+  // The first of each line that has require for modules.
+  const { engines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  assert.equal(engines.node, '^20.19.0 || >=22.12.0')
+})
+
+test('glsl-autodiff’s global script name works: AutoDiff.gen', async () => {
+  await import('../../dist/p5.warpjet.min.js')
+  assert.equal(typeof globalThis.AutoDiff.gen, 'function')
+})
+
+test('the links and pictures of what is shipped live wherever it is shown', () => {
+  const { version, homepage } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  const cdn = `https://cdn.jsdelivr.net/npm/warpjet@${version.replace(/\.\d+$/, '')}/`
+  const paths = new Set(packedFiles().map(({ path }) => path))
+  /** Each page of the docs is made of a file that is shipped, too. */
+  const isOfSite = (page) =>
+    ['', 'docs/', 'playground/'].includes(page) || paths.has(`web/${page.replace(/html$/, 'md')}`)
+  const wrong = [...paths]
+    .filter((path) => path.endsWith('.md'))
+    .flatMap((path) => {
+      const text = readFileSync(`${root}${path}`, 'utf8')
+      const links = [...text.matchAll(/\]\(([^)\s]+)\)|(?:src|href)="([^"]+)"/g)]
+      return links.map(([, inText, inHtml]) => ({ path, link: inText ?? inHtml }))
+    })
+    .filter(({ path, link }) => {
+      if (link.startsWith('#')) return false
+      // npm shows the README by itself; the others lie beside what they name.
+      const { href } = new URL(link, path === 'README.md' ? undefined : `${cdn}${path}`)
+      const page = href.replace(/#.*/, '')
+      if (page.startsWith(homepage)) return !isOfSite(page.slice(homepage.length))
+      return href.startsWith('https://cdn.jsdelivr.net/npm/warpjet')
+        ? !paths.has(page.replace(cdn, ''))
+        : !href.startsWith('https://')
+    })
+  assert.deepEqual(wrong, [])
+})
+
+test('npm shows where the source is, and where to ask', () => {
+  const { repository, homepage, bugs } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'))
+  const source = 'https://github.com/warpjet/warpjet'
+  assert.deepEqual(repository, { type: 'git', url: `git+${source}.git` })
+  // Where the workflow puts the site.
+  assert.equal(homepage, 'https://warpjet.github.io/warpjet/')
+  assert.equal(bugs, `${source}/issues`)
+})
+
+test('NOTICE names every library that is compiled in', () => {
+  const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
+  // What the linker adds, and what Vite bundles; .cmake/wasm.cmake says which allocator is where.
+  const others = ['emscripten', 'emmalloc', 'dlmalloc', 'musl', 'libc++', 'libc++abi', 'libunwind']
+  for (const name of [...others, 'compiler-rt', 'acorn'])
+    assert.match(notice, new RegExp(`${name.replaceAll('+', '\\+')}(?![+\\w])`), name)
+  assert.doesNotMatch(notice, /embind/)
+  const linked = readFileSync(`${root}.cmake/wasm.cmake`, 'utf8')
+  for (const [, name] of linked.matchAll(/-sMALLOC=(\w+)/g)) assert.ok(notice.includes(name), name)
+  const libraries = readdirSync(`${root}.build/wasm/include`)
+  assert.ok(libraries.length > 0)
+  for (const library of libraries) {
+    const name = library.replace(/\.h(pp)?$/, '').replace('tiny_', 'tiny')
+    assert.ok(notice.includes(name), `${library} is not in NOTICE`)
+  }
+})

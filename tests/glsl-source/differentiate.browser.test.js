@@ -1,0 +1,150 @@
+// The text that `differentiate` writes, on every pipeline: gradients and Jacobians beside differences in double of a walk over the
+// tree of another parser.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { differentiate } from '../../dist/glsl.js'
+import { pointsOfCube } from '../glsl/points.js'
+import { walk } from '../glsl/walk.js'
+import { derivative } from '../random/differences.js'
+import { openPipelines, targetsInThisRun } from '../support/browser/pipelines.js'
+
+let pipelines
+before(async () => (pipelines = await openPipelines()))
+after(() => pipelines.close())
+
+/**
+ * Functions `f`, with the argument for each parameter, as text and as numbers of a point `p`; `by` is the place of the parameter
+ * that they are differentiated by.
+ */
+const whole = {
+  glsl: 'int(floor(p.z * 4.0))',
+  wgsl: 'i32(floor(p.z * 4.0))',
+  of: ([, , z]) => [Math.floor(z * 4)],
+}
+const natural = {
+  glsl: 'uint(floor(p.z * 4.0) + 4.0)',
+  wgsl: 'u32(floor(p.z * 4.0) + 4.0)',
+  of: ([, , z]) => [Math.floor(z * 4) + 4],
+}
+const condition = { glsl: 'p.y > 0.1', of: ([, y]) => [y > 0.1] }
+const [x, xy, xyz, xyzx] = ['x', 'xy', 'xyz', 'xyzx'].map((letters) => ({
+  glsl: `p.${letters}`,
+  of: (p) => [...letters].map((letter) => p['xyz'.indexOf(letter)]),
+}))
+const matrix = {
+  glsl: 'mat2(1.0, 2.0, p.z, 0.5)',
+  wgsl: 'mat2x2f(1.0, 2.0, p.z, 0.5)',
+  of: ([, , z]) => [1, 2, z, 0.5],
+}
+
+const turn = `vec2 f(vec2 p, float a) {
+  float c = cos(a * p.y), s = sin(a * p.x);
+  return mat2(c, s, -s, c) * p;
+}`
+const cases = {
+  'a distance field by its place': [
+    'float f(vec3 p) { return length(p * p.yzx + 0.3) - p.x; }',
+    0,
+    [xyz],
+  ],
+  'a number of a number': ['float f(float t) { return sin(t * 3.0) * t; }', 0, [x]],
+  'a number of a vec2, with a whole number and a condition': [
+    'float f(int n, vec2 p, bool isOn) { return isOn ? sin(p.x * float(n)) : p.y * p.y * float(abs(n) % 3); }',
+    1,
+    [whole, xy, condition],
+  ],
+  'two of two': [turn, 0, [xy, x]],
+  'two of a number': [turn, 1, [xy, x]],
+  'three of three, with a loop to a whole number that is given': [
+    `vec3 f(vec3 p, int n, bool isOn) {
+      vec3 q = p;
+      for (int i = 0; i < 4; i++) { if (i >= n) break; q += 0.3 * sin(q.yzx * float(i + 1)); }
+      return isOn ? q : q * p.x;
+    }`,
+    0,
+    [xyz, whole, condition],
+  ],
+  'three of three, with a whole number without a sign, by its bits': [
+    'vec3 f(vec3 p, uint n) { return p.zxy * p * float((n & 3u) + (n >> 1)); }',
+    0,
+    [xyz, natural],
+    true,
+  ],
+  'four of four': ['vec4 f(vec4 q) { return q.wzyx * q * q.x + normalize(q + 1.5); }', 0, [xyzx]],
+  'two of three': ['vec2 f(vec3 p) { return p.xy * p.z + sin(p.zx); }', 0, [xyz]],
+  'four of two': ['vec4 f(vec2 p) { return vec4(p, p.x * p.y, cos(p.x)); }', 0, [xy]],
+  'three of four': ['vec3 f(vec4 q) { return cross(q.xyz, q.wzx + 0.3); }', 0, [xyzx]],
+  'two of two, with a matrix that is given': [
+    'vec2 f(vec2 p, mat2 m) { return m * p * p.x + inverse(m) * p; }',
+    0,
+    [xy, matrix],
+  ],
+}
+
+const sizes = { float: 1, vec2: 2, vec3: 3, vec4: 4 }
+const points = pointsOfCube(40)
+
+/** A parameter's own numbers are moved, and so the point need not be. */
+function wantedAt(text, by, operands, p) {
+  const f = walk(text, 'f')
+  const given = operands.map(({ of }) => of(p))
+  const value = f(...given)
+  const at = ({ numbers }) => f(...given.map((each, i) => (i === by ? numbers : each)))
+  const columns = given[by].map((_, index) =>
+    derivative(at, { numbers: given[by] }, [{ name: 'numbers', index }], value),
+  )
+  return { value, columns }
+}
+
+for (const [name, [text, by, operands, hasBits]] of Object.entries(cases)) {
+  const [, type, list] = /(\w+) f\((.*?)\) \{/.exec(text)
+  const parameter = list.split(', ')[by].split(' ')
+  const [from, to] = [sizes[parameter[0]], sizes[type]]
+  const isGradient = to === 1
+  for (const target of targetsInThisRun) {
+    const isLacking = target === 'glsl100' && (hasBits || (!isGradient && from > 1 && from !== to))
+    if (!isLacking)
+      test(`${name}: as differences of it, in ${target}`, async () => {
+        const declarations = differentiate(text, { function: 'f', by: parameter[1], target })
+        const isWgsl = target === 'wgsl'
+        const given = operands.map((each) => (isWgsl && each.wgsl) || each.glsl).join(', ')
+        const result = `f${isGradient ? 'Gradient' : 'Jacobian'}(${given})`
+        // A matrix column by column, since not every size is a shape of the pipelines.
+        const isMatrix = !isGradient && from > 1
+        const outputs = isMatrix
+          ? Array.from({ length: from }, (_, k) => ({ name: `column${k}`, shape: to }))
+          : [{ name: 'result', shape: isGradient ? from + 1 : to }]
+        const declare = ({ name, shape }, value) =>
+          `${isWgsl ? 'let' : `vec${shape}`} ${name} = ${value};`
+        const values = await pipelines.run(
+          target,
+          {
+            code: outputs
+              .map((each, k) => declare(each, isMatrix ? `${result}[${k}]` : result))
+              .join('\n'),
+            declarations,
+            inputs: [{ name: 'p', shape: 3 }],
+            outputs,
+          },
+          points,
+        )
+        let compared = 0
+        points.forEach((p, i) => {
+          const { value, columns } = wantedAt(text, by, operands, p)
+          const wanted = [
+            ...(isGradient ? value.map((number) => ({ value: number, error: 0 })) : []),
+            ...columns.flat(),
+          ]
+          assert.equal(values[i].length, wanted.length)
+          wanted.forEach(({ value, error }, k) => {
+            if (!(error <= 1e-4)) return
+            compared++
+            const isNear = Math.abs(values[i][k] - value) <= 2e-3 * Math.max(1, Math.abs(value))
+            assert.ok(isNear, `number ${k} at ${p}: ${values[i][k]}, not ${value}`)
+          })
+        })
+        const all = points.length * (isGradient ? from + 1 : from * to)
+        assert.ok(compared > 0.9 * all, `${compared} of ${all} were compared`)
+      })
+  }
+}

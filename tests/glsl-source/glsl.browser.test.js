@@ -1,0 +1,234 @@
+// Shader text on real pipelines: the original as Chromium compiles it, and ours of the same, value for value.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { compile, compileWarp } from '../../dist/warpjet.js'
+import { differentiate, glslOffset } from '../../dist/glsl.js'
+import { isRun } from '../../.scripts/lib/tiers.mjs'
+import { corpus } from '../glsl/corpus.js'
+import { above, randomFunction } from '../glsl/generate.js'
+import { pointsOfCube } from '../glsl/points.js'
+import { openPipelines, targetsInThisRun } from '../support/browser/pipelines.js'
+
+let pipelines
+before(async () => (pipelines = await openPipelines()))
+after(() => pipelines.close())
+
+const inputs = [{ name: 'p', shape: 3 }]
+
+const points = pointsOfCube(60)
+
+/** The original as a function, and in glsl300 beside it our statements. */
+async function valuesOf({ text }, target) {
+  const compiled = compile(
+    (glsl) => {
+      const p = glsl.vec3Param('p')
+      const ours = glsl.source(text, { function: 'corpus' })(p)
+      return { ours, jacobian: glsl.jacobian(ours, p) }
+    },
+    { target },
+  )
+  const isOriginal = target === 'glsl300'
+  const outputs = [
+    { name: 'ours', shape: 3 },
+    { name: 'jacobian', shape: 'mat3' },
+  ]
+  if (isOriginal) outputs.push({ name: 'original', shape: 3 })
+  const values = await pipelines.run(
+    target,
+    {
+      code: `${compiled.code}${isOriginal ? 'vec3 original = corpus(p);' : ''}`,
+      declarations: (isOriginal ? text : '') + compiled.declarations,
+      inputs,
+      outputs,
+    },
+    points,
+  )
+  const part = (from, to) => values.map((numbers) => [...numbers.subarray(from, to)])
+  return { compiled, ours: part(0, 3), jacobian: part(3, 12), original: part(12) }
+}
+
+/** What vertices move by, in float32. */
+function onCpu({ text }) {
+  const warp = compileWarp(glslOffset(text, { function: 'corpus' }), { normals: false })
+  const moved = warp.evaluate({ positions: Float32Array.from(points.flat()) }).positions
+  return points.map((point, i) => point.map((x, k) => moved[3 * i + k] - x))
+}
+
+const tolerance = (value) => 2e-3 * Math.max(1, Math.abs(value))
+
+/** What GLSL 1.00 has not. */
+const hasBits = /\b(?:floatBitsTo\w+|u?intBitsTo\w+|u(?:int|vec\d)|pack\w+2x16)\(|\bint \w+ = .*&/
+
+/** How many numbers are not nearly the same; what no shader promises, such as 0/0, is left out. */
+function differing(values, wanted, compared = { count: 0 }) {
+  let wrong = 0
+  values.forEach((three, i) =>
+    wanted[i].forEach((value, k) => {
+      if (!Number.isFinite(value) || Math.abs(value) > 1e6) return
+      compared.count++
+      if (!(Math.abs(three[k] - value) <= tolerance(value))) wrong++
+    }),
+  )
+  return wrong
+}
+
+test('there are at least 60 functions', () => assert.ok(corpus.length >= 60, `${corpus.length}`))
+
+test('every function of the corpus as the original, in each language and on the CPU, and its derivatives', async () => {
+  const problems = []
+  const compared = { count: 0 }
+  let sameSides = 0
+  for (const each of corpus) {
+    try {
+      const { compiled, original, ...first } = await valuesOf(each, 'glsl300')
+      const cpu = points.map((p) => compiled.evaluate({ p }))
+      const check = (name, ours, wanted = original) => {
+        const wrong = differing(ours, wanted, compared)
+        // A point may lie on the edge between two branches.
+        if (wrong > wanted[0].length) problems.push(`${each.name}, ${name}: ${wrong} differ`)
+      }
+      // Where float32 is on the other side of a jump than double, in a hash say, the value tells it.
+      const isSameSide = cpu.map(({ ours }, i) =>
+        ours.every((x, k) => !(Math.abs(x - original[i][k]) > tolerance(x) / 10)),
+      )
+      sameSides += isSameSide.filter(Boolean).length
+      const known = (rows) => rows.filter((_, i) => isSameSide[i])
+      // Which tests/glsl-source/derivatives.test.js has beside differences of another evaluation.
+      const jacobians = known(cpu.map(({ jacobian }) => [...jacobian]))
+      const checkBoth = (name, { ours, jacobian }) => {
+        check(name, ours)
+        check(`derivatives in ${name}`, known(jacobian), jacobians)
+      }
+      checkBoth('glsl300', first)
+      for (const target of targetsInThisRun)
+        if (target !== 'glsl300' && !(target === 'glsl100' && hasBits.test(each.text)))
+          checkBoth(target, await valuesOf(each, target))
+      check('CPU', onCpu(each))
+    } catch (error) {
+      problems.push(`${each.name}: ${error.message.slice(0, 300)}`)
+    }
+  }
+  assert.deepEqual(problems, [])
+  assert.ok(compared.count > corpus.length * 11 * points.length)
+  const share = sameSides / (corpus.length * points.length)
+  assert.ok(share > 0.99, `derivatives were compared at ${share} of the points`)
+})
+
+/** So many share a shader. */
+const batch = 25
+
+/** What a batch moves points by, in a language, beside the originals where that is theirs; nothing of what it is refused. */
+async function runRandom(cases, target) {
+  const isOriginal = target === 'glsl300'
+  const compiled = cases.flatMap(({ seed, glsl }) => {
+    const warp = compileUnlessBits(glsl, seed, target)
+    return warp ? [{ seed, warp }] : []
+  })
+  const outputs = compiled.flatMap(({ seed }) => [
+    { name: `ours${seed}`, shape: 3 },
+    ...(isOriginal ? [{ name: `original${seed}`, shape: 3 }] : []),
+  ])
+  if (outputs.length === 0) return new Map()
+  const code = ({ seed, warp }) =>
+    `${warp.code}\n${isOriginal ? `vec3 original${seed} = random${seed}(p);` : ''}`
+  const values = await pipelines.run(
+    target,
+    {
+      code: compiled.map(code).join('\n'),
+      declarations: [
+        isOriginal ? above + cases.map(({ glsl }) => glsl).join('\n') : '',
+        ...new Set(compiled.map(({ warp }) => warp.declarations)),
+      ].join('\n'),
+      inputs,
+      outputs,
+    },
+    points,
+  )
+  return new Map(
+    outputs.map(({ name }, i) => [name, values.map((all) => [...all.subarray(3 * i, 3 * i + 3)])]),
+  )
+}
+
+function compileUnlessBits(glsl, seed, target) {
+  try {
+    return compileWarp(glslOffset(above + glsl), {
+      target,
+      normals: false,
+      names: { position: 'p' },
+      outputs: { offset: `ours${seed}`, position: `moved${seed}` },
+    })
+  } catch (error) {
+    if (target === 'glsl100' && /glsl100 has no/.test(error.message)) return undefined
+    throw error
+  }
+}
+
+test('random functions as the original, in each language', async () => {
+  const count = isRun('every random expression') ? 2000 : 400
+  const problems = []
+  const compared = Object.fromEntries(targetsInThisRun.map((target) => [target, 0]))
+  for (let first = 1; first <= count && problems.length < 5; first += batch) {
+    const cases = Array.from({ length: batch }, (_, i) => randomFunction(first + i))
+    const originals = await runRandom(cases, 'glsl300')
+    for (const target of targetsInThisRun) {
+      const values = target === 'glsl300' ? originals : await runRandom(cases, target)
+      for (const { seed, glsl } of cases) {
+        const ours = values.get(`ours${seed}`)
+        if (!ours) continue
+        const wrong = differing(ours, originals.get(`original${seed}`))
+        compared[target]++
+        // Points that lie on the edge between two branches.
+        if (wrong > 6)
+          problems.push(`${seed} in ${target}: ${wrong} of ${3 * points.length}\n${glsl}`)
+      }
+    }
+  }
+  assert.equal(problems.length, 0, problems.join('\n').slice(0, 4000))
+  for (const [target, times] of Object.entries(compared))
+    assert.ok(
+      times >= (target === 'glsl100' ? count / 5 : count),
+      `${target}: ${times} of ${count}`,
+    )
+})
+
+test('value and gradient as one function: as the field has them, in each language', async () => {
+  const field = `float blend(float a, float b, float k) {
+      float h = clamp(0.5 + 0.5 * (b - a) / k, 0.0, 1.0);
+      return mix(b, a, h) - k * h * (1.0 - h);
+    }
+    float map(vec3 p) {
+      float d = length(p) - 0.5;
+      for (int i = 0; i < 3; i++) d = blend(d, length(p - 0.4 * vec3(i, 1 - i, 0.3)) - 0.2, 0.3);
+      return d;
+    }`
+  // The same by hand, in double.
+  const map = (p) => {
+    let d = Math.hypot(...p) - 0.5
+    for (let i = 0; i < 3; i++) {
+      const b = Math.hypot(p[0] - 0.4 * i, p[1] - 0.4 * (1 - i), p[2] - 0.12) - 0.2
+      const h = Math.min(Math.max(0.5 + (0.5 * (b - d)) / 0.3, 0), 1)
+      d = b + (d - b) * h - 0.3 * h * (1 - h)
+    }
+    return d
+  }
+  const slope = (p, k) => {
+    const at = (step) => map(p.map((x, i) => (i === k ? x + step : x)))
+    return (at(1e-5) - at(-1e-5)) / 2e-5
+  }
+  const wanted = points.map((p) => [map(p), ...[0, 1, 2].map((k) => slope(p, k))])
+  for (const target of targetsInThisRun) {
+    const text = differentiate(field, { by: 'p', target })
+    const values = await pipelines.run(
+      target,
+      {
+        code: target === 'wgsl' ? 'let ours = mapGradient(p);' : 'vec4 ours = mapGradient(p);',
+        declarations: text,
+        inputs,
+        outputs: [{ name: 'ours', shape: 4 }],
+      },
+      points,
+    )
+    // A point may lie where a blend begins.
+    assert.ok(differing(values, wanted) <= 2, target)
+  }
+})

@@ -1,0 +1,75 @@
+// What #version lets a text hold, beside what a browser lets it hold: WebGL 1 reads GLSL ES 1.00, WebGL 2 reads 3.00 too.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { glslOffset } from '../../dist/glsl.js'
+import { named, versions, words } from '../glsl/versions.js'
+import { launchBrowser, openPage } from '../support/browser/browser.js'
+import { servePages } from '../support/browser/server.js'
+
+let browser, server, page
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+  ;({ page } = await openPage(browser, server.page('<!doctype html><meta charset="utf-8">')))
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** What the browser and we say of whole shaders, by name, where only one of the two refuses. */
+async function disagreements(head, context, texts) {
+  const names = Object.keys(texts)
+  const shaders = names.map(
+    (name) =>
+      `${head}\n${texts[name]}\nvoid main() { gl_Position = vec4(offset(vec3(0.5)), 1.0); }\n`,
+  )
+  const there = await refusedThere(context, shaders)
+  const disagreeing = names.flatMap((name, i) => {
+    const here = refusedHere(shaders[i])
+    return !here === !there[i] ? [] : [`${name}: here "${here}", there "${there[i]}"`]
+  })
+  return { disagreeing, refused: there.filter(Boolean).length }
+}
+
+const heads = { 100: ['#version 100', 'webgl'], 300: ['#version 300 es', 'webgl2'] }
+
+/** What the browser says against each as a vertex shader, or nothing. */
+const refusedThere = (context, texts) =>
+  page.evaluate(
+    ([context, texts]) => {
+      const gl = document.createElement('canvas').getContext(context)
+      return texts.map((text) => {
+        const shader = gl.createShader(gl.VERTEX_SHADER)
+        gl.shaderSource(shader, text)
+        gl.compileShader(shader)
+        return gl.getShaderParameter(shader, gl.COMPILE_STATUS) ? '' : gl.getShaderInfoLog(shader)
+      })
+    },
+    [context, texts],
+  )
+
+function refusedHere(text) {
+  try {
+    glslOffset(text, { maxIterations: 8 })
+    return ''
+  } catch (error) {
+    assert.equal(error.name, 'WarpError', error.stack)
+    return error.message
+  }
+}
+
+for (const [version, [head, context]] of Object.entries(heads)) {
+  test(`a text of ${head} holds what a browser lets it hold`, async () => {
+    const { disagreeing, refused } = await disagreements(head, context, versions)
+    assert.deepEqual(disagreeing, [])
+    assert.ok(refused > (version === '100' ? 40 : 5), `${refused} were refused`)
+  })
+
+  test(`a text of ${head} may call a variable what a browser lets it`, async () => {
+    const texts = Object.fromEntries(words.map((word) => [word, named(word)]))
+    const { disagreeing, refused } = await disagreements(head, context, texts)
+    assert.deepEqual(disagreeing, [])
+    assert.ok(refused > 60 && refused < words.length - 3, `${refused} were refused`)
+  })
+}

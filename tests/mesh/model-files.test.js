@@ -1,0 +1,188 @@
+// Model files in every form that loadMesh reads, written here and by the encoders of meshoptimizer and Draco: the triangles that come
+// out are those that the generator knows, and those that three.js' own loaders find; Khronos' validator has judged the glTF.
+import assert from 'node:assert/strict'
+import { readFileSync, readdirSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import { after, describe, test } from 'node:test'
+import validator from 'gltf-validator'
+import { WarpError } from 'warpjet'
+import { bakeWarp, exportGLB, loadMesh } from 'warpjet/mesh'
+import { meshMemoryInUse } from '../../dist/memory.js'
+import { compareTriangles, shapes, trianglesOf } from '../support/models/shapes.js'
+import { plainVariants } from '../support/models/gltf-variants.js'
+import { extensionVariants } from '../support/models/extension-variants.js'
+import { packedVariants } from '../support/models/packed-variants.js'
+import { textVariants } from '../support/models/text-variants.js'
+import { broken } from '../support/models/broken.js'
+import { readByThree } from '../support/models/three.js'
+
+const memory = meshMemoryInUse()
+after(() => assert.equal(meshMemoryInUse(), memory))
+
+const trianglesIn = ({ positions, indices }) => trianglesOf({ positions, indices })
+
+function assertTriangles(came, expected, tolerance = 1e-5) {
+  const far = compareTriangles(came, expected)
+  assert.ok(far <= tolerance, typeof far === 'string' ? far : `a corner is ${far} away`)
+}
+
+const isGltf = (file) => file[0] === 0x67 || file[0] === 0x7b
+
+async function assertValid(file, files = {}) {
+  const externalResourceFunction = async (uri) => {
+    if (files[uri] ?? files[encodeURIComponent(uri)])
+      return files[uri] ?? files[encodeURIComponent(uri)]
+    throw new Error('not there')
+  }
+  const { issues } = await validator.validateBytes(file, { externalResourceFunction })
+  const errors = issues.messages.filter(({ severity }) => severity === 0)
+  // What the validator does not know: bytes of pictures that nobody reads here, and buffers that extensions fill.
+  const known = /^(IMAGE_|VALUE_NOT_IN_LIST|BUFFER_|IO_ERROR|MESH_PRIMITIVE_INDEX_SEMANTIC)/
+  assert.deepEqual(
+    errors.filter(({ code }) => !known.test(code)),
+    [],
+  )
+}
+
+describe('generated models', () => {
+  let count = 0
+  const variants = { ...plainVariants, ...extensionVariants, ...packedVariants, ...textVariants }
+  for (const [name, make] of Object.entries(variants))
+    for (const [shapeName, shape] of Object.entries(shapes)) {
+      count++
+      test(`${name}: ${shapeName}`, async () => {
+        const { file, files = {}, triangles, tolerance } = make(shape)
+        if (isGltf(file)) await assertValid(file, files)
+        const mesh = await loadMesh(file, { resolve: (uri) => files[uri] })
+        assertTriangles(trianglesIn(mesh), triangles, tolerance)
+        assert.ok(mesh.normals.every(Number.isFinite))
+        const byThree = await readByThree(name, file, files)
+        if (byThree) assertTriangles(trianglesIn(mesh), byThree, tolerance && 2 * tolerance)
+        await assertValid(exportGLB(mesh))
+      })
+    }
+
+  test('they are 200 at least', () => assert.ok(count >= 200, `${count}`))
+})
+
+describe('models that are refused', () => {
+  for (const [name, { file, files = {}, decoders, reason }] of Object.entries(broken))
+    test(name, async () => {
+      await assert.rejects(loadMesh(file, { resolve: (uri) => files[uri], decoders }), (error) => {
+        assert.ok(error instanceof WarpError, String(error?.stack))
+        assert.match(error.message, reason)
+        assert.doesNotMatch(error.message, /\n|undefined|\[object/)
+        return true
+      })
+    })
+})
+
+describe('models of packages from npm', () => {
+  const folder = fileURLToPath(new URL('../../node_modules/stl/test/', import.meta.url))
+  for (const kind of ['ascii', 'binary'])
+    for (const name of readdirSync(folder + kind))
+      test(`stl: ${kind}/${name}`, async () => {
+        const file = new Uint8Array(readFileSync(`${folder}${kind}/${name}`))
+        const mesh = await loadMesh(`${folder}${kind}/${name}`)
+        const byThree = await readByThree('an STL', file)
+        assert.deepEqual([...mesh.positions], byThree.flat(2).map(Math.fround))
+        for (let i = 0; i < mesh.normals.length; i += 3) {
+          const length = Math.hypot(...mesh.normals.slice(i, i + 3))
+          assert.ok(
+            length === 0 || Math.abs(length - 1) < 1e-5,
+            `normal ${i / 3} has length ${length}`,
+          )
+        }
+        await assertValid(exportGLB(mesh))
+      })
+
+  test('draco3dgltf: bunny.drc in a glTF', async () => {
+    const { bunnyFile } = await import('../support/models/draco-bunny.js')
+    const mesh = await loadMesh(bunnyFile())
+    // Of the Stanford bunny, as the package says.
+    assert.equal(mesh.indices.length / 3, 69451)
+    assert.ok(mesh.positions.every(Number.isFinite))
+  })
+})
+
+describe('decoders', () => {
+  const meshopt = packedVariants['meshopt, vertices and triangles'](shapes.cube)
+  const draco = packedVariants['Draco, in order'](shapes.cube)
+
+  test('may be given in every form that their packages have', async () => {
+    const { MeshoptDecoder } = await import('meshoptimizer')
+    const { default: package_ } = await import('draco3dgltf')
+    for (const given of [MeshoptDecoder, Promise.resolve(MeshoptDecoder)]) {
+      const mesh = await loadMesh(meshopt.file, { decoders: { meshopt: given } })
+      assertTriangles(trianglesIn(mesh), meshopt.triangles)
+    }
+    const { createDecoderModule } = package_
+    const made = await createDecoderModule({})
+    for (const given of [
+      package_,
+      createDecoderModule,
+      () => createDecoderModule({}),
+      made,
+      Promise.resolve(made),
+    ]) {
+      const mesh = await loadMesh(draco.file, { decoders: { draco: given } })
+      assertTriangles(trianglesIn(mesh), draco.triangles)
+    }
+  })
+
+  test('are what the option says, and no others', async () => {
+    let calls = 0
+    const { MeshoptDecoder } = await import('meshoptimizer')
+    const counting = {
+      ready: MeshoptDecoder.ready,
+      decodeGltfBuffer: (...args) => (calls++, MeshoptDecoder.decodeGltfBuffer(...args)),
+    }
+    await loadMesh(meshopt.file, { decoders: { meshopt: counting } })
+    assert.equal(calls, 4)
+    globalThis.MeshoptDecoder = counting
+    try {
+      await loadMesh(meshopt.file)
+      assert.equal(calls, 8)
+    } finally {
+      delete globalThis.MeshoptDecoder
+    }
+    for (const [decoders, message] of [
+      [7, /^loadMesh: decoders: the options must be an object/],
+      [
+        { mesh: counting },
+        /^loadMesh: decoders: there is no option "mesh"; there are meshopt, draco/,
+      ],
+      [{ meshopt: {} }, /^loadMesh: expected the option "decoders.meshopt" to be the decoder of/],
+    ])
+      await assert.rejects(loadMesh(meshopt.file, { decoders }), (error) => {
+        assert.ok(error instanceof WarpError)
+        assert.match(error.message, message)
+        return true
+      })
+  })
+
+  test('a plain form is read where there is no decoder', async () => {
+    const { file, files, triangles } = packedVariants['meshopt with a fallback'](shapes.sphere)
+    const broken = {
+      ready: Promise.resolve(),
+      decodeGltfBuffer() {
+        throw new Error('not here')
+      },
+    }
+    await assert.rejects(
+      loadMesh(file, { resolve: (uri) => files[uri], decoders: { meshopt: broken } }),
+      /cannot be decoded \(not here\)/,
+    )
+    const mesh = await loadMesh(file, { resolve: (uri) => files[uri] })
+    assertTriangles(trianglesIn(mesh), triangles)
+  })
+})
+
+test('a compressed model can be warped and written', async () => {
+  const { file } = packedVariants['Draco, edge breaker'](shapes.sphere)
+  const mesh = await loadMesh(file)
+  const lifted = {
+    evaluate: ({ positions, normals }) => ({ positions: positions.map((x) => x + 1), normals }),
+  }
+  await assertValid(exportGLB(bakeWarp(mesh, lifted)))
+})

@@ -1,0 +1,61 @@
+// What `subdivide` is for: a coarse mesh that bends rightly. How near it comes is measured without what it looks at itself.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { compileWarp } from 'warpjet'
+import { subdivide } from 'warpjet/mesh'
+import { box } from '../../.scripts/lib/coarse-meshes.mjs'
+import { sketchWarps } from '../warps/sketches.js'
+import { deviation, edgesNotUsed } from '../support/deviation.js'
+import { cube as large, noiseWarps } from '../support/noise-warps.js'
+
+const sketches = await sketchWarps()
+/** With normals or without. */
+const warpOf = (wanted, normals = false) =>
+  compileWarp(sketches.find(({ name }) => name === wanted).warp, { normals })
+
+for (const tolerance of [2, 0.5])
+  test(`figure 6's cube with one edge a side becomes right to ${tolerance} of its 180 units`, () => {
+    const cube = box([90, 90, 90])
+    const [warp, shape] = [warpOf('coarse-and-fine', true), warpOf('coarse-and-fine')]
+    const uniforms = { millis: 1571 }
+    assert.ok(deviation(cube, shape, uniforms, 2) > 20, 'it is wrong before')
+    for (const angle of [0.17, Infinity]) {
+      const fine = subdivide(cube, { warp, uniforms, tolerance, angle })
+      const error = deviation(fine, shape, uniforms, 2)
+      assert.ok(error <= tolerance, `${error}`)
+      assert.deepEqual(edgesNotUsed(2, fine), [], 'there are no cracks')
+      assert.equal(fine.warnings, undefined)
+    }
+  })
+
+for (const [name, warp] of Object.entries(noiseWarps))
+  test(`a cube that ${name} warps is right to the tolerance`, () => {
+    for (const tolerance of [1, 0.5, 0.25]) {
+      const fine = subdivide(large, { warp, tolerance, angle: Infinity })
+      assert.equal(fine.warnings, undefined)
+      // Samples half as far apart, four times as many, have found 2% more.
+      const error = deviation(fine, warp, {}, 1)
+      assert.ok(error <= 0.97 * tolerance, `${error} of ${tolerance}`)
+    }
+  })
+
+test('cracks are found', () => {
+  const { positions, indices } = box([1, 1, 1])
+  assert.equal(edgesNotUsed(2, { positions, indices: indices.subarray(3) }).length, 3)
+})
+
+test('where a warp bends in one part, a third of the triangles of uniform levels is enough', () => {
+  const bar = box([100, 12.5, 20.6])
+  const warp = warpOf('spoon')
+  const uniforms = { millis: 2356 }
+  for (const levels of [3, 4, 5]) {
+    const uniform = subdivide(bar, { levels })
+    const allowed = deviation(uniform, warp, uniforms, 2)
+    const adaptive = subdivide(bar, { warp, uniforms, tolerance: allowed, angle: Infinity })
+    const error = deviation(adaptive, warp, uniforms, 2)
+    assert.ok(error <= allowed, `${error} of ${allowed}`)
+    assert.deepEqual(edgesNotUsed(2, adaptive), [])
+    const [few, many] = [adaptive, uniform].map(({ indices }) => indices.length / 3)
+    assert.ok(few <= many / 3, `${few} of ${many}`)
+  }
+})

@@ -1,0 +1,120 @@
+// Sketches as p5 people write them, with the script of operators: the picture of a twin by methods, on a page without that script,
+// or a message that says what to write. Each is a page of its own, since what is around a function is what is tested.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { sketches as conditions } from './sketches/conditions.js'
+import { sketches as functions } from './sketches/functions.js'
+import { sketches as helpers } from './sketches/helpers.js'
+import { sketches as names } from './sketches/names.js'
+import { sketches as others } from './sketches/others.js'
+import { launchBrowser, leavePage } from '../support/browser/browser.js'
+import { differingPixels, litPixels, readPixels } from '../support/browser/pixels.js'
+import { servePages } from '../support/browser/server.js'
+import { drawScenes, p5InThisRun, runSketch } from '../support/browser/sketch.js'
+
+const warpjet = '/dist/p5.warpjet.min.js'
+const operators = '/dist/warpjet.operators.min.js'
+const sketches = { ...helpers, ...names, ...functions, ...conditions, ...others }
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+const clock = 'p5.prototype.millis = () => 1700'
+
+const written = ({ whole, top = '', setup }) =>
+  `${clock}
+${
+  whole ??
+  `let wave
+${top}
+function setup() {
+  createCanvas(100, 100, WEBGL)
+  noLoop()
+  ${setup}
+}
+function draw() {
+  background(0); lights(); noStroke(); fill('coral'); wave(); sphere(40)
+  window.done = true
+}`
+}`
+
+/** Opens a page with a sketch → its picture, and all that it printed. */
+async function run(scripts, sketch) {
+  const { page, messages } = await runSketch(browser, server, scripts, written(sketch))
+  const image = (await page.$('canvas')) && (await readPixels(page))
+  await leavePage(page)
+  return { image, messages }
+}
+
+/** Draws the twins by methods, and the sphere without a warp as `plain`, on one page → pictures by name. */
+function drawTwins(p5) {
+  const twins = Object.entries(sketches).filter(([, { twin }]) => twin)
+  const draw = (call) => `lights(); noStroke(); fill('coral'); ${call} sphere(40)`
+  const warpOf = (name) => `warps[${JSON.stringify(name)}]`
+  return drawScenes(browser, server, [p5, warpjet], {
+    size: 100,
+    setup: [
+      clock,
+      ...twins.map(([name, { twin }]) => `${warpOf(name)} = createWarp(${twin})`),
+    ].join('\n'),
+    scenes: {
+      plain: draw(''),
+      ...Object.fromEntries(twins.map(([name]) => [name, draw(`${warpOf(name)}();`)])),
+    },
+  })
+}
+
+test('there are sixty of them', () => assert.ok(Object.keys(sketches).length >= 60))
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: the picture of the twin, or a message`, async () => {
+    const pictures = await drawTwins(p5)
+    const problems = []
+    for (const [name, sketch] of Object.entries(sketches)) {
+      const { image, messages } = await run([p5, warpjet, operators], sketch)
+      const expected = sketch.says ?? sketch.notes
+      const isSaid = expected
+        ? messages.some((each) =>
+            expected.test(
+              each.replace(/^uncaught: (WarpError: )?|^.*?(?=createWarp:|noise:|v\.mult)/, ''),
+            ),
+          )
+        : !messages.length
+      if (!isSaid) problems.push(`${name}: it printed ${JSON.stringify(messages)}`)
+      if (!sketch.twin) continue
+      const twin = pictures[name]
+      const differing = image ? differingPixels(image, twin, 4) : 'all'
+      const moved = differingPixels(twin, pictures.plain, 4)
+      const lit = litPixels(twin).length
+      if (!(differing < 5 && moved > 150 && lit > 1000))
+        problems.push(
+          `${name}: ${differing} pixels differ, ${moved} of the shape itself, ${lit} are lit`,
+        )
+    }
+    assert.deepEqual(problems, [])
+  })
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version} without that script: the same picture, or a message of ours`, async () => {
+    const pictures = await drawTwins(p5)
+    const problems = []
+    for (const [name, sketch] of Object.entries(sketches)) {
+      const { image, messages } = await run([p5, warpjet], sketch)
+      if (messages.some((each) => /WarpError|warpjet|createWarp: |; write /.test(each))) continue
+      if (messages.length) problems.push(`${name}: it printed ${JSON.stringify(messages)}`)
+      else if (!sketch.twin)
+        problems.push(`${name}: it says nothing, and no twin judges its picture`)
+      else {
+        const differing = image ? differingPixels(image, pictures[name], 4) : 'all'
+        if (!(differing < 5)) problems.push(`${name}: ${differing} pixels differ`)
+      }
+    }
+    assert.deepEqual(problems, [])
+  })

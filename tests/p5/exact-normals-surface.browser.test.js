@@ -1,0 +1,187 @@
+// exactNormals of hooks that move vertices along the normal, by the texture coordinates or by an image: the light of the same warp by
+// createWarp. And what it cannot make exact, in the words of the sketch.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { leavePage } from '../support/browser/browser.js'
+import { differingPixels, litPixels } from '../support/browser/pixels.js'
+import { drawScenes, openHosts, p5HostsInThisRun, runSketch } from '../support/browser/sketch.js'
+
+const own = ['/dist/p5.warpjet.min.js', '/dist/warpjet.glsl.min.js']
+
+const { browsers, server } = await openHosts(p5HostsInThisRun)
+
+const scene = (shading, shape = 'sphere(60, 60, 48)') =>
+  `noStroke(); ambientLight(40); directionalLight(255, 255, 255, 0.4, 0.6, -1); ${shading}; fill('coral'); rotateX(0.4); ${shape}`
+
+const strands = (moves) => `baseMaterialShader().modify(() => { ${moves} })`
+const image = `
+  warps.image = createImage(32, 32)
+  warps.image.loadPixels()
+  for (let i = 0; i < 1024; i++)
+    warps.image.pixels.set([128 + 120 * Math.sin((i % 32) * 0.39), 0, 0, 255], 4 * i)
+  warps.image.updatePixels()`
+
+/** [the sketch's own shader, the same by createWarp], by name. */
+const inStrands = {
+  'along the normal': [
+    strands(`getObjectInputs((inputs) => {
+      inputs.position += inputs.normal * 0.15 * sin(inputs.position.y * 6)
+      return inputs
+    })`),
+    `({ normal, position }) => normal.mult(position.y.mult(6).sin().mult(0.15))`,
+  ],
+  'by the texture coordinates': [
+    strands(`getObjectInputs((inputs) => {
+      inputs.position.y += 0.12 * sin(inputs.texCoord.x * 18.849556)
+      return inputs
+    })`),
+    `({ glsl, uv }) => glsl.vec3(0, uv.x.mult(18.849556).sin().mult(0.12), 0)`,
+  ],
+  'along the normal, in the world': [
+    strands(`getWorldInputs((inputs) => {
+      inputs.position += normalize(inputs.normal) * 8 * sin(inputs.position.y * 0.1)
+      return inputs
+    })`),
+    `({ normal, position }) => normal.normalize().mult(position.y.mult(0.1).sin().mult(8)), { space: 'world' }`,
+  ],
+  'along the normal, before the eye': [
+    strands(`getCameraInputs((inputs) => {
+      inputs.position += normalize(inputs.normal) * 8 * sin(inputs.position.y * 0.1)
+      return inputs
+    })`),
+    `({ normal, position }) => normal.normalize().mult(position.y.mult(0.1).sin().mult(8)), { space: 'camera' }`,
+  ],
+}
+
+const inImages = {
+  'by an image': [
+    strands(`const heights = uniformTexture(() => warps.image)
+    getObjectInputs((inputs) => {
+      inputs.position += inputs.normal * 0.2 * getTexture(heights, inputs.texCoord).r
+      return inputs
+    })`),
+    `({ glsl, normal, uv, uniforms }) => normal.mult(glsl.texture(uniforms.map, uv).x.mult(0.2)), { uniforms: { map: warps.image } }`,
+  ],
+}
+
+const inOldHooks = {
+  'along the normal': [
+    `baseMaterialShader().modify({ 'vec3 getLocalPosition': \`(vec3 position) {
+      return position + aNormal * 0.15 * sin(position.y * 6.0);
+    }\` })`,
+    inStrands['along the normal'][1],
+  ],
+  'by the texture coordinates': [
+    `baseMaterialShader().modify({ 'vec3 getLocalPosition': \`(vec3 position) {
+      return position + vec3(0.0, 0.12 * sin(aTexCoord.x * 18.849556), 0.0);
+    }\` })`,
+    inStrands['by the texture coordinates'][1],
+  ],
+}
+
+for (const [version, renderer, scripts] of p5HostsInThisRun)
+  describe(`p5 ${version}, ${renderer}`, () => {
+    const isOld = version === '1.11'
+    const isWebGPU = renderer === 'WEBGPU'
+
+    test('the light is that of the same warp', async () => {
+      const pairs = isOld ? inOldHooks : { ...inStrands, ...(!isWebGPU && inImages) }
+      const entries = Object.entries(pairs)
+      const images = await drawScenes(browsers[renderer], server, [...scripts, ...own], {
+        renderer,
+        setup: `${image}
+          ${entries.map(([, [shader, warp]], i) => `warps.plain${i} = ${shader}; warps.own${i} = exactNormals(warps.plain${i}); warps.byHand${i} = createWarp(${warp})`).join('\n')}`,
+        scenes: Object.fromEntries(
+          entries.flatMap(([name], i) => [
+            [name, scene(`shader(warps.own${i})`)],
+            [`${name}, a ring`, scene(`shader(warps.own${i})`, 'torus(50, 20, 60, 40)')],
+            [`${name}, plain`, scene(`shader(warps.plain${i})`)],
+            [`${name}, by hand`, scene(`warps.byHand${i}()`)],
+            [`${name}, a ring, by hand`, scene(`warps.byHand${i}()`, 'torus(50, 20, 60, 40)')],
+          ]),
+        ),
+      })
+      for (const [name] of entries)
+        for (const each of [name, `${name}, a ring`]) {
+          const right = images[`${each}, by hand`]
+          assert.ok(litPixels(right).length > 4000, each)
+          const differing = differingPixels(images[each], right, 3)
+          assert.ok(differing < 40, `${each}: ${differing} pixels differ`)
+        }
+      for (const [name] of entries)
+        assert.ok(
+          differingPixels(images[`${name}, plain`], images[`${name}, by hand`], 8) > 1000,
+          `${name}: wrong light would show`,
+        )
+    })
+
+    test('what cannot be is told in the words of the sketch', async () => {
+      const told = {
+        ...(!isOld && {
+          random: [
+            strands(`getObjectInputs((inputs) => {
+              inputs.position += inputs.normal * random() * 0.2
+              return inputs
+            })`),
+            /^exactNormals: the shader stays as it is\. random\(\) in getObjectInputs .* write noise\(\)/,
+          ],
+          lines: [
+            'baseStrokeShader()',
+            /^WarpError: exactNormals: expected a shader of surfaces.* a shader of lines/,
+          ],
+          'a filter': ['baseFilterShader()', /^WarpError: exactNormals: expected .* got a filter/],
+        }),
+        ...(isOld && {
+          lines: [
+            'baseStrokeShader()',
+            /^WarpError: exactNormals: expected a shader of surfaces.* a shader of lines/,
+          ],
+        }),
+        ...(isWebGPU && {
+          'a storage': [
+            `(() => {
+              const list = createStorage(new Float32Array(100))
+              return ${strands(`const list = uniformStorage('list', warps.list ??= createStorage(new Float32Array(100)))
+              getObjectInputs((inputs) => {
+                inputs.position.y += list[0]
+                return inputs
+              })`)}
+            })()`,
+            /^exactNormals: the shader stays as it is\. uniformStorage\(\) "list" in getObjectInputs .*uniformFloat/,
+          ],
+        }),
+        ...(!isWebGPU && {
+          'no hooks': [
+            `createShader('void main() {}', 'void main() {}')`,
+            /^WarpError: exactNormals: expected .* got one without hooks, such as createShader/,
+          ],
+        }),
+      }
+      const { page } = await runSketch(
+        browsers[renderer],
+        server,
+        [...scripts, ...own],
+        `const warps = {}
+        window.said = {}
+        ${isWebGPU ? 'async ' : ''}function setup() {
+          ${isWebGPU ? 'await ' : ''}createCanvas(50, 50, ${renderer})
+          const { warn } = console
+          ${Object.entries(told)
+            .map(
+              ([name, [shader]]) => `{
+            const shader = ${shader}
+            console.warn = (text) => (said['${name}'] = text)
+            try { exactNormals(shader) } catch (error) { said['${name}'] = error.name + ': ' + error.message }
+            console.warn = warn
+          }`,
+            )
+            .join('\n')}
+          window.done = true
+        }`,
+      )
+      const said = await page.evaluate('said')
+      await leavePage(page)
+      for (const [name, [, sentence]] of Object.entries(told))
+        assert.match(`${said[name]}`, sentence, name)
+    })
+  })

@@ -1,0 +1,468 @@
+// Offsets of normal and of uv on p5's own shapes, as a sketch draws them, with no call beside: the light at each
+// vertex is that of the surface which the offset makes, whose normal comes from differences in double of what p5
+// documents its shapes to be.
+import assert from 'node:assert/strict'
+import { describe, test } from 'node:test'
+import { leavePage } from '../support/browser/browser.js'
+import * as m from '../support/browser/matrix.js'
+import { colorAt, differingPixels, litPixels } from '../support/browser/pixels.js'
+import { radius, surfaces } from '../support/browser/p5-surfaces.js'
+import {
+  drawScenes,
+  openHosts,
+  p5HostsInThisRun,
+  p5InThisRun,
+  p5Versions,
+  runSketch,
+} from '../support/browser/sketch.js'
+
+const addon = '/dist/p5.warpjet.min.js'
+const size = 520
+
+const { browsers, server } = await openHosts(p5HostsInThisRun)
+
+const { PI, sin } = Math
+
+/** `grain` sizes them: places count over `length`, heights times `height`, and normals times `normals`. */
+const offsets = {
+  'a blob along the normal': {
+    code: ({
+      height,
+      length,
+      normals,
+    }) => `({ position, normal }) => { const p = position.div(${length})
+      return normal.mult(p.x().mult(3).add(1).sin().add(p.y().mult(4).sin()).mult(${0.06 * height * normals})) }`,
+    at: ([x, y], n, _, { height, normals }) =>
+      n.map((k) => 0.06 * height * normals * k * (sin(3 * x + 1) + sin(4 * y))),
+  },
+  'a flag by uv': {
+    code: ({ height }) =>
+      `({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(${4 * PI}).sin().mult(uv.y()).mult(${0.05 * height}))`,
+    at: (_, __, [u, v], { height }) => [0, 0, 0.05 * height * v * sin(4 * PI * u)],
+  },
+}
+
+const unit = { height: 1, length: 1, normals: 1 }
+
+const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
+const word = {
+  setup: `textSize(180)
+    warps.word = (await loadFont('${font}')).textToModel('We', -130, 50, { extrude: 60, sampleFactor: 0.5 })
+    // p5 has a canvas for text, too, and the pictures are of the first.
+    document.body.prepend(document.querySelector('#defaultCanvas0'))`,
+  code: 'model(warps.word)',
+  grain: { height: radius, length: radius, normals: 1 },
+}
+
+/** p5 1.11 has no models of text, and on WebGPU p5 2.3.4 itself fails to draw them: "flat is not a function". */
+const shapesOn = (version, renderer) =>
+  Object.entries({
+    ...surfaces,
+    ...(version === '2.x' && renderer === 'WEBGL' && { 'a word': word }),
+  })
+
+/** A picture shows normals with three positive parts: these turns bring many there. */
+const turns = [
+  [-0.6, 0.8],
+  [-0.6, 3.9],
+  [0.6, 2.4],
+  [0.6, 5.5],
+]
+const distance = 1500
+const camera = `perspective(2 * atan(${size / 2 / distance}), 1, 100, 5000)
+  camera(0, 0, ${distance}, 0, 0, 0, 0, 1, 0)`
+
+/** What p5 made of the shapes, by their names → { vertices, normals, uvs, faces }. */
+async function geometriesOf(p5, shapes) {
+  const { page, messages } = await runSketch(
+    browsers.WEBGL,
+    server,
+    [p5, addon],
+    `const shapes = {}, warps = {}
+    ${p5 === p5Versions['2.x'] ? 'async ' : ''}function setup() {
+      createCanvas(100, 100, WEBGL)
+      const distort = createWarp(({ normal, uv }) => normal.mult(uv.x().add(uv.y())))
+      noLoop()
+      noStroke()
+      ${shapes.map(([, { setup }]) => setup ?? '').join('\n')}
+      // Where the shaders ask for it.
+      const { prototype } = p5.Geometry
+      const { get } = Object.getOwnPropertyDescriptor(prototype, 'warpjet_uGradient')
+      let asking
+      Object.defineProperty(prototype, 'warpjet_uGradient', {
+        get() { asking = this; return get.call(this) } })
+      const names = 'normalXGradient normalYGradient normalZGradient uGradient vGradient'.split(' ')
+      const draw = { ${shapes.map(([name, { code }]) => `'${name}': () => { ${code} }`).join(', ')} }
+      for (const [name, shape] of Object.entries(draw)) {
+        distort(); shape()
+        const list = (vectors) => vectors.map(({ x, y, z }) => [x, y, z])
+        shapes[name] = { vertices: list(asking.vertices), normals: list(asking.vertexNormals),
+          uvs: [...asking.uvs].flat(), faces: asking.faces,
+          gradients: names.map((each) => [...asking['warpjet_' + each]]) }
+      }
+      done = true
+    }`,
+  )
+  // As one text, which the driver passes on as it is.
+  const geometries = JSON.parse(await page.evaluate('JSON.stringify(shapes)'))
+  await leavePage(page)
+  assert.deepEqual(messages, [])
+  return geometries
+}
+
+/** A triangle as a surface of two parameters, on which normal and uv are as at its corners. */
+function flat([a, b, c], [n], [ta, tb, tc]) {
+  const mix = (s, t) => (x, k) => x[0][k] * (1 - s - t) + x[1][k] * s + x[2][k] * t
+  return {
+    at: (s, t) => ({
+      p: [0, 1, 2].map((k) => mix(s, t)([a, b, c], k)),
+      n,
+      uv: [0, 1].map((k) => mix(s, t)([ta, tb, tc], k)),
+    }),
+  }
+}
+
+/** By triangle, its corners as { p, n, side, where }: on which surface they are, and where on it. */
+function trianglesOf({ vertices, normals, uvs, faces }, { sides }) {
+  return faces.map((face) => {
+    const of = (list) => face.map((i) => list[i])
+    const pairs = face.map((i) => [uvs[2 * i] ?? 0, uvs[2 * i + 1] ?? 0])
+    const corner = (j) => ({ vertex: face[j], p: of(vertices)[j], n: of(normals)[j] })
+    if (!sides) {
+      const side = flat(of(vertices), of(normals), pairs)
+      return [0, 1, 2].map((j) => ({
+        ...corner(j),
+        side,
+        where: [
+          [0, 0],
+          [1, 0],
+          [0, 1],
+        ][j],
+      }))
+    }
+    return [0, 1, 2].map((j) => {
+      const { p, n } = corner(j)
+      for (const side of sides) {
+        const where = side.of(p, m.normalize(n), pairs[j])
+        if (where) return { ...corner(j), side, where }
+      }
+      throw new Error(`no side has the normal ${n}`)
+    })
+  })
+}
+
+/** The true normal at a corner after `moved`, outwards as p5's are; where the surface has none, that very near. */
+function trueNormal({ side, where: [u, v], n }, moved, turn) {
+  const near = side.edges ? 1e-6 : 0
+  v = Math.min(1 - near, Math.max(near, v))
+  const step = 1e-7
+  const slopes = (place) => [
+    m.subtract(place(u + step, v), place(u - step, v)),
+    m.subtract(place(u, v + step), place(u, v - step)),
+  ]
+  const across = m.cross(...slopes((s, t) => side.at(s, t).p))
+  const turned = m.cross(...slopes((s, t) => moved(side.at(s, t))))
+  return m.turnNormal(turn, m.normalize(m.dot(across, n) < 0 ? turned.map((x) => -x) : turned))
+}
+
+/** Where u has no slope, so that an offset by it tears the surface. */
+const isTorn = ({ side, where: [, v] }) => side.edges?.some((edge) => Math.abs(v - edge) < 1e-9)
+
+/** Of a cone of p5's own the light is right up to its apex; what it is at a torn pole depends on how one gets there. */
+const isLost = (corner, { isBuilt, sides }) => isTorn(corner) && (isBuilt || sides.length === 1)
+
+const toScreen = ([x, y, z]) => [x, y].map((k) => size / 2 + (distance * k) / (distance - z))
+
+const mixed = (weights, vectors) =>
+  vectors[0].map((_, k) => vectors.reduce((sum, vector, i) => sum + weights[i] * vector[k], 0))
+
+/** By pixel, which of the triangles, given by places, is the first that the eye meets; -1 where none is. */
+function firstSeen(triangles) {
+  const first = new Int32Array(size * size).fill(-1)
+  const nearest = new Float64Array(size * size)
+  triangles.forEach((places, id) => {
+    const [[ax, ay], [bx, by], [cx, cy]] = places.map(toScreen)
+    const whole = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    if (Math.abs(whole) < 1e-9) return
+    // What goes by straight lines over the screen.
+    const [nearA, nearB, nearC] = places.map(([, , z]) => 1 / (distance - z))
+    const [left, right] = pixelsAcross(ax, bx, cx)
+    const [top, bottom] = pixelsAcross(ay, by, cy)
+    // Without lists: these are 20 million pixels.
+    for (let y = top; y < bottom; y++)
+      for (let x = left; x < right; x++) {
+        const [px, py] = [x + 0.5, y + 0.5]
+        const a = ((cx - bx) * (py - by) - (cy - by) * (px - bx)) / whole
+        const b = ((ax - cx) * (py - cy) - (ay - cy) * (px - cx)) / whole
+        const c = ((bx - ax) * (py - ay) - (by - ay) * (px - ax)) / whole
+        if (a < 0 || b < 0 || c < 0) continue
+        const near = a * nearA + b * nearB + c * nearC
+        if (near <= nearest[y * size + x]) continue
+        nearest[y * size + x] = near
+        first[y * size + x] = id
+      }
+  })
+  return first
+}
+
+const pixelsAcross = (...ends) => [
+  Math.max(0, Math.floor(Math.min(...ends))),
+  Math.min(size, Math.ceil(Math.max(...ends))),
+]
+
+/**
+ * Places near each corner of each triangle that a picture from `[x, y]` shows, where all around is the same smooth
+ * surface, with the normal that vertices with true normals give them.
+ */
+function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
+  const { grain = unit, scale = [1, 1, 1] } = shape
+  const turn = m.product(m.rotation(aboutX, 1, 2), m.rotation(aboutY, 2, 0), m.scaling(...scale))
+  const moved = ({ p, n, uv }) => {
+    const scaled = p.map((x) => x / grain.length)
+    return m.add(p, offset.at(scaled, n, uv, grain))
+  }
+  const places = triangles.map((corners) =>
+    corners.map(({ p, n, side, where }) =>
+      m.movePoint(turn, moved({ p, n, uv: side.at(...where).uv })),
+    ),
+  )
+  const first = firstSeen(places)
+  return triangles.flatMap((corners, id) => {
+    const isSmooth = (x, y) => {
+      const other = triangles[first[y * size + x]]
+      return other?.some(({ vertex }) => corners.some((corner) => corner.vertex === vertex))
+    }
+    if (corners.some((corner) => isLost(corner, shape))) return []
+    return [0, 1, 2].flatMap((j) => {
+      const weights = [0, 1, 2].map((i) => (i === j ? 0.8 : 0.1))
+      const at = toScreen(mixed(weights, places[id]))
+      // Of the four pixels that `colorAt` mixes.
+      const [column, row] = at.map((x) => Math.floor(x - 0.5))
+      for (const x of [0, 1])
+        for (const y of [0, 1]) if (first[(row + y) * size + column + x] !== id) return []
+      for (const x of [-1, 0, 1, 2])
+        for (const y of [-1, 0, 1, 2]) if (!isSmooth(column + x, row + y)) return []
+      const normals = corners.map((corner) => trueNormal(corner, moved, turn))
+      // Where they differ much from pixel to pixel, as on triangles that are seen from the side, a picture is too
+      // coarse.
+      const screen = places[id].map(toScreen)
+      const steepest = Math.max(
+        ...[0, 1, 2].map((i) => {
+          const next = (i + 1) % 3
+          const step = Math.hypot(...m.subtract(normals[next], normals[i]))
+          return step / Math.hypot(screen[next][0] - screen[i][0], screen[next][1] - screen[i][1])
+        }),
+      )
+      if (steepest > 0.04) return []
+      const normal = m.normalize(mixed(weights, normals))
+      return Math.min(...normal) > 0.1 ? [{ normal, at, ...corners[j] }] : []
+    })
+  })
+}
+
+/** What p5 makes of the shapes, by version. */
+const geometries = new Map()
+
+for (const [version, renderer, scripts] of p5HostsInThisRun)
+  describe(`p5 ${version} by ${renderer} lights`, () => {
+    const shapes = shapesOn(version, renderer)
+    for (const [what, offset] of Object.entries(offsets))
+      test(`${what} within half a degree, on each shape`, async () => {
+        if (!geometries.has(version))
+          geometries.set(version, await geometriesOf(p5Versions[version], shapes))
+        const seen = shapes.flatMap(([name, shape]) => {
+          const triangles = trianglesOf(geometries.get(version)[name], shape)
+          return turns
+            .map((turn) => ({ name, turn, corners: seenCorners(triangles, shape, offset, turn) }))
+            .filter(({ corners }) => corners.length > 0)
+        })
+        const scenes = seen.map(({ name, turn: [x, y] }) => [
+          `${name} ${x} ${y}`,
+          `${camera}\nrotateX(${x}); rotateY(${y}); noStroke(); warps['${name}']()
+          ${surfaces[name]?.code ?? word.code}`,
+        ])
+        const images = await drawScenes(browsers[renderer], server, [...scripts, addon], {
+          renderer,
+          size,
+          setup: shapes
+            .map(
+              ([name, { setup = '', grain = unit }]) => `noStroke(); ${setup}
+              warps['${name}'] = createWarp(${offset.code(grain)}, { type: 'normal' })`,
+            )
+            .join('\n'),
+          scenes: Object.fromEntries(scenes),
+        })
+        for (const [name] of shapes) {
+          const vertices = new Set()
+          for (const { turn, corners } of seen.filter((each) => each.name === name))
+            for (const { normal, at, vertex, p } of corners) {
+              vertices.add(vertex)
+              const color = m.normalize(colorAt(images[`${name} ${turn.join(' ')}`], ...at))
+              const degrees = (180 / PI) * Math.acos(Math.min(1, m.dot(color, normal)))
+              assert.ok(degrees < 0.5, `${name}, from ${turn}: ${degrees} degrees off at ${p}`)
+            }
+          assert.ok(vertices.size >= 5, `${name}: ${vertices.size} vertices are seen`)
+        }
+      })
+  })
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: how each of its own shapes varies is by its formula`, async () => {
+    const shapes = shapesOn(version, 'WEBGL')
+    if (!geometries.has(version)) geometries.set(version, await geometriesOf(p5, shapes))
+    for (const [name, { sides, isBuilt }] of shapes) {
+      const geometry = geometries.get(version)[name]
+      assert.ok(geometry.gradients.flat().every(Number.isFinite), name)
+      if (!sides || isBuilt) continue
+      let [count, torn] = [0, 0]
+      for (const corner of trianglesOf(geometry, { sides }).flat()) {
+        const { side, where, n, vertex } = corner
+        const [s, t] = where
+        const gradients = geometry.gradients.map((list) => list.slice(3 * vertex, 3 * vertex + 3))
+        if (isTorn(corner)) {
+          // All that can be told is which way u rises, and that it does so without bounds.
+          const [u] = [gradients[3]]
+          const near = side.edges.includes(0) && t < 0.5 ? 1e-3 : t - 1e-3
+          const way = m.subtract(side.at(s + 1e-4, near).p, side.at(s - 1e-4, near).p)
+          assert.ok(Math.hypot(...u) > 1e3, `${name}, ${vertex}: ${u}`)
+          assert.ok(m.dot(m.normalize(u), m.normalize(way)) > 1 - 1e-6, `${name}, ${vertex}: ${u}`)
+          torn++
+          continue
+        }
+        count++
+        for (const [ds, dt] of [
+          [1e-5, 0],
+          [0, 1e-5],
+        ]) {
+          const [a, b] = [side.at(s - ds, t - dt), side.at(s + ds, t + dt)]
+          const rise = (x, y) => y.map((value, i) => (value - x[i]) / 2e-5)
+          const step = rise(a.p, b.p)
+          const values = [...rise(a.n, b.n), ...rise(a.uv, b.uv)]
+          gradients.forEach((gradient, k) => {
+            const error = Math.abs(m.dot(gradient, step) - values[k])
+            assert.ok(error < 5e-3, `${name}, vertex ${vertex}, ${k}: ${error}`)
+            assert.ok(Math.abs(m.dot(gradient, m.normalize(n))) < 1e-4, `${name}: in the surface`)
+          })
+        }
+      }
+      assert.ok(count >= 90, `${name}: ${count} corners`)
+      assert.ok(name === 'torus' || torn >= 20, `${name}: ${torn} corners where u has no slope`)
+    }
+  })
+
+/** Seen along their axes, from where their poles and apexes are in the middle. */
+const ends = {
+  "a sphere's pole": ['sphere', 1],
+  'its other pole': ['sphere', -1],
+  "a cone's apex": ['cone', 1],
+}
+
+/** From the corners of a tetrahedron, so that each normal that is one has at least a third of a light. */
+const allAround = ['1, 1, 1', '1, -1, -1', '-1, 1, -1', '-1, -1, 1']
+  .map((way) => `directionalLight(255, 255, 255, ${way})`)
+  .join('; ')
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: where a flag by uv has no true normal, at poles and apexes, it is lit by one`, async () => {
+    const shapes = { own: (shape) => `${shape}(60)`, built: (shape) => `model(warps.${shape})` }
+    const scenes = Object.entries(shapes).flatMap(([maker, draw]) =>
+      Object.entries(ends).map(([name, [shape, side]]) => [
+        `${name}, ${maker}`,
+        `noStroke(); fill(255); ${allAround}
+        rotateX(${(side * PI) / 2}); warps.${maker}(); ${draw(shape)}`,
+      ]),
+    )
+    const flag = offsets['a flag by uv']
+    const images = await drawScenes(browsers.WEBGL, server, [p5, addon], {
+      setup: `noStroke()
+        warps.own = createWarp(${flag.code(unit)})
+        warps.built = createWarp(${flag.code({ height: 60 })})
+        warps.sphere = buildGeometry(() => sphere(60))
+        warps.cone = buildGeometry(() => cone(60))`,
+      scenes: Object.fromEntries(scenes),
+    })
+    for (const [name, image] of Object.entries(images))
+      for (let y = image.height / 2 - 12; y < image.height / 2 + 12; y++)
+        for (let x = image.width / 2 - 12; x < image.width / 2 + 12; x++)
+          assert.ok(colorAt(image, x, y)[0] > 50, `${name}: dark at ${x}, ${y}`)
+  })
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: how another shape varies is found out once, and kept`, async () => {
+    const { page, messages } = await runSketch(
+      browsers.WEBGL,
+      server,
+      [p5, addon],
+      `let shape, looks = 0, bend, bulge
+      function setup() {
+        createCanvas(100, 100, WEBGL)
+        noLoop()
+        noStroke()
+        shape = buildGeometry(() => torus(30, 10))
+        // What finds it out goes through these; p5 does not.
+        const { forEach } = shape.vertices
+        Object.defineProperty(shape.vertices, 'forEach', {
+          value(...all) { looks += /warpjet/.test(new Error().stack); return forEach.apply(this, all) } })
+        bend = createWarp(({ glsl, uv }) => glsl.vec3(0, 0, uv.x().mult(6).sin().mult(5)))
+        bulge = createWarp(({ normal, uv }) => normal.mult(uv.y()))
+      }
+      function draw() {
+        background(0)
+        for (const warp of [bend, bulge]) { warp(); model(shape) }
+        done = true
+      }`,
+    )
+    const looks = () => page.evaluate('redraw(), looks')
+    const first = await looks()
+    assert.equal(first, 1)
+    for (let frame = 0; frame < 5; frame++) assert.equal(await looks(), 1)
+    await leavePage(page)
+    assert.deepEqual(messages, [])
+  })
+
+test(
+  'p5 1.11 lights them in each space as 2.x does, in WebGL 1 too',
+  { skip: p5InThisRun.length < 2 },
+  async () => {
+    const spaces = { local: 0.1, world: 6, camera: 6 }
+    const warps = Object.entries(spaces).flatMap(([space, height]) => [
+      [
+        `by the normal, in ${space} space`,
+        space,
+        `glsl.vec3(0, normal.normalize().x().mult(4).sin().mult(${3 * height}), 0)`,
+      ],
+      [
+        `by both, in ${space} space`,
+        space,
+        `normal.mult(position.x().div(${height}).sin().mult(${height}))
+        .add(glsl.vec3(0, 0, uv.x().mult(12).sin().mult(${height})))`,
+      ],
+    ])
+    // From the side, since normals of view space must not do for those of world space.
+    const scene = `camera(500, -400, 500, 10, 5, 0, 0, 1, 0); noStroke()
+      rotateX(0.5); rotateY(0.4); scale(1, 1.3, 0.8)`
+    const draw = (version, attributes = '') =>
+      drawScenes(browsers.WEBGL, server, [p5Versions[version], addon], {
+        setup: `${attributes}
+          ${warps
+            .map(
+              ([
+                name,
+                space,
+                code,
+              ]) => `warps['${name}'] = createWarp(({ glsl, normal, uv, position }) =>
+              ${code}, { type: 'normal', space: '${space}' })`,
+            )
+            .join('\n')}`,
+        scenes: Object.fromEntries(
+          warps.map(([name]) => [name, `${scene}\nwarps['${name}'](); sphere(60, 40, 40)`]),
+        ),
+      })
+    const images = await draw('2.x')
+    for (const older of [await draw('1.11'), await draw('1.11', 'setAttributes({ version: 1 })')])
+      for (const [name] of warps) {
+        assert.ok(litPixels(images[name]).length > 5000, name)
+        assert.equal(differingPixels(images[name], older[name], 8), 0, name)
+      }
+  },
+)

@@ -1,0 +1,142 @@
+// Each sketch of the docs, of the README and of the gallery that does not say "p5 2", and the one that the playground begins with,
+// on p5 1.11: it draws the picture that it draws on p5 2, with light on it.
+import assert from 'node:assert/strict'
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { walk } from '../../.scripts/lib/files.mjs'
+import { sections } from '../../web/catalogue.js'
+import { converted } from '../../web/playground/convert.js'
+import { tagsOf } from '../../web/playground/hosts.js'
+import { blocksOf } from '../../web/site/markdown.js'
+import { pngOf } from '../support/png.js'
+import { path } from '../support/browser/bench.js'
+import { launchBrowser, leavePage, openPage } from '../support/browser/browser.js'
+import { coarseShapes } from '../support/browser/examples.js'
+import { beyondEdges, readPixels } from '../support/browser/pixels.js'
+import { serveSources } from '../support/browser/site.js'
+
+// It asks where its page is.
+globalThis.location ??= new URL('http://localhost/playground/index.html')
+const { starters } = await import('../../web/playground/examples.js')
+
+const screenshots = path('.build/screenshots/p5-1')
+
+/** A sketch that 1.11 cannot run says so in a comment. */
+const isForP5v2 = ([, text]) => /^ *\/\/ .*\bp5 2\b/m.test(text)
+
+/** [place, text, scripts] of each sketch. */
+const all = [
+  ['the playground', starters.p5.text ?? starters.p5, []],
+  ...['README.md', ...walk('web/docs', /\.md$/)]
+    .filter((file) => !/\/plots/.test(file))
+    .flatMap((file) =>
+      blocksOf(readFileSync(path(file), 'utf8'))
+        .filter(({ sketch }) => sketch?.host === 'p5')
+        .map(({ sketch, line }) => [`${file}:${line}`, sketch.text, sketch.chosen]),
+    ),
+  ...sections.flatMap(({ examples, scripts = [] }) =>
+    examples
+      .filter(({ name }) => !name.startsWith('three-'))
+      .map(({ name, scripts: own = [] }) => [
+        `examples/${name}`,
+        readFileSync(path(`examples/${name}/sketch.js`), 'utf8'),
+        [...scripts, ...own],
+      ]),
+  ),
+]
+const sketches = all.filter((sketch) => !isForP5v2(sketch))
+
+/** Time stands still, chance repeats itself, and pixels are few. */
+const still = `
+{
+  let seed = 1
+  Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
+  p5.prototype.millis = () => 1700
+  // The warp draws no edges, and p5 takes seconds to work out those of a model.
+  p5.Geometry.prototype._edgesToVertices = function () { return this }
+  const { createCanvas, pixelDensity } = p5.prototype
+  p5.prototype.createCanvas = function (...size) {
+    const canvas = createCanvas.apply(this, size)
+    pixelDensity.call(this, 0.5)
+    this.noLoop()
+    return canvas
+  }
+  p5.prototype.pixelDensity = function (density) {
+    return density ? this : pixelDensity.call(this)
+  }
+  ${coarseShapes}
+}`
+
+/** Pages of the playground's folder of files, from which sketches load models and fonts. */
+const pages = []
+const servePages = {
+  name: 'pages',
+  configureServer({ middlewares }) {
+    middlewares.use((request, response, next) => {
+      const page = pages[/^\/playground\/files\/(\d+)\.html$/.exec(request.url)?.[1]]
+      if (page === undefined) return next()
+      response.setHeader('Content-Type', 'text/html; charset=utf-8')
+      response.end(page)
+    })
+  },
+}
+
+let browser, server, url
+before(async () => {
+  mkdirSync(screenshots, { recursive: true })
+  server = await serveSources(5270, [servePages])
+  url = server.resolvedUrls.local[0]
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+async function pictureOf([place, text, chosen], host) {
+  const number = pages.push(`<!doctype html>
+<meta charset="utf-8">
+<link rel="icon" href="data:,">
+<style>body { margin: 0 }</style>
+${tagsOf({ host, chosen })
+  .map((file) => `<script src="${file}"></script>`)
+  .join('\n')}
+<script>${still}</script>
+<script>${converted(text, host)}
+{
+  const own = setup
+  window.setup = () => (window.ready = own())
+}
+</script>`)
+  const { page, messages } = await openPage(browser, `${url}playground/files/${number - 1}.html`)
+  await page.waitForFunction(() => window.frameCount >= 1, null, { timeout: 120_000 })
+  // On 1.11 p5 does not wait for it.
+  await page.evaluate('ready')
+  // Fonts and graphics bring canvases of their own.
+  await page.evaluate(() => document.body.prepend(document.getElementById('defaultCanvas0')))
+  await page.evaluate('redraw()')
+  const image = await readPixels(page)
+  writeFileSync(`${screenshots}/${place.replaceAll(/\W/g, '-')}.${host}.png`, pngOf(image))
+  await leavePage(page)
+  return { image, messages }
+}
+
+const coloursOf = ({ data }) =>
+  new Set(new Uint32Array(data.buffer, data.byteOffset, data.length / 4)).size
+
+for (const sketch of sketches)
+  test(sketch[0], async () => {
+    const [now, old] = [await pictureOf(sketch, 'p5'), await pictureOf(sketch, 'p5-1')]
+    const isPrinting = /\bprint\(/.test(sketch[1])
+    assert.deepEqual(now.messages, isPrinting ? old.messages : [], 'printed by p5 2')
+    assert.deepEqual(old.messages, isPrinting ? now.messages : [], 'printed by p5 1.11')
+    if (isPrinting) return
+    const { width, height } = now.image
+    assert.ok(coloursOf(now.image) >= 5, `${coloursOf(now.image)} colours`)
+    const beyond = beyondEdges(old.image, now.image, 12)
+    assert.ok(beyond <= 0.01 * width * height, `${beyond} pixels differ`)
+  })
+
+test('few sketches are for p5 2 alone', () => {
+  assert.ok(sketches.length >= 0.75 * all.length, `${sketches.length} of ${all.length}`)
+})

@@ -1,0 +1,40 @@
+// A smoke test of p5 1.11, the other p5 that the addon promises to work with; every other test of sketches runs on it too,
+// in `npm test -- --all`.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { launchBrowser } from '../support/browser/browser.js'
+import { colorAt } from '../support/browser/pixels.js'
+import { servePages } from '../support/browser/server.js'
+import { drawScenes, p5Versions } from '../support/browser/sketch.js'
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+test('p5 1.11 draws warps: moved, lit by their normals, with uniforms', async () => {
+  const scripts = [p5Versions['1.11'], '/dist/p5.warpjet.min.js', '/dist/warpjet.deformers.min.js']
+  const { moved, slope } = await drawScenes(browser, server, scripts, {
+    setup: `
+      warps.move = createWarp(({ glsl, uniforms }) => glsl.vec3(uniforms.far, 0, 0), {
+        space: 'world', uniforms: { far: 10 } })
+      warps.slope = createWarp(warpjet.shear({ axis: 'x', direction: 'z', amount: -0.5 }),
+        { type: 'normal', space: 'world' })`,
+    scenes: {
+      moved: `warps.move({ far: 40 }); fill('red'); plane(20)`,
+      slope: `ortho(); warps.slope(); plane(100)`,
+    },
+  })
+  assert.deepEqual(colorAt(moved, 140, 100), [255, 0, 0])
+  assert.deepEqual(colorAt(moved, 100, 100), [0, 0, 0])
+  // Of z = -x / 2.
+  const normal = [0.5, 0, 1].map((x) => x / Math.hypot(0.5, 1))
+  colorAt(slope, 100, 100).forEach((value, i) =>
+    assert.ok(Math.abs(value - 255 * normal[i]) <= 1, `channel ${i}: ${value}`),
+  )
+})

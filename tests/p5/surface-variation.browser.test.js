@@ -1,0 +1,193 @@
+// Warps along the normal in p5 sketches: exact for shapes that addSurfaceVariation told how they vary, as documented for
+// others. The normal material shows the normals that the GPU computed.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { launchBrowser, leavePage } from '../support/browser/browser.js'
+import * as m from '../support/browser/matrix.js'
+import { directions, geometryCode, sphereMesh } from '../support/browser/mesh.js'
+import { colorAt, differingPixels, litPixels, readPixels } from '../support/browser/pixels.js'
+import { servePages } from '../support/browser/server.js'
+import { p5Versions, runSketch } from '../support/browser/sketch.js'
+
+const addon = '/dist/p5.warpjet.min.js'
+const size = 200
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** Bumps along the unit normal, as a sketch writes them and in double; the model is of size `u`. */
+const bumps = (u) => ({
+  code: `({ position, normal }) => normal.normalize().mult(
+    position.x().mult(${4 / u}).add(1).sin().add(position.y().mult(${5 / u}).sin()).mult(${0.12 * u}))`,
+  offset: ([x, y], normal) => {
+    const height = 0.12 * u * (Math.sin((4 / u) * x + 1) + Math.sin((5 / u) * y))
+    return m.normalize(normal).map((k) => height * k)
+  },
+})
+
+/** Bumps by the texture coordinates of `sphereMesh`, which start behind. */
+const uvBumps = {
+  code: `({ normal, uv }) => normal.mult(
+    uv.x().mult(${12 * Math.PI}).sin().mult(uv.y().mult(${Math.PI}).sin()).mult(0.1))`,
+  offset: ([x, y, z], normal) => {
+    const u = ((Math.atan2(x, z) / (2 * Math.PI)) % 1) + 1
+    const v = Math.acos(-y) / Math.PI
+    const height = 0.1 * Math.sin(12 * Math.PI * u) * Math.sin(Math.PI * v)
+    return normal.map((k) => height * k)
+  },
+}
+
+const view = m.lookAt([60, -90, 300], [10, 5, 0], [0, 1, 0])
+const model = m.product(
+  m.translation(20, -15, 10),
+  m.rotation(0.5, 0, 1),
+  m.rotation(-0.8, 2, 0),
+  m.rotation(0.4, 1, 2),
+  m.scaling(100, 65, 90),
+)
+const placed = `
+  perspective(PI / 3, 1, 10, 2000)
+  camera(60, -90, 300, 10, 5, 0, 0, 1, 0)
+  translate(20, -15, 10)
+  rotateZ(0.5)
+  rotateY(-0.8)
+  rotateX(0.4)
+  scale(100, 65, 90)`
+const identity = m.scaling(1, 1, 1)
+const spaces = {
+  local: { ...bumps(1), before: identity, after: m.product(view, model) },
+  world: { ...bumps(80), before: model, after: view },
+  camera: { ...bumps(80), before: m.product(view, model), after: identity },
+  uv: { ...uvBumps, before: identity, after: m.product(view, model) },
+}
+
+/** Where a point of the unit sphere goes, and the normal there from differences, in view space. */
+function seenAt(p, { offset, before, after }) {
+  const moved = (q) => {
+    const position = m.movePoint(before, q)
+    // As p5 has it: turned by the inverse transpose, of any length.
+    const normal = m.turnNormal(before, q)
+    return m.movePoint(after, m.add(position, offset(position, normal)))
+  }
+  const side = m.normalize(m.cross(p, Math.abs(p[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]))
+  const slope = (t) => {
+    const at = (s) => moved(m.normalize(p.map((x, k) => x + s * t[k])))
+    return m.subtract(at(1e-4), at(-1e-4))
+  }
+  const normal = m.normalize(m.cross(slope(side), slope(m.cross(p, side))))
+  return { position: moved(p), normal }
+}
+
+describe('createWarp on p5 2.x, along the normal', () => {
+  test('is exact for a shape that was told how it varies, and for others by themselves', async () => {
+    const sphere = sphereMesh(160, 120)
+    const { page, messages } = await runSketch(
+      browser,
+      server,
+      [p5Versions['2.x'], addon],
+      `let scene = () => (window.done = true)
+      const warps = {}, rough = {}
+      let told, untold
+      async function setup() {
+        pixelDensity(1)
+        createCanvas(${size}, ${size}, WEBGL)
+        noLoop()
+        told = ${geometryCode(sphere, 'told')}
+        untold = ${geometryCode(sphere, 'untold')}
+        if ((await addSurfaceVariation(told)) !== told) throw new Error('another shape came back')
+        ${Object.entries(spaces)
+          .map(([name, { code }]) => {
+            const space = name === 'uv' ? 'local' : name
+            const options = `type: 'normal', space: '${space}'`
+            return `warps.${name} = createWarp(${code}, { ${options} })
+            rough.${name} = createWarp(${code}, { ${options}, surfaceVariation: false })`
+          })
+          .join('\n')}
+      }
+      function draw() {
+        background(0)
+        push()
+        ${placed}
+        scene()
+        pop()
+      }`,
+    )
+    const draw = async (code) => {
+      await page.evaluate(`scene = () => { ${code} }; redraw()`)
+      return readPixels(page)
+    }
+    for (const [name, space] of Object.entries(spaces)) {
+      const exact = await draw(`warps.${name}(); model(told)`)
+      // After the other shape, whose attributes p5 leaves on, and for the first time.
+      const afterIt = await draw(
+        `warps.${name}(); model(told); clear(); background(0); model(untold)`,
+      )
+      const rough = await draw(`rough.${name}(); model(told)`)
+      const lit = litPixels(exact).length
+      assert.ok(differingPixels(exact, rough, 10) > 0.15 * lit, `${name}: it makes a difference`)
+
+      const focal = 1 / Math.tan(Math.PI / 6)
+      const seen = directions(300)
+        .filter(
+          ([x, y, z]) => name !== 'uv' || (Math.abs(y) < 0.9 && !(Math.abs(x) < 0.05 && z > 0)),
+        )
+        .map((direction) => seenAt(direction, space))
+        .map(({ position: [x, y, z], normal }) => ({
+          normal,
+          toEye: m.normalize([-x, -y, -z]),
+          screen: [x, y].map((c) => ((1 + (focal * c) / -z) * size) / 2),
+        }))
+        .filter(({ normal, toEye }) => m.dot(normal, toEye) > 0.45)
+      assert.ok(seen.length >= 20, `${name}: ${seen.length} points face the camera`)
+      const off = (image) =>
+        seen.map(({ normal, screen }) => {
+          const expected = normal.map((value) => 255 * Math.max(value, 0))
+          const color = colorAt(image, ...screen)
+          return Math.max(...color.map((value, i) => Math.abs(value - expected[i])))
+        })
+      assert.ok(Math.max(...off(afterIt)) <= 3, `${name}: ${Math.max(...off(afterIt))} untold`)
+      assert.ok(Math.max(...off(exact)) <= 3, `${name}: ${Math.max(...off(exact))} levels off`)
+      assert.ok(Math.max(...off(rough)) >= 10, `${name}: ${Math.max(...off(rough))} without it`)
+    }
+    await leavePage(page)
+    assert.deepEqual(messages, [])
+  })
+})
+
+for (const [version, p5] of Object.entries(p5Versions))
+  test(`p5 ${version} prints nothing for warps along the normal, and says what addSurfaceVariation needs`, async () => {
+    const { page, messages } = await runSketch(
+      browser,
+      server,
+      [p5, addon],
+      `let warp, other
+      async function setup() {
+        createCanvas(50, 50, WEBGL)
+        const bumpy = ({ normal, position }) => normal.mult(position.x())
+        warp = createWarp(bumpy)
+        other = createWarp(bumpy, { surfaceVariation: false })
+        window.problem = await addSurfaceVariation(buildGeometry(() => sphere(20))).then(() => 'none', ({ message }) => message)
+      }
+      function draw() {
+        for (const distort of [warp, other]) if (distort) {
+          distort(); sphere(50)
+          beginShape(); vertex(0, 0, 0, 0, 0); vertex(9, 0, 0, 1, 0); vertex(0, 9, 0, 0, 1); endShape()
+        }
+        if (frameCount > 6) window.done = true
+      }`,
+    )
+    const expected =
+      version === '2.x'
+        ? 'none'
+        : 'addSurfaceVariation: this p5 keeps no properties of vertices; use p5 2.'
+    assert.equal(await page.evaluate('problem'), expected)
+    await leavePage(page)
+    assert.deepEqual(messages, [])
+  })

@@ -1,0 +1,222 @@
+// The option `uniforms` of createWarp, on each p5 and on both WebGLs: judged by where the picture is.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { launchBrowser, leavePage } from '../support/browser/browser.js'
+import { litPixels } from '../support/browser/pixels.js'
+import { servePages } from '../support/browser/server.js'
+import { drawScenes, p5InThisRun, runSketch } from '../support/browser/sketch.js'
+
+const addon = '/dist/p5.warpjet.min.js'
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** How far to the right and down what is drawn lies from the middle of the canvas, in pixels. */
+function place(image) {
+  const lit = litPixels(image)
+  const mean = (axis) => lit.reduce((sum, pixel) => sum + pixel[axis], 0) / lit.length
+  return [mean('x'), mean('y')].map(Math.round)
+}
+
+/** createWarp's arguments, of a warp in pixels. */
+const moves = (offset, uniforms, more = '') =>
+  `(({ glsl, uniforms }) => ${offset}), { space: 'world', uniforms: { ${uniforms} }, ${more} }`
+
+for (const [version, p5] of p5InThisRun)
+  for (const webgl of [2, 1])
+    describe(`uniforms on p5 ${version} and WebGL ${webgl}`, () => {
+      const shape = `fill('red'); plane(20)`
+
+      /** Draws the scenes → places by scene. `warps` are arguments of createWarp by name. */
+      async function places(warps, scenes, before = '') {
+        const setup = Object.entries(warps).map(
+          ([name, args]) => `warps.${name} = createWarp(${args})`,
+        )
+        const images = await drawScenes(browser, server, [p5, addon], {
+          setup: [
+            webgl === 1 && 'setAttributes({ version: 1 })',
+            `if (drawingContext instanceof WebGL2RenderingContext !== ${webgl === 2}) throw 'another WebGL'`,
+            before,
+            ...setup,
+          ]
+            .filter(Boolean)
+            .join('\n'),
+          scenes: Object.fromEntries(
+            Object.entries(scenes).map(([name, code]) => [name, `${code}; ${shape}`]),
+          ),
+        })
+        return Object.fromEntries(Object.entries(images).map(([name, i]) => [name, place(i)]))
+      }
+
+      test('of each type reach the shader', async () => {
+        const warps = {
+          number: moves('glsl.vec3(uniforms.a, 0, 0)', 'a: 40'),
+          truth: moves('glsl.vec3(uniforms.a.mult(40).add(uniforms.b), 0, 0)', 'a: true, b: false'),
+          vec2: moves('glsl.vec3(uniforms.a, 0)', 'a: [40, 0]'),
+          vec3: moves('uniforms.a', 'a: [40, 0, 0]'),
+          vec4: moves('uniforms.a.wyz()', 'a: [9, 0, 0, 40]'),
+          typed: moves('uniforms.a', 'a: new Float32Array([40, 0, 0])'),
+          mat3: moves('uniforms.a.mult(glsl.vec3(0, -40, 0))', 'a: [0, 1, 0, -1, 0, 0, 0, 0, 1]'),
+          mat4: moves(
+            'uniforms.a.mult(glsl.vec4(0, 0, 0, 1)).xyz()',
+            'a: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 40, 0, 0, 1]',
+          ),
+          vector: moves('uniforms.a', 'a: createVector(40, 0, 0)'),
+          color: moves('glsl.vec3(uniforms.a.g().mult(40), uniforms.a.r(), 0)', `a: color('lime')`),
+          many: moves(
+            'glsl.vec3(uniforms.a.sub(uniforms.b), uniforms.c.x(), 0)',
+            'a: 60, b: 20, c: [0, 3]',
+          ),
+        }
+        const scenes = Object.fromEntries(
+          Object.keys(warps).map((name) => [name, `warps.${name}()`]),
+        )
+        for (const [name, found] of Object.entries(await places(warps, scenes)))
+          assert.deepEqual(found, [40, 0], name)
+      })
+
+      test('are asked for at each distort, and replaced for one', async () => {
+        const warps = {
+          fixed: moves('glsl.vec3(uniforms.a, 0)', 'a: [40, 0]'),
+          follow: moves('glsl.vec3(uniforms.at, 0)', 'at: () => [mouseX, frame]'),
+          grow: moves('glsl.vec3(uniforms.x, uniforms.y, 0)', 'x: 10, y: () => frame'),
+        }
+        const found = await places(
+          warps,
+          {
+            fixed: 'warps.fixed()',
+            replaced: 'warps.fixed({ a: [20, 30] })',
+            'as before': 'warps.fixed()',
+            'by a vector': 'warps.fixed({ a: createVector(15, 25) })',
+            asked: 'frame = 5; warps.follow()',
+            'asked again': 'frame = 50; warps.follow()',
+            'the other is asked': 'frame = 7; warps.grow({ x: 33 })',
+            'not asked': 'frame = 7; warps.grow({ y: 8 })',
+            'twice in a frame': 'warps.fixed({ a: [60, 60] }); warps.fixed()',
+            'by the material': 'warps.fixed({ a: [20, 30] }); normalMaterial()',
+          },
+          'globalThis.frame = 0',
+        )
+        assert.deepEqual(found, {
+          fixed: [40, 0],
+          replaced: [20, 30],
+          'as before': [40, 0],
+          'by a vector': [15, 25],
+          asked: [30, 5],
+          'asked again': [30, 50],
+          'the other is asked': [33, 7],
+          'not asked': [10, 8],
+          'twice in a frame': [40, 0],
+          'by the material': [20, 30],
+        })
+      })
+
+      test('may have any name, and stand beside defs', async () => {
+        const names = [
+          'uModelViewMatrix',
+          'float',
+          'aPosition',
+          'offset',
+          'gl_Position',
+          'a__b',
+          'größe',
+          'a b',
+          'main',
+          'toString',
+        ]
+        const any = names.map((name) => `uniforms[${JSON.stringify(name)}]`)
+        const warps = {
+          any: moves(
+            `glsl.vec3(${any.slice(1).reduce((sum, name) => `${sum}.add(${name})`, any[0])}, 0, 0)`,
+            names.map((name) => `${JSON.stringify(name)}: 4`).join(', '),
+          ),
+          defs: moves(
+            `glsl.vec3(uniforms.a.add(glsl.param('half_of(b)')), glsl.param('b'), 0)`,
+            'a: 10, unread: [1, 2]',
+            `defs: 'uniform float b; float half_of(float a) { return 0.5 * a; }'`,
+          ),
+        }
+        const found = await places(warps, {
+          any: 'warps.any()',
+          'any given': 'warps.any({ "a b": 14 })',
+          defs: 'warps.defs({ a: 20, b: 40 })',
+          // What defs declares keeps its value.
+          again: 'warps.defs({ unread: [3, 4] })',
+        })
+        assert.deepEqual(found, {
+          any: [40, 0],
+          'any given': [50, 0],
+          defs: [40, 40],
+          again: [30, 40],
+        })
+      })
+    })
+
+for (const [version, p5] of p5InThisRun)
+  test(`p5 ${version}: a WarpError says what is wrong with uniforms, and drawing goes on`, async () => {
+    const offset = '({ glsl, uniforms }) => glsl.vec3(uniforms.amount, uniforms.at)'
+    const cases = {
+      'createWarp(offset)':
+        /^createWarp: the offset reads uniforms\.amount, which nothing declares/,
+      'createWarp(offset, { uniforms: { amont: 1, at: [1, 2] } })':
+        /declares no "amount"; there are amont, at\./,
+      'createWarp(offset, { uniforms: 3 })': /"uniforms" must be an object, .* is the number 3/,
+      'createWarp(offset, { uniforms: { amount: "a" } })':
+        /^createWarp: the uniform "amount" must be a number, .* but is the text "a"/,
+      'createWarp(offset, { uniforms: { mouse: [1, 2] } })': /"mouse" has the name of an input/,
+      'createWarp(offset, { uniforms: { amount: 1, at: [1, 2] }, defs: "uniform float x, amount;" })':
+        /"amount" stands in the options "uniforms" and "defs"/,
+      'createWarp(({ glsl }) => glsl.vec3(glsl.param("amount")), { uniforms: { amount: 1 } })':
+        /reads "amount" by glsl\.param; .* is read as uniforms\.amount/,
+      'createWarp(3, { uniforms: { amount: 1 } })':
+        /a function was expected, but the number 3 came/,
+      'distort({ amont: 2 })': /no uniform "amont"; there are amount, at, unread\./,
+      'distort({ amount: [1, 2] })': /"amount" is a float and takes a number, but a vec2 came/,
+      'distort({ amount: undefined })':
+        /"amount" is a float and takes a number, but undefined came/,
+      'distort({ amount: NaN })': /"amount" must be a finite number, but is NaN/,
+      'distort({ at: 3 })': /"at" is a vec2 and takes an array of 2 numbers, but a float came/,
+      'distort({ unread: "x" })': /"unread" is a float and takes a number, but the text "x" came/,
+      'plain({ amount: 2 })':
+        /no uniform "amount"; createWarp's option "uniforms" must declare it: \{ uniforms: \{ amount: 0\.5 \} \}/,
+      'now = [1, 2, 3]; try { distort() } finally { now = [1, 2] }':
+        /"at" was a vec2 when the warp was made, but its function now gives a vec3/,
+    }
+    const { page, messages } = await runSketch(
+      browser,
+      server,
+      [p5, addon],
+      `let now = [1, 2]
+      const offset = ${offset}
+      function setup() {
+        createCanvas(100, 100, WEBGL)
+        distort = createWarp(offset, { uniforms: { amount: 0.5, at: () => now, unread: 1 } })
+        plain = createWarp(({ position }) => position)
+        noLoop()
+      }
+      function draw() {
+        plain()
+        sphere(5)
+        distort({ unread: 3 })
+        sphere(20)
+        window.done = true
+      }`,
+    )
+    for (const [code, message] of Object.entries(cases)) {
+      const error = await page.evaluate(`(() => {
+        try { ${code} } catch (error) { return { name: error.name, message: error.message } }
+      })()`)
+      assert.equal(error?.name, 'WarpError', code)
+      assert.match(error.message, message)
+    }
+    await page.evaluate('redraw()')
+    await leavePage(page)
+    assert.deepEqual(messages, [])
+  })

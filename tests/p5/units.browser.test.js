@@ -1,0 +1,150 @@
+// What the page of units says and shows of `position`, against what p5 hands to the graphics card: the vertices of each shape and its
+// matrices, as they are when it is drawn.
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { path } from '../../.scripts/lib/files.mjs'
+import { eye, shapes } from '../../.scripts/reference/units.mjs'
+import { launchBrowser, leavePage } from '../support/browser/browser.js'
+import { servePages } from '../support/browser/server.js'
+import { p5Versions, runSketch } from '../support/browser/sketch.js'
+
+/** Remembers what each buffer holds, and of each draw the vertices and matrices. Runs in the page, before p5. */
+const watching = `
+const drawn = [], contents = new Map(), gl = WebGL2RenderingContext.prototype
+const { bufferData, drawArrays, drawElements } = gl
+gl.bufferData = function (target, data, ...rest) {
+  if (target === this.ARRAY_BUFFER && ArrayBuffer.isView(data))
+    contents.set(this.getParameter(this.ARRAY_BUFFER_BINDING), [...data])
+  return bufferData.call(this, target, data, ...rest)
+}
+function note(gl) {
+  const program = gl.getParameter(gl.CURRENT_PROGRAM)
+  const place = gl.getAttribLocation(program, 'aPosition')
+  const buffer = gl.getVertexAttrib(place, gl.VERTEX_ATTRIB_ARRAY_BUFFER_BINDING)
+  const [view, modelView] = ['uViewMatrix', 'uModelViewMatrix'].map((name) =>
+    [...gl.getUniform(program, gl.getUniformLocation(program, name))])
+  drawn.push({ numbers: contents.get(buffer), view, modelView })
+}
+gl.drawArrays = function (...given) { note(this); return drawArrays.apply(this, given) }
+gl.drawElements = function (...given) { note(this); return drawElements.apply(this, given) }
+`
+
+/** What the table has beyond the pictures. */
+const others = [
+  'warpBox(100, 200, 50, 3)',
+  'ellipsoid(50, 80, 100)',
+  'cone(50, 200)',
+  'ellipse(0, 0, 90, 60)',
+  'translate(150, -50); rotateZ(0.35); box(100)',
+]
+const calls = [...shapes.map(({ call }) => call), ...others]
+
+const times = (m, [x, y, z]) =>
+  [0, 1, 2].map((i) => m[i] * x + m[4 + i] * y + m[8 + i] * z + m[12 + i])
+const bounds = (points) =>
+  [0, 1, 2].map((i) => {
+    const along = points.map((point) => point[i])
+    return [Math.min(...along), Math.max(...along)]
+  })
+
+/** The camera looks straight ahead: going back is moving only. */
+function inSpaces({ numbers, view, modelView }) {
+  assert.deepEqual(view, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -eye, 1])
+  const local = Array.from({ length: numbers.length / 3 }, (_, i) =>
+    numbers.slice(3 * i, 3 * i + 3),
+  )
+  const camera = local.map((point) => times(modelView, point))
+  const world = camera.map(([x, y, z]) => [x, y, z + eye])
+  return { local: bounds(local), world: bounds(world), camera: bounds(camera) }
+}
+
+/** Round shapes are polygons, which do not quite reach where they should. */
+function assertAbout(found, expected, what) {
+  for (const [i, range] of expected.entries())
+    for (const [k, x] of range.entries()) {
+      const bound = 0.012 * (range[1] - range[0])
+      const message = `${what}: ${'xyz'[i]} ${found[i]}, not ${range}`
+      assert.ok(Math.abs(found[i][k] - x) <= bound + 1e-4, message)
+    }
+}
+
+/** What a cell of the table says, such as `x and y from 0 to 1, z is 0`; nothing where it has no numbers. */
+function ofCell(text) {
+  const found = [[], [], []]
+  for (const [, letters, low, high, only] of text.matchAll(
+    /([xyz](?:(?:, | and )[xyz])*) (?:from (\S+) to ([-\d.]+)|is (\d))/g,
+  ))
+    for (const letter of letters.match(/[xyz]/g))
+      found['xyz'.indexOf(letter)] = only ? [0, 0] : [Number(low), Number(high)]
+  return found.every(({ length }) => length) ? found : undefined
+}
+
+const rows = readFileSync(path('web/docs/units.md'), 'utf8')
+  .split('\n')
+  .filter((line) => line.startsWith('| `'))
+  .map((line) => line.split('|').slice(1, 3))
+/** By the name of the function. */
+const table = new Map(
+  rows.flatMap(([names, local]) =>
+    [...names.matchAll(/`(\w+)\(/g)].map(([, name]) => [name, ofCell(local)]),
+  ),
+)
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowser()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+test('the table has numbers of eleven functions', () =>
+  assert.equal([...table.values()].filter(Boolean).length, 11))
+
+for (const [version, p5] of Object.entries(p5Versions))
+  test(`what position is in p5 ${version}`, async () => {
+    const scripts = [p5.replace(/js$/, 'min.js'), '/dist/p5.warpjet.min.js']
+    const code = `${watching}
+function setup() { createCanvas(640, 480, WEBGL); noStroke(); noLoop() }
+function draw() {
+  lights()
+  ${calls.map((call) => `push(); ${call}; pop()`).join('\n  ')}
+  window.done = true
+}`
+    const { page, messages } = await runSketch(browser, server, scripts, code)
+    const drawn = await page.evaluate('drawn')
+    await leavePage(page)
+    assert.deepEqual(messages, [])
+    assert.equal(drawn.length, calls.length)
+    const found = new Map(calls.map((call, i) => [call, inSpaces(drawn[i])]))
+    for (const { call, local, world } of shapes) {
+      assertAbout(found.get(call).local, local, `${call} in local space`)
+      assertAbout(found.get(call).world, world, `${call} in world space`)
+    }
+    for (const [call, { local }] of found) {
+      const said = table.get(/^\w+/.exec(call)[0])
+      if (said) assertAbout(local, said, `${call} in the table`)
+    }
+    // The box of the picture of spaces.
+    const { local, world, camera } = found.get(others.at(-1))
+    assertAbout(local, Array(3).fill([-0.5, 0.5]), 'the box in local space')
+    const middle = (ranges) => ranges.map(([low, high]) => (low + high) / 2)
+    for (const [ranges, z] of [
+      [world, 0],
+      [camera, -eye],
+    ])
+      // prettier-ignore
+      for (const [i, x] of middle(ranges).entries())
+        assert.ok(Math.abs(x - [150, -50, z][i]) < 1e-3, `${ranges}`)
+  })
+
+test('the pictures show these shapes, with a number for each', () => {
+  const pictures = ['units-1.svg', 'units-2.svg', 'units-spaces.svg']
+  const text = pictures.map((file) => readFileSync(path(`web/docs/${file}`), 'utf8')).join('')
+  for (const { call, title = call } of shapes) assert.ok(text.includes(`>${title}</text>`), title)
+  for (const said of ['>±0.5<', '>±300<', '>−800±25<', '(150, −50, 0)', '(150, −50, −800)'])
+    assert.ok(text.includes(said), said)
+})

@@ -1,0 +1,105 @@
+// Each example of the gallery on a WEBGPU canvas, in its own text but for `await createCanvas(…, WEBGPU)`: the same picture as in WEBGL.
+import assert from 'node:assert/strict'
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { sections } from '../../web/catalogue.js'
+import { converted } from '../../web/playground/convert.js'
+import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
+import { pngOf } from '../support/png.js'
+import { path } from '../support/browser/bench.js'
+import { answering, ask, coarseShapes, cookie } from '../support/browser/examples.js'
+import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from '../support/browser/pixels.js'
+import { serveSources } from '../support/browser/site.js'
+
+const screenshots = path('.build/screenshots/webgpu')
+
+const examples = sections
+  .flatMap((section) => section.examples.map(({ name }) => name))
+  .filter((name) => !name.startsWith('three-'))
+
+/** A page for each, which compiles p5 once for all examples. */
+const hosts = ['p5-2', 'p5-webgpu']
+
+let browser, server, url
+const pages = {}
+before(async () => {
+  mkdirSync(screenshots, { recursive: true })
+  browser = await launchBrowserWithWebGPU()
+  server = await serveSources(5260, [answering(forHost)])
+  url = server.resolvedUrls.local[0]
+  for (const host of hosts) pages[host] = await openFor(host)
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+async function openFor(host) {
+  const context = await browser.newContext({ viewport: { width: 640, height: 480 } })
+  await ask(context, url, 'host', host)
+  return openPage(context, `${url}recorder.js`)
+}
+
+/** What WEBGPU needs comes with p5. */
+function forHost(request, path, content) {
+  const host = cookie(request, 'host')
+  if (/^\/examples\/[\w-]+\/sketch\.js$/.test(path))
+    return `${converted(String(content), host)}${still}{${coarseShapes}}`
+  const isP5 = host === 'p5-webgpu' && path.endsWith('/p5.min.js')
+  return isP5 ? `${content}\n${webgpu}` : content
+}
+
+const webgpu = readFileSync(path('node_modules/p5/lib/p5.webgpu.min.js'), 'utf8')
+
+/** Time stands still, chance repeats itself, and pixels are few. */
+const still = `
+{
+  let seed = 1
+  Math.random = () => (seed = (seed * 16807) % 2147483647) / 2147483647
+  p5.prototype.millis = () => 1700
+  // On WEBGPU p5 itself takes the first directional light alone, and its highlights are others: p5-webgpu.test.js shows each without a warp.
+  const { directionalLight } = p5.prototype
+  let lit = -1
+  p5.prototype.directionalLight = function (...light) {
+    if (lit < this.frameCount) directionalLight.apply(this, light)
+    lit = this.frameCount
+    return this
+  }
+  // The warp draws no edges, and p5 takes seconds to work out those of a model.
+  p5.Geometry.prototype._edgesToVertices = function () { return this }
+  p5.prototype.specularMaterial = p5.prototype.shininess = function () { return this }
+  const own = { setup, draw }
+  window.setup = async () => {
+    p5.instance._glAttributes = p5.instance._webgpuAttributes = { antialias: false }
+    await own.setup()
+    pixelDensity(0.5)
+    noLoop()
+  }
+  // The first frame, which p5 draws by itself, is looked at by nobody.
+  window.draw = () => (window.draw = own.draw)
+}`
+
+async function pictureOf(name, host) {
+  const { page, messages } = pages[host]
+  await page.goto(`${url}examples/${name}/gallery.html`)
+  await page.waitForFunction(() => window.frameCount >= 1, null, { timeout: 120_000 })
+  // Fonts bring canvases of their own.
+  await page.evaluate(() => document.body.prepend(document.getElementById('defaultCanvas0')))
+  const draw = 'redraw()'
+  const image =
+    host === 'p5-webgpu'
+      ? await readWebGPUPixels(page, draw)
+      : (await page.evaluate(draw), await readPixels(page))
+  writeFileSync(`${screenshots}/${name}.${host}.png`, pngOf(image))
+  assert.deepEqual(messages.splice(0), [])
+  return image
+}
+
+for (const name of examples)
+  test(name, async () => {
+    const [webgl, webgpu] = [await pictureOf(name, hosts[0]), await pictureOf(name, hosts[1])]
+    const lit = litPixels(webgl).length
+    assert.ok(lit > 1000, `${lit} pixels are lit`)
+    const beyond = beyondEdges(webgpu, webgl, 12)
+    assert.ok(beyond <= 0.01 * lit, `${beyond} of ${lit} pixels differ`)
+  })

@@ -1,0 +1,407 @@
+// createWarp on a canvas of WebGPU: the same pictures as in WebGL, whose own tests say that they are right.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import * as deformers from '../../dist/deformers.js'
+import { warps as listings } from '../warps/listings.js'
+import { stress } from '../warps/stress.js'
+import { launchBrowserWithWebGPU, leavePage } from '../support/browser/browser.js'
+import { beyondEdges, litPixels } from '../support/browser/pixels.js'
+import { servePages } from '../support/browser/server.js'
+import { drawScenes, p5Versions, p5WebGPU, runSketch } from '../support/browser/sketch.js'
+
+const p5 = p5Versions['2.x']
+const scripts = ['/dist/p5.warpjet.min.js', '/dist/warpjet.deformers.min.js']
+
+let browser, server
+before(async () => {
+  server = await servePages()
+  browser = await launchBrowserWithWebGPU()
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** Draws the scenes with both renderers, and compares them. None has p5's highlights, which differ by themselves. */
+async function compare({ setup, scenes, tolerance = 6, share = 0.005 }) {
+  const images = {}
+  for (const [renderer, more] of Object.entries({ WEBGL: [], WEBGPU: [p5WebGPU] }))
+    images[renderer] = await drawScenes(browser, server, [p5, ...more, ...scripts], {
+      setup,
+      scenes,
+      renderer,
+    })
+  for (const name of Object.keys(scenes)) {
+    const lit = litPixels(images.WEBGL[name]).length
+    assert.ok(lit > 400, `${name}: ${lit} pixels are lit`)
+    const beyond = beyondEdges(images.WEBGPU[name], images.WEBGL[name], tolerance)
+    assert.ok(beyond <= 5 + share * lit, `${name}: ${beyond} of ${lit} pixels differ`)
+  }
+  return images.WEBGPU
+}
+
+const wave = `({ glsl, position }) => glsl.vec3(
+  position.y().mult(2.4).add(1).sin().mult(0.15), position.z().mult(3.2).sin().mult(0.11), 0)`
+
+describe('createWarp on WEBGPU draws as in WEBGL', () => {
+  test('by each material, in each space', async () => {
+    const images = await compare({
+      setup: `
+        warps.local = createWarp(${wave})
+        warps.normal = createWarp(${wave}, { type: 'normal' })
+        for (const space of ['world', 'camera'])
+          for (const type of ['specular', 'normal'])
+            warps[space + type] = createWarp(({ glsl, position }) =>
+              glsl.vec3(0, 0, position.x().mult(0.05).sin().mult(20)), { space, type })
+        warps.floor = createWarp(({ glsl, position }) =>
+          glsl.vec3(position.x().mult(5).floor().div(5).sub(position.x()), 0, 0))
+        stripes = createImage(32, 32)
+        for (let y = 0; y < 32; y++)
+          for (let x = 0; x < 32; x++) stripes.set(x, y, color(y < 20 ? 'purple' : 'yellow'))
+        stripes.updatePixels()`,
+      scenes: {
+        lights: 'lights(); warps.local(); sphere(60)',
+        fill: `lights(); warps.local(); fill('orange'); sphere(60)`,
+        ambient: `ambientLight(120); directionalLight(90, 0, 90, 0, 1, -1); warps.local(); ambientMaterial('teal'); sphere(60)`,
+        texture: 'warps.local(); texture(stripes); sphere(60)',
+        'the normal as colour': 'warps.normal(); sphere(60)',
+        'normalMaterial()': 'normalMaterial(); warps.local(); sphere(60)',
+        'normalMaterial() after it': 'warps.local(); normalMaterial(); sphere(60)',
+        'world space':
+          'lights(); rotateZ(1); warps.worldspecular(); fill(200); plane(100, 120, 40, 40)',
+        'camera space':
+          'lights(); rotateZ(1); warps.cameraspecular(); fill(200); plane(100, 120, 40, 40)',
+        'normals in world space': 'rotateX(1); warps.worldnormal(); plane(100, 120, 40, 40)',
+        'normals in camera space': 'rotateX(1); warps.cameranormal(); plane(100, 120, 40, 40)',
+        'where there is no normal':
+          'ambientLight(60); directionalLight(200, 200, 200, 0, 0, -1); warps.floor(); fill(255); plane(120, 120, 40, 40)',
+      },
+    })
+    assert.notDeepEqual(images.lights, images.fill)
+    assert.deepEqual(images['normalMaterial()'], images['the normal as colour'])
+  })
+
+  test('with uniforms of each type, images and WGSL of the sketch', async () => {
+    const move = (x) => `({ glsl, uniforms }) => glsl.vec3(${x}, 0, 0)`
+    const world = `space: 'world'`
+    await compare({
+      setup: `
+        const heights = createImage(16, 16)
+        for (let y = 0; y < 16; y++)
+          for (let x = 0; x < 16; x++) heights.set(x, y, color(128 + 100 * sin(x * 0.7) * cos(y)))
+        heights.updatePixels()
+        const uniforms = { a: 10, b: () => 5, v: [0, 10], w: createVector(0, 0, 10), q: [0, 0, 0, 10],
+          m: [0, 1, 0, -10, 0, 0, 0, 0, 1], n: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 12, 0, 0, 1] }
+        warps.all = createWarp(${move('uniforms.a.add(uniforms.b).add(uniforms.v.y()).add(uniforms.w.z()).add(uniforms.q.w()).add(uniforms.m.mult(glsl.vec3(0, -1, 0)).x()).add(uniforms.n.mult(glsl.vec4(0, 0, 0, 1)).x())')},
+          { ${world}, uniforms })
+        warps.inputs = createWarp(({ glsl, size, millis, pixelDensity }) =>
+          glsl.vec3(size.x().div(10), millis.min(20), pixelDensity), { ${world} })
+        warps.map = createWarp(({ glsl, uv, uniforms }) =>
+          glsl.vec3(0, 0, glsl.texture(uniforms.map, uv, { filter: 'bicubic' }).x().mult(40)),
+          { ${world}, uniforms: { map: heights }, surfaceVariation: false })
+        warps.declared = createWarp(({ glsl }) =>
+          glsl.vec3(glsl.param('a').add(glsl.vec2Param('v').y), glsl.mat3Param('m').mult(glsl.vec3(0, 1, 0)).x, 0),
+          { ${world}, defs: 'uniform float a, unread; uniform highp vec2 v;\\nuniform mat3 m;' })
+        warps.relief = createWarp(({ glsl, position }) =>
+          glsl.vec3(0, 0, glsl.texture('map', position.xy.div(120).add(0.5), { filter: 'bicubic' }).x.mult(40)),
+          { ${world}, defs: 'uniform sampler2D map;' })
+        window.heights = heights
+        warps.called = createWarp(({ glsl }) => glsl.vec3(glsl.param('lifted(1.5)'), glsl.param('a'), 0), { ${world},
+          defs: 'uniform float a;\\n' + (document.querySelector('canvas').getContext('webgpu')
+            ? 'fn lifted(x: f32) -> f32 { return 10.0 * x; }'
+            : 'float lifted(float x) { return 10.0 * x; }') })`,
+      scenes: {
+        'uniforms of defs': `warps.declared({ a: 5, unread: 3, v: createVector(0, 10), m: [0, 1, 0, -10, 0, 0, 0, 0, 1] }); fill('red'); plane(60)`,
+        'one of them kept': `warps.declared({ a: -20 }); fill('red'); plane(60)`,
+        'an image of defs': `lights(); rotateX(0.6); warps.relief({ map: heights }); fill('white'); plane(120, 120, 60, 60)`,
+        'a function of defs': `warps.called({ a: 12 }); fill('red'); plane(60)`,
+        uniforms: `warps.all(); fill('red'); plane(60)`,
+        'uniforms replaced': `warps.all({ a: -40 }); fill('red'); plane(60)`,
+        inputs: `warps.inputs(); fill('red'); plane(60)`,
+        image: `lights(); rotateX(0.6); warps.map(); fill('white'); plane(120, 120, 60, 60)`,
+      },
+    })
+  })
+
+  test('each deformer, and what composes them', async () => {
+    const composing = ['add', 'blend', 'chain', 'inSpace', 'mask']
+    const names = Object.keys(deformers).filter((name) => !composing.includes(name))
+    assert.equal(names.length, 13)
+    await compare({
+      setup: `
+        const { chain, blend, twist, bend } = warpjet
+        const options = { space: 'world', surfaceVariation: false }
+        const still = (warp) => (inputs) => warp({ ...inputs, millis: inputs.glsl.val(1234) })
+        for (const name of ${JSON.stringify(names)}) warps[name] = createWarp(still(warpjet[name]()), options)
+        warps.chain = createWarp(chain(twist({ length: 200, angle: 1 }), bend({ from: -60, to: 60, angle: 1 })), options)`,
+      scenes: Object.fromEntries(
+        [...names, 'chain'].map((name) => [
+          name,
+          `lights(); warps['${name}'](); fill('coral'); sphere(50, 60, 40)`,
+        ]),
+      ),
+      tolerance: 10,
+    })
+  })
+
+  test('what composes warps of each kind, within one another too', async () => {
+    const made = {
+      'add of a deformer and a sketch’s own': 'add(turn, own)',
+      'blend by a number': 'blend(turn, own, 0.4)',
+      'blend by the place': 'blend(turn, own, above)',
+      'mask by the place': 'mask(turn, above)',
+      'inSpace beside': 'inSpace(aside, turn)',
+      'inSpace of a uniform': 'inSpace(({ uniforms }) => uniforms.aside, turn)',
+      'inSpace turned': 'inSpace(({ glsl }) => glsl.rotateZ(0.5), swing)',
+      'add of a mask and a space': 'add(mask(turn, above), inSpace(aside, swing))',
+      'blend of chains': 'blend(chain(turn, swing), chain(swing, turn), above)',
+      'mask in a chain': 'chain(mask(turn, above), inSpace(aside, swing), own)',
+      'inSpace of a blend': 'inSpace(aside, blend(turn, swing, 0.5))',
+    }
+    const images = await compare({
+      setup: `
+        const { add, bend, blend, chain, inSpace, mask, twist } = warpjet
+        const aside = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 25, 10, 0, 1]
+        const turn = twist({ length: 150, angle: 1.4 })
+        const swing = bend({ from: -60, to: 60, angle: 1 })
+        const own = ({ glsl, position }) => glsl.vec3(0, 0, position.x.mult(0.05).sin().mult(12))
+        const above = ({ glsl, position }) => glsl.smoothstep(25, -25, position.y)
+        ${Object.entries(made)
+          .map(
+            ([name, code]) =>
+              `warps['${name}'] = createWarp(${code}, { space: 'world', type: 'normal', uniforms: { aside } })`,
+          )
+          .join('\n')}`,
+      scenes: Object.fromEntries(
+        Object.keys(made).map((name) => [
+          name,
+          `rotateY(0.5); warps['${name}'](); ellipsoid(40, 60, 28, 60, 40)`,
+        ]),
+      ),
+      tolerance: 10,
+    })
+    const different = new Set(Object.values(images).map(({ data }) => data.toString('base64')))
+    assert.equal(different.size, Object.keys(made).length)
+  })
+
+  test('what the documentation of p5.warp shows', async () => {
+    const shown = Object.keys(listings).filter((name) => /of p5\.warp/.test(name))
+    assert.equal(shown.length, 3)
+    await compare({
+      setup: `
+        const { warps: listings } = await import('/tests/warps/listings.js')
+        for (const name of ${JSON.stringify(shown)}) {
+          const { warp, size } = listings[name]
+          const still = (inputs) => warp({ ...inputs, millis: inputs.glsl.val(1234) })
+          for (const type of ['specular', 'normal'])
+            warps[name + type] = createWarp(still, { space: size === 1 ? 'local' : 'world', type })
+        }`,
+      scenes: Object.fromEntries(
+        shown.flatMap((name) =>
+          ['specular', 'normal'].map((type) => [
+            `${name}, ${type}`,
+            `camera(900, -300, 2220, 0, 0, 0, 0, 1, 0); lights(); warps['${name}${type}'](); fill('coral'); sphere(180, 60, 40)`,
+          ]),
+        ),
+      ),
+      tolerance: 12,
+      share: 0.02,
+    })
+  })
+
+  test('in a p5.Graphics of WEBGL, since p5 makes none of WEBGPU', async () => {
+    await compare({
+      setup: `
+        const layer = createGraphics(120, 120, WEBGL)
+        layer.pixelDensity(1)
+        const inside = layer.createWarp(${wave})
+        warps.main = createWarp(${wave})
+        warps.layer = () => {
+          layer.background(0); layer.noStroke(); layer.lights()
+          inside(); layer.fill('teal'); layer.sphere(40)
+          image(layer, -90, -60)
+        }`,
+      scenes: {
+        both: `warps.layer(); translate(50, 0); lights(); warps.main(); fill('coral'); sphere(40)`,
+      },
+    })
+  })
+
+  test("p5.warp's stress test", async () => {
+    await compare({
+      setup: `
+        const { stress } = await import('/tests/warps/stress.js')
+        warps.all = stress.map(({ warp, size }) => {
+          const still = (inputs) => warp({ ...inputs, millis: inputs.glsl.val(1234) })
+          return createWarp(still, { space: size === 1 ? 'local' : 'world' })
+        })`,
+      scenes: Object.fromEntries(
+        stress.map(({ name }, i) => [
+          name,
+          `camera(300, -100, 740, 0, 0, 0, 0, 1, 0); lights(); warps.all[${i}](); fill('coral'); sphere(60, 60, 40)`,
+        ]),
+      ),
+      tolerance: 12,
+      // Far from its axis a turn shows how exactly a driver knows sines.
+      share: 0.02,
+    })
+  })
+})
+
+test('on WEBGPU a WarpError says what is wrong', async () => {
+  const cases = {
+    'createGraphics(50, 50, WEBGPU).createWarp(still)': /createGraphics\(width, height, WEBGL\)/,
+    'createWarp(({ normal, uv }) => normal.mult(uv.x.mult(uv.y).sin()), {})()':
+      /on WEBGPU an offset that depends on both normal and uv/,
+    [`createWarp(still, { defs: 'uniform float size[3];' })`]: /defs.*uniforms: \{ size: 0\.5 \}/,
+    "createWarp(({ glsl }) => glsl.vec3(glsl.vec2Param('v'), 0), { defs: 'uniform vec2 v;' })({ v: 1 })":
+      /"v" must be an array of numbers/,
+    "createWarp(({ glsl }) => glsl.vec3(glsl.vec2Param('v'), 0), { defs: 'uniform vec2 v;' })({ v: [1] })":
+      /"v" must be an array of 2 numbers/,
+    "createWarp(still, { shader: baseMaterialShader().modify({ 'Vertex getObjectInputs': '(Vertex inputs) { return inputs; }' }) })":
+      /hook getObjectInputs in GLSL; on a WEBGPU canvas write it in WGSL/,
+    'createWarp(({ glsl }) => glsl.vec3(glsl.param("size"), 0, 0))': /uniforms/,
+  }
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5, p5WebGPU, ...scripts],
+    `p5.disableFriendlyErrors = true
+    const still = ({ glsl }) => glsl.vec3(0, 0, 0)
+    async function setup() {
+      try { createWarp(still) } catch ({ message }) { early = message }
+      await createCanvas(100, 100, WEBGPU)
+      noLoop()
+      done = true
+    }`,
+  )
+  assert.match(await page.evaluate('early'), /needs a 3D canvas/)
+  for (const [code, expected] of Object.entries(cases)) {
+    const message = await page.evaluate(
+      `(() => { try { ${code} } catch (error) { return error.message } })()`,
+    )
+    assert.match(message ?? 'nothing', expected, code)
+  }
+  await leavePage(page)
+  assert.deepEqual(messages, [])
+})
+
+test('a mistake in the WGSL of defs is told with its line, that of defs and that of the sketch', async () => {
+  const { page } = await runSketch(
+    browser,
+    server,
+    [p5, p5WebGPU, ...scripts],
+    `p5.disableFriendlyErrors = true
+    const said = []
+    addEventListener('unhandledrejection', (event) => {
+      said.push([event.reason.name, event.reason.message])
+      window.done = true
+    })
+    const moved = ({ glsl }) => glsl.vec3(glsl.param('twice(1.0)'), 0, 0)
+    async function setup() {
+      await createCanvas(100, 100, WEBGPU)
+      noLoop()
+      createWarp(moved, { defs: 'uniform float a;\\nfn twice(x: f32) -> f32 {\\n  return 2.0 * x; }' })
+      createWarp(moved, { defs: 'uniform float a;\\nfn twice(x: f32) -> f32 {\\n  return 2.0 * y; }' })
+      createWarp(moved, { defs: 'fn twice(x: f32) -> f32 { return 2.0 * x' })
+    }`,
+  )
+  await page.waitForFunction('said.length >= 2')
+  const said = await page.evaluate('said')
+  await leavePage(page)
+  const plain = ([name, message]) => [name, message.replace(/ \(\S+, line \d+\)$/, '')]
+  assert.deepEqual(said.map(plain), [
+    [
+      'WarpError',
+      `createWarp: the option "defs" has a mistake in its line 3, "return 2.0 * y; }": unresolved value 'y'.`,
+    ],
+    [
+      'WarpError',
+      `createWarp: the option "defs" has a mistake in its line 1, "fn twice(x: f32) -> f32 { return 2.0 * x": expected ';' for return statement.`,
+    ],
+  ])
+  const [first, second] = said.map(([, message]) => +/, line (\d+)\)$/.exec(message)[1])
+  assert.equal(second - first, 1)
+})
+
+/** Whether what is lit is elsewhere, by more than edges. */
+const differs = (images, name) =>
+  beyondEdges(images.WEBGPU[name], images.WEBGL[name], 12) >
+  0.05 * litPixels(images.WEBGL[name]).length
+
+test('what p5 itself draws otherwise on WEBGPU, or not at all, it does without a warp', async () => {
+  const wide = 'ortho(-100, 100, -100, 100, -1000, 1000)'
+  const ball = 'noStroke(); fill(200); sphere(60)'
+  const scenes = {
+    'ortho()': `ortho(); lights(); translate(0, 0, 300); ${ball}`,
+    'ortho() around the eye': `${wide}; lights(); translate(0, 0, 300); ${ball}`,
+    'two lights': `directionalLight(200, 0, 0, 1, 0, -1); directionalLight(0, 0, 200, -1, 0, -1); ${ball}`,
+    'one light': `directionalLight(200, 0, 0, 1, 0, -1); ${ball}`,
+    highlights: `directionalLight(90, 90, 90, 0, 0, -1); specularMaterial(255); shininess(2); ${ball}`,
+  }
+  const images = {}
+  for (const [renderer, more] of Object.entries({ WEBGL: [], WEBGPU: [p5WebGPU] }))
+    images[renderer] = await drawScenes(browser, server, [p5, ...more], { scenes, renderer })
+  const differing = Object.keys(scenes).filter((name) => differs(images, name))
+  assert.deepEqual(differing, ['ortho()', 'two lights', 'highlights'])
+})
+
+test('GLSL and models of text fail in p5 itself', async () => {
+  const font = '/node_modules/@fontsource/fredoka/files/fredoka-latin-700-normal.woff'
+  const { page, messages } = await runSketch(
+    browser,
+    server,
+    [p5, p5WebGPU],
+    `const told = {}
+    const attempt = (name, draw) => { try { draw(); told[name] = 'drawn' } catch ({ message }) { told[name] = message } }
+    async function setup() {
+      await createCanvas(100, 100, WEBGPU)
+      noLoop()
+      const old = createShader('#version 300 es\\nvoid main() {}', '#version 300 es\\nvoid main() {}')
+      attempt('GLSL', () => { shader(old); sphere(10) })
+      const word = (await loadFont('${font}')).textToModel('w', 0, 0, { extrude: 5, sampleFactor: 1 })
+      resetShader()
+      attempt('without uvs', () => model(word))
+      word.uvs = word.vertices.flatMap(() => [0, 0])
+      word.gid += ' with uvs'
+      attempt('with uvs', () => model(word))
+      done = true
+    }`,
+  )
+  const told = await page.evaluate('told')
+  await leavePage(page)
+  assert.match(told.GLSL ?? messages.join('\n'), /main/)
+  assert.match(told['without uvs'], /flat is not a function/)
+  assert.equal(told['with uvs'], 'drawn')
+  assert.ok(
+    messages.every((message) => /WGSL|#version/.test(message)),
+    messages.join('\n'),
+  )
+})
+
+test('p5 itself draws in a framebuffer of HALF_FLOAT, and not in one of FLOAT, with smooth edges or without', async () => {
+  const heard = {}
+  for (const options of [
+    'format: HALF_FLOAT',
+    'format: FLOAT',
+    'format: FLOAT, antialias: false',
+  ]) {
+    const { page, messages } = await runSketch(
+      browser,
+      server,
+      [p5, p5WebGPU],
+      `async function setup() {
+        await createCanvas(100, 100, WEBGPU)
+        noLoop()
+        createFramebuffer({ ${options} }).draw(() => sphere(10))
+        await get(0, 0)
+        done = true
+      }`,
+    )
+    await leavePage(page)
+    heard[options] = messages.join('\n')
+  }
+  assert.equal(heard['format: HALF_FLOAT'], '')
+  assert.match(heard['format: FLOAT'], /RGBA32Float\) does not support multisampling/)
+  assert.match(heard['format: FLOAT, antialias: false'], /RGBA32Float\) is not blendable/)
+})

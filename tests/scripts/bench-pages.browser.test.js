@@ -1,0 +1,233 @@
+// The benchmark by hand as a visitor sees it, and both of its pages as they are built.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { methods } from '../../web/bench/methods.js'
+import {
+  cells,
+  choose,
+  desktop,
+  difference,
+  measured,
+  patience,
+  phone,
+  pixels,
+  readOuts,
+} from '../support/browser/bench.js'
+import { launchBrowser, openPage } from '../support/browser/browser.js'
+import { serveSite, serveSources } from '../support/browser/site.js'
+
+const names = methods.map(({ name }) => name)
+/** Time stands still at first, so that all methods show the same moment. */
+const still = { ...desktop, reducedMotion: 'reduce' }
+
+let browser, server, url
+before(async () => {
+  browser = await launchBrowser()
+  server = await serveSources(5210)
+  url = server.resolvedUrls.local[0]
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+describe('the benchmark by hand', () => {
+  /** Opens the page, after `prepare(context)`. */
+  async function openByHand(options, prepare) {
+    const context = await browser.newContext(options)
+    await prepare?.(context)
+    return openPage(context, `${url}bench/index.html?size=240`)
+  }
+
+  describe('on a desktop', () => {
+    let page, messages
+    before(async () => {
+      ;({ page, messages } = await openByHand(still))
+      await measured(page)
+    })
+    after(() => page.context().close())
+
+    test('draws, and stands still when the visitor wants no motion', async () => {
+      const first = await pixels(page)
+      const empty = Buffer.alloc(first.length)
+      for (let i = 0; i < empty.length; i += 4) empty.set([0x15, 0x18, 0x23, 0xff], i)
+      const covered = difference(first, empty)
+      assert.ok(covered > 0.03 && covered < 0.6, `${(100 * covered).toFixed()}% are mesh`)
+      assert.equal(difference(first, await pixels(page)), 0)
+    })
+
+    test('says what the row is', async () => {
+      assert.deepEqual(await readOuts(page, ['vertices', 'triangles', 'nodes']), [14363, 27360, 15])
+    })
+
+    for (const name of names)
+      test(`draws by ${name}`, async () => {
+        await choose(page, name)
+        const [rate, frame, first, error] = await readOuts(page, [
+          'rate',
+          'frame',
+          'first',
+          'error',
+        ])
+        for (const value of [rate, frame, first]) assert.ok(value > 0 && value < 60_000, value)
+        const range = {
+          warpjet: [1e-4, 0.02],
+          'by hand': [1e-4, 0.02],
+          'central differences': [1e-3, 0.2],
+          'forward differences': [1e-3, 0.5],
+          'positions only': [50, 100],
+        }
+        const [least, most] = range[name] ?? [1e-4, 180]
+        assert.ok(error > least && error < most, `off by ${error}°`)
+      })
+
+    test('shows that positions alone are lit wrongly', async () => {
+      const shots = {}
+      for (const name of ['warpjet', 'by hand', 'positions only']) {
+        await choose(page, name)
+        shots[name] = await pixels(page)
+      }
+      assert.ok(difference(shots.warpjet, shots['by hand']) < 0.001)
+      assert.ok(difference(shots.warpjet, shots['positions only']) > 0.02)
+    })
+
+    test('finds a step that is better than the one before', async () => {
+      await choose(page, 'forward differences')
+      const step = page.getByText(/^h = /)
+      assert.equal(await step.textContent(), 'h = 0.1')
+      const [before] = await readOuts(page, ['error'])
+      await page.getByRole('button', { name: 'find the best h' }).click()
+      await page.getByText(/^h = (?!0\.1$)/).waitFor(patience)
+      await page.waitForFunction(
+        (before) => parseFloat(document.querySelector('dd.error').textContent) !== before,
+        before,
+        patience,
+      )
+      const [after] = await readOuts(page, ['error'])
+      assert.ok(after < before, `${after}° is not less than ${before}°`)
+    })
+
+    test('moves when time passes', async () => {
+      const before = await pixels(page)
+      await page.getByRole('checkbox').check()
+      await page.waitForTimeout(500)
+      assert.ok(difference(before, await pixels(page)) > 0.01)
+      await page.getByRole('checkbox').uncheck()
+    })
+
+    test('turns when it is dragged', async () => {
+      const before = await pixels(page)
+      const { x, y, width, height } = await page.locator('canvas').boundingBox()
+      await page.mouse.move(x + width / 2, y + height / 2)
+      await page.mouse.down()
+      await page.mouse.move(x + width / 2 + 80, y + height / 2, { steps: 4 })
+      await page.mouse.up()
+      // On a busy machine the next frame takes its time.
+      let turned = 0
+      for (let i = 0; i < 100 && !(turned > 0.01); i++) {
+        await page.waitForTimeout(100)
+        turned = difference(before, await pixels(page))
+      }
+      assert.ok(turned > 0.01)
+    })
+
+    test('measures the row, and stops when asked to', async () => {
+      await page.getByRole('button', { name: 'Measure this row' }).click()
+      await page.getByText(/^Measuring: round/).waitFor(patience)
+      await page.getByRole('button', { name: 'Stop measuring' }).click()
+      await page.getByRole('button', { name: 'Measure this row' }).click(patience)
+      assert.equal(await page.locator('table').count(), 0)
+
+      const table = page.locator('.measured table')
+      await table.waitFor(patience)
+      const lines = await cells(table)
+      assert.deepEqual(
+        lines.map(([name]) => name),
+        names,
+      )
+      // Median, quarter and three quarters of the frames; relative to positions, to warpjet; compile + first draw, relative.
+      for (const [name, ...figures] of lines)
+        for (const figure of figures.slice(0, 7))
+          assert.ok(Number(figure) > 0, `${name}: ${figure}`)
+      const [, , ...ofWarpjet] = lines[names.indexOf('warpjet')]
+      assert.equal(ofWarpjet[3], '1.00')
+    })
+
+    test('has printed nothing, nor complained', async () => {
+      assert.deepEqual(messages, [])
+      assert.equal(await page.getByRole('alert').textContent(), '')
+    })
+  })
+
+  test('draws another row when it is chosen', async () => {
+    const { page, messages } = await openByHand(still)
+    await measured(page)
+    await page.locator('.panel select').first().selectOption('14,000 × 3,000')
+    await page.locator('dd.nodes').getByText('3,000').waitFor(patience)
+    await measured(page)
+    const [error] = await readOuts(page, ['error'])
+    assert.ok(error < 0.001, `off by ${error}°`)
+    await page.context().close()
+    assert.deepEqual(messages, [])
+  })
+
+  test('fits a phone', async () => {
+    const { page, messages } = await openByHand(phone)
+    await measured(page)
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360)
+    await page.context().close()
+    assert.deepEqual(messages, [])
+  })
+
+  test('says so where there is no WebGL 2, and shows a picture', async () => {
+    const { page, messages } = await openByHand(desktop, (context) =>
+      context.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null)),
+    )
+    assert.match(await page.getByRole('alert').textContent(), /needs WebGL 2/)
+    assert.equal(await page.locator('canvas').count(), 0)
+    await page.locator('main img').evaluate((image) => image.decode())
+    await page.context().close()
+    assert.deepEqual(messages, [])
+  })
+
+  test('says so when a shader does not compile, and goes on with another', async () => {
+    const { page } = await openByHand(still, (context) =>
+      context.addInitScript(() => {
+        const prototype = WebGL2RenderingContext.prototype
+        const { shaderSource } = prototype
+        prototype.shaderSource = function (shader, text) {
+          shaderSource.call(this, shader, text.replace('uniform float h;', 'uniform nonsense h;'))
+        }
+      }),
+    )
+    await measured(page)
+    await page.locator('.panel select').nth(1).selectOption('central differences')
+    const alert = page.getByRole('alert')
+    await alert.getByText('The shader of central differences does not compile').waitFor(patience)
+    await choose(page, 'dFdx')
+    assert.equal(await alert.textContent(), '')
+    await page.context().close()
+  })
+})
+
+test('both built pages work from any folder, and the gallery links them', async () => {
+  const base = '/any/folder/'
+  const built = await serveSite(5310, base)
+  try {
+    const { page, messages } = await openPage(
+      await browser.newContext(still),
+      new URL(base, built.resolvedUrls.local[0]).href,
+    )
+    await page.getByRole('link', { name: 'Measured', exact: true }).click()
+    await page.getByRole('heading', { name: 'What right normals cost' }).waitFor(patience)
+    await page.locator('.plot svg, .nothing:not([hidden])').first().waitFor(patience)
+    await page.getByRole('link', { name: 'The benchmark by hand' }).click()
+    await measured(page)
+    await page.getByRole('link', { name: 'gallery' }).click()
+    await page.getByRole('heading', { name: 'warpjet', exact: true }).waitFor(patience)
+    await page.context().close()
+    assert.deepEqual(messages, [])
+  } finally {
+    await built.close()
+  }
+})

@@ -1,0 +1,36 @@
+// The README's two commands install what they need themselves, so what they load before that may import no package.
+import assert from 'node:assert/strict'
+import { spawnSync } from 'node:child_process'
+import { test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+
+const root = fileURLToPath(new URL('../..', import.meta.url))
+
+/** A resolver that answers as Node does in a folder where `npm ci` has not run. */
+const withoutPackages = `
+export async function resolve(specifier, context, next) {
+  const isPackage = !/^(node:|file:|data:|[./])/.test(specifier)
+  if (isPackage) throw new Error('expected only files before the set-up, got ' + specifier)
+  return next(specifier, context)
+}`
+const asUrl = (source) => `data:text/javascript,${encodeURIComponent(source)}`
+const register = `import { register } from 'node:module'; register(${JSON.stringify(asUrl(withoutPackages))})`
+
+for (const [script, answer] of [
+  ['test', /There are no tests named nonsense/],
+  ['start', /nonsense/],
+  ['setup', null],
+  ['build', null],
+])
+  test(`${script}.mjs loads where no package is installed`, () => {
+    const args = answer
+      ? [`.scripts/${script}.mjs`, 'nonsense']
+      : ['--input-type=module', '-e', `await import('./.scripts/${script}.mjs')`]
+    const { stdout, stderr } = spawnSync(process.execPath, ['--import', asUrl(register), ...args], {
+      cwd: root,
+      encoding: 'utf8',
+      env: { ...process.env, NO_COLOR: '1' },
+    })
+    assert.doesNotMatch(stderr, /expected only files/)
+    if (answer) assert.match(stdout + stderr, answer)
+  })

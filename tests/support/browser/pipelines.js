@@ -1,0 +1,77 @@
+// Runs compiled text on the real GPU pipelines of a browser, and gives back the float32 numbers
+// that it computed: the text of `glsl100` in WebGL 1, that of `glsl300` in WebGL 2, that of `wgsl`
+// in WebGPU.
+import { isRun } from '../../../.scripts/lib/tiers.mjs'
+import { launchBrowser, openPage, webgpuFlags } from './browser.js'
+import { servePages } from './server.js'
+
+const modules = { glsl300: 'webgl2', glsl100: 'webgl1', wgsl: 'webgpu' }
+
+const html = `<!doctype html>
+<meta charset="utf-8">
+<script type="module">
+const modules = ${JSON.stringify(modules)}
+const opened = {}
+async function pipeline(target) {
+  const { open } = await import('/tests/support/browser/pipelines/' + modules[target] + '.js')
+  return open()
+}
+const last = {}
+window.run = async (target, program, points) => {
+  const work = await (opened[target] ??= pipeline(target))
+  // One after the other: an error is told to the one that asks first.
+  const running = (last[target] ?? Promise.resolve())
+    .catch(() => {})
+    .then(() => work(program, new Float32Array(Uint8Array.fromBase64(points).buffer)))
+  last[target] = running
+  const results = await running
+  return new Uint8Array(results.buffer).toBase64()
+}
+</script>`
+
+/** The dialects that there are pipelines for. */
+export const targets = Object.keys(modules)
+
+/** Those whose numbers this run compares with the references. */
+export const targetsInThisRun = targets.filter(
+  (target) => target === 'glsl300' || isRun('all dialects'),
+)
+
+/**
+ * Starts a browser → { run, close }.
+ *
+ * `run(target, program, points)` computes a program at many points at once. The program is { code,
+ * declarations, inputs, outputs, images }; images, which may be missing, are { width, height, data } by
+ * name, with four bytes a texel. Inputs and outputs are lists of { name, shape }, the variables
+ * that the code reads and declares. Shapes are 1 for a number, 2 to 4 for vectors, 'mat2' to 'mat4'
+ * (column after column) and 'bool' (1 or 0). A point is a list of the floats of all inputs, and so
+ * is each result of all outputs, as a Float32Array. A text that does not compile throws an error
+ * with the compiler's log and the whole shader, and so does a pipeline that is not there.
+ */
+export async function openPipelines() {
+  const browser = await launchBrowser(webgpuFlags)
+  const server = await servePages()
+  const { page } = await openPage(browser, server.page(html))
+  await page.waitForFunction(() => window.run)
+
+  async function run(target, { code, declarations, inputs, outputs, images = {} }, points) {
+    const given = Float32Array.from(points.flat())
+    const text = await page.evaluate(
+      ([target, program, points]) => window.run(target, program, points),
+      [
+        target,
+        { code, declarations, inputs, outputs, images },
+        Buffer.from(given.buffer).toString('base64'),
+      ],
+    )
+    const results = new Float32Array(Uint8Array.from(Buffer.from(text, 'base64')).buffer)
+    const size = results.length / points.length
+    return points.map((_, i) => results.subarray(i * size, (i + 1) * size))
+  }
+
+  async function close() {
+    await browser.close()
+    await server.close()
+  }
+  return { run, close }
+}

@@ -1,0 +1,51 @@
+// Opens a page with three.js, of a version, and 'warpjet/three'.
+import { launchBrowser, openPage } from '../browser.js'
+import { servePages } from '../server.js'
+
+/** `versions` name folders of node_modules. */
+export const versions = ['three', 'three-oldest']
+
+const html = (version, imports = {}) => `<!doctype html><body style="margin:0">
+<script type="importmap">${JSON.stringify({
+  imports: {
+    three: `/node_modules/${version}/build/three.module.js`,
+    'three/webgpu': `/node_modules/${version}/build/three.webgpu.js`,
+    'three/tsl': `/node_modules/${version}/build/three.tsl.js`,
+    'three/addons/': `/node_modules/${version}/examples/jsm/`,
+    warpjet: '/dist/warpjet.js',
+    'warpjet/mesh': '/dist/mesh.js',
+    'warpjet/deformers': '/dist/deformers.js',
+    'three-custom-shader-material/vanilla':
+      '/node_modules/three-custom-shader-material/vanilla/three-custom-shader-material.es.js',
+    'warpjet/three': '/dist/three.js',
+    'warpjet/glsl': '/dist/glsl.js',
+    'warpjet/three/webgpu': '/dist/three.webgpu.js',
+    ...imports,
+  },
+})}</script>`
+
+/** → { open(version, script), listing(code), close() }; what a page prints is in its `messages`. */
+export async function threePages(flags) {
+  const browser = await launchBrowser(flags)
+  const pages = await servePages()
+  return {
+    async open(version, script = 'page.js', imports) {
+      const from = `/tests/support/browser/three/${script}`
+      const text = `${html(version, imports)}<script type="module" src="${from}"></script>`
+      const opened = await openPage(browser, pages.page(text))
+      await opened.page
+        .waitForFunction(() => document.title === 'ready', null, { timeout: 30_000 })
+        .catch((error) => {
+          throw new Error(`${error.message}\n${opened.messages.join('\n')}`)
+        })
+      return opened
+    },
+    /** A page of what a document shows. */
+    listing: (code) =>
+      openPage(browser, pages.page(`${html('three')}<script type="module">${code}</script>`)),
+    async close() {
+      await browser.close()
+      await pages.close()
+    },
+  }
+}

@@ -1,0 +1,24 @@
+// A cube of 180 units, whose points every kind of noise moves by up to 20 units along z: nothing about where it bends can be
+// guessed from few samples.
+import { compileWarp } from 'warpjet'
+import { box } from '../../.scripts/lib/coarse-meshes.mjs'
+
+export const cube = box([90, 90, 90])
+
+const octaves = { octaves: 3 }
+
+/** By name, without normals, which nobody asks them for. The last three have creases. */
+export const noiseWarps = Object.fromEntries(
+  Object.entries({
+    noise: (glsl, p) => glsl.noise(p),
+    simplex: (glsl, p) => glsl.simplex(p),
+    valueNoise: (glsl, p) => glsl.valueNoise(p),
+    fbm: (glsl, p) => glsl.fbm(p, { octaves: 4 }),
+    worley: (glsl, p) => glsl.worley(p).x(),
+    ridged: (glsl, p) => glsl.ridged(p, octaves),
+    turbulence: (glsl, p) => glsl.turbulence(p, octaves),
+  }).map(([name, height]) => {
+    const offset = ({ glsl, position }) => glsl.vec3(0, 0, height(glsl, position.div(60)).mult(20))
+    return [name, compileWarp(offset, { normals: false })]
+  }),
+)

@@ -1,0 +1,18 @@
+/** The modules that modules of dist import, now or when they are asked to. */
+import { readFile } from 'node:fs/promises'
+import { join } from 'node:path/posix'
+
+const root = new URL('../../', import.meta.url)
+
+/** Relative specifiers, as a bundler writes them. */
+const specifiers = /(?:\bfrom|\bimport)\s*\(?\s*["'](\.[^"']+)["']/g
+
+/** Returns the paths of all that the files import, and of what that imports, in the order in which it is found. */
+export async function importsOf(files) {
+  const found = new Set(files)
+  for (const file of found) {
+    const text = await readFile(new URL(file, root), 'utf8')
+    for (const [, specifier] of text.matchAll(specifiers)) found.add(join(file, '..', specifier))
+  }
+  return [...found].filter((file) => !files.includes(file))
+}

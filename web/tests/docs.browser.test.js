@@ -1,0 +1,78 @@
+// The sketch of the README and the blocks of the docs that say “Run”, run in the playground as a reader does: they draw or print, and
+// nothing goes wrong. Of the lines below plots, which are all of one make, one of each group: web/tests/plots.test.js holds what each of
+// them computes.
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { walk } from '../../.scripts/lib/files.mjs'
+import { blocksOf } from '../site/markdown.js'
+import { linkTo } from '../site/runnable.js'
+import { desktop, path } from '../../tests/support/browser/bench.js'
+import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import { coarse, keepFrames, rough } from '../../tests/support/browser/frames.js'
+import { canvasPixels, settled, shown, text } from '../../tests/support/browser/playground.js'
+import { serveSite, withoutWorker } from '../../tests/support/browser/site.js'
+
+const patience = { timeout: 120_000 }
+const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
+  const text = readFileSync(path(file), 'utf8')
+  const runnable = blocksOf(text).filter(({ sketch }) => sketch)
+  const groups = text.split('\n').flatMap((line, i) => (line.startsWith('## ') ? [i + 1] : []))
+  const within = (i) => runnable.find(({ line }) => line > groups[i] && !(line > groups[i + 1]))
+  const firsts = groups.map((_, i) => within(i)).filter(Boolean)
+  const tried = /\/plots/.test(file) ? firsts : runnable
+  return tried.map((block) => ({ ...block, place: `${file}:${block.line}` }))
+})
+
+/** With no more frames than it takes to be shown: without a GPU they are what takes long. */
+const quick = ({ host, text }) => text + (host === 'p5' ? stopped : '')
+const stopped = `
+{
+  const { draw } = window
+  window.draw = () => (frameCount > 2 ? noLoop() : draw())
+}
+`
+
+let browser, server, url, page, messages
+before(async () => {
+  browser = await launchBrowser()
+  server = await serveSite(5350)
+  url = `${server.resolvedUrls.local[0]}playground/index.html`
+  const context = await browser.newContext(desktop)
+  for (const script of [withoutWorker, keepFrames, rough, coarse])
+    await context.addInitScript(script)
+  ;({ page, messages } = await openPage(context, url))
+  await settled(page)
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** How many colours the picture has. */
+async function colours() {
+  const data = await canvasPixels(page)
+  return new Set(new Uint32Array(Uint8Array.from(data).buffer)).size
+}
+
+for (const { place, sketch } of blocks)
+  test(place, async () => {
+    const changed = { ...sketch, text: quick(sketch) }
+    await page.evaluate((hash) => {
+      document.querySelector('main').ariaBusy = 'true'
+      location.hash = hash
+    }, linkTo(changed))
+    for (let i = 0; (await text(page)) !== changed.text && i < 200; i++)
+      await page.waitForTimeout(50)
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    await page.getByRole('tab', { name: 'Console' }).click()
+    const bad = await page.locator('.printed :is(.warn, .error)').allTextContents()
+    assert.deepEqual(bad, [])
+    if (/\bprint\(/.test(sketch.text)) assert.ok(await page.locator('.printed li').count())
+    // A flat plane has one colour, before that of the background.
+    else assert.ok((await colours()) > 1, 'there is nothing to see')
+    // What it prints goes to the console of the page, too.
+    if (!/\bprint\(/.test(sketch.text)) assert.deepEqual(messages, [])
+    messages.splice(0)
+  })

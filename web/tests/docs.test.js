@@ -1,0 +1,123 @@
+// The sketch of the README, and every block of the docs that says “Run”, without a browser: what stands for p5 and three.js here does
+// nothing but hand each offset to the compiler. web/tests/docs.browser.test.js runs the same blocks as a reader does.
+import assert from 'node:assert/strict'
+import { readFileSync, readdirSync } from 'node:fs'
+import { test } from 'node:test'
+import * as deformers from '../../dist/deformers.js'
+import * as glsl from '../../dist/glsl.js'
+import * as library from '../../dist/warpjet.js'
+import { blocksOf } from '../site/markdown.js'
+
+const root = new URL('../../', import.meta.url)
+const pages = readdirSync(new URL('web/docs/', root)).filter((file) => file.endsWith('.md'))
+const blocks = ['README.md', ...pages.map((page) => `web/docs/${page}`)].flatMap((file) =>
+  blocksOf(readFileSync(new URL(file, root), 'utf8')).map((block) => ({ ...block, file })),
+)
+// Functions with operators are read as text, and look for names among the globals of a page.
+const runnable = blocks.filter(
+  ({ sketch }) => sketch?.host === 'p5' && !sketch.chosen.includes('operators'),
+)
+
+/** Stands for anything of the host: called, constructed and read, it is itself; as a number it is 1. */
+const anything = new Proxy(function () {}, {
+  get(_, key) {
+    if (key === Symbol.toPrimitive) return () => 1
+    if (key === Symbol.iterator) return function* () {}
+    if (key === 'then') return undefined
+    // So that a loop over its parts has an end.
+    return key === 'length' ? 0 : anything
+  },
+  apply: () => anything,
+  construct: () => anything,
+  set: () => true,
+})
+
+/** What a sketch finds among its globals → also what it has compiled. */
+function globalsFor({ chosen }) {
+  const found = { warps: 0, printed: 0 }
+  const createWarp = (offset, { uniforms, space, returns } = {}) => {
+    assert.ok([undefined, 'local', 'world', 'camera'].includes(space))
+    const plain = chosen.includes('operators')
+      ? operators(offset, { sin: Math.sin, ...scope })
+      : offset
+    const values = Object.entries(uniforms ?? {}).map(([name, value]) => [
+      name,
+      typeof value === 'function' ? [0, 0] : value,
+    ])
+    const moved =
+      returns === 'position' ? (inputs) => inputs.glsl.sub(offset(inputs), inputs.position) : offset
+    try {
+      library.compileWarp(moved, { uniforms: Object.fromEntries(values), surfaceVariation: true })
+    } catch {
+      // A function's value is a number or a vector: which of them only the sketch knows.
+      const numbers = values.map(([name, value]) => [name, Array.isArray(value) ? 0 : value])
+      library.compileWarp(moved, { uniforms: Object.fromEntries(numbers), surfaceVariation: true })
+    }
+    found.warps++
+    return anything
+  }
+  const warpjet = {
+    ...library,
+    ...(chosen.includes('deformers') && deformers),
+    ...(chosen.includes('glsl') && glsl),
+  }
+  const known = {
+    ...{ console, createWarp, warpjet, Math, Float32Array, Infinity, undefined, Object, Array },
+    AutoDiff: { gen: library.gen },
+    print: (...values) => {
+      assert.ok(values.every((value) => String(value).length))
+      found.printed++
+    },
+    asin: Math.asin,
+    width: 640,
+    height: 480,
+    mouseX: 10,
+    mouseY: 10,
+    millis: () => 500,
+  }
+  const globals = new Proxy(known, {
+    has: (_, key) => typeof key === 'string',
+    get: (target, key) => {
+      if (typeof key === 'symbol') return undefined
+      return key in target ? target[key] : anything
+    },
+  })
+  return { globals, found }
+}
+
+/** `with` hands the sketch its globals; what it declares stays its own. */
+const run = (text, globals) =>
+  new Function(
+    'globals',
+    `with (globals) { return (async function () { ${text}
+      ;await setup(); if (typeof draw === 'function') draw() })() }`,
+  )(globals)
+
+for (const { file, line, sketch } of runnable)
+  test(`${file}, line ${line}`, async () => {
+    const { globals, found } = globalsFor(sketch)
+    await run(sketch.text, globals)
+    const isOther = /\b(?:baseMaterialShader|exactNormals|loadWarpModel)\(/.test(sketch.text)
+    assert.ok(found.warps || found.printed || isOther, 'it made no warp and printed nothing')
+  })
+
+test('most blocks of JavaScript run, and those that do not are known', () => {
+  const still = blocks
+    .filter(({ language, sketch }) => language === 'js' && !sketch)
+    .map(({ file }) => file.replace('web/docs/', ''))
+  // Babylon.js, PlayCanvas, A-Frame and CSM are not of the site, a bundler's settings and Node's files are no sketch; what
+  // uptime.md has is run by lost-context.test.js.
+  assert.deepEqual(still, [
+    ...['babylon.md', 'babylon.md', 'babylon.md'],
+    ...['how-to-blender.md', 'how-to-blender.md', 'mesh.md', 'mesh.md', 'operators.md'],
+    ...['three.md', 'three.md', 'three.md', 'three.md', 'uptime.md'],
+  ])
+})
+
+test('the README is a screen and a half, with one sketch of ten lines or so that runs', () => {
+  const [sketch, ...more] = blocks.filter(({ file, language }) => file === 'README.md' && language === 'js') // prettier-ignore
+  assert.deepEqual(more, [])
+  assert.ok(sketch.sketch)
+  assert.ok(sketch.text.trim().split('\n').length <= 12)
+  assert.ok(readFileSync(new URL('README.md', root), 'utf8').split('\n').length <= 62)
+})

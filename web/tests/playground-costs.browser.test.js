@@ -1,0 +1,104 @@
+// The playground's tabs of costs and checks, against figures that are known.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { compileWarp } from '../../dist/warpjet.js'
+import { launchBrowser } from '../../tests/support/browser/browser.js'
+import { openPlayground, still, write } from '../../tests/support/browser/playground.js'
+
+let page, messages, close
+before(async () => ({ page, messages, close } = await openPlayground(5252, await launchBrowser())))
+after(() => close())
+
+const open = (name) => page.getByRole('tab', { name }).click()
+/** Terms and figures of the open tab, once the sketch's frame has worked them out. */
+const readOuts = async () => {
+  await page.locator('#panel .read-outs').first().waitFor()
+  await page.locator('#panel [aria-busy="true"]').waitFor({ state: 'detached' })
+  return page
+    .locator('#panel .read-outs > div')
+    .evaluateAll((rows) =>
+      Object.fromEntries(
+        rows.map((row) => ['dt', 'dd'].map((kind) => row.querySelector(kind).textContent)),
+      ),
+    )
+}
+
+test('says what a warp costs: operations, characters, the first picture and a frame', async () => {
+  await write(page, still('#ff0000', 'glsl.vec3(position.y().mult(3).sin(), 0, 0)'))
+  await open('Costs')
+  const { stats } = compileWarp(({ glsl, position }) => glsl.vec3(position.y().mult(3).sin(), 0, 0))
+  const row = await page.locator('#panel tbody td').allTextContents()
+  await open('GLSL 3.00')
+  // Above the text its maker is named.
+  const shown = (await page.locator('#panel').textContent()).replace(/^.*\n/, '').trimEnd()
+  await open('Costs')
+  const { nodes, operations, temporaries } = stats
+  assert.deepEqual(row.slice(0, 4), ['createWarp', ...[nodes, operations, temporaries].map(String)])
+  assert.ok(Math.abs(Number(row[4]) - shown.length) <= 2, `${row[4]}, not ${shown.length}`)
+  await page.waitForFunction(() => /\d ms/.test(document.querySelector('#panel .rate').textContent))
+  const { 'First picture': first, 'A frame': frame } = await readOuts()
+  assert.match(first, /^[\d,]+ ms$/)
+  assert.match(frame, /^[\d.,]+ ms \([\d,]+ a second\)$/)
+})
+
+/** How many pixels of the map are violet, which is inside out, and how many are red, which is wrong. */
+const map = async () => {
+  await page.locator('#panel .map').waitFor()
+  return page.locator('#panel .map').evaluate((canvas) => {
+    const { width, height } = canvas
+    const { data } = canvas.getContext('2d').getImageData(0, 0, width, height)
+    const counts = { all: width * height, violet: 0, red: 0 }
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 2] > 200) counts.violet++
+      else if (data[i] > 150) counts.red++
+    }
+    return counts
+  })
+}
+
+test('finds the normals of a warp right, where differences have them too', async () => {
+  await write(page, still('#ff0000', 'glsl.vec3(position.y().mult(3).sin().mult(0.3), 0, 0)'))
+  await open('Checks')
+  const outs = await readOuts()
+  assert.ok(parseFloat(outs['Normals beside differences, at most']) < 0.5, JSON.stringify(outs))
+  const { all, violet, red } = await map()
+  assert.equal(outs['Turned inside out'], `0 of ${all.toLocaleString('en')} points`)
+  assert.deepEqual([violet, red], [0, 0])
+})
+
+test('finds what is turned inside out: of a sphere that is mirrored all, of one folded over its half, a half', async () => {
+  await write(page, still('#ff0000', 'glsl.vec3(position.x().mult(-2), 0, 0)'))
+  const mirrored = await map()
+  assert.equal(mirrored.violet, mirrored.all)
+  // x becomes x squared: to the left of the middle it falls.
+  await write(
+    page,
+    still('#ff0000', 'glsl.vec3(position.x().mult(position.x()).sub(position.x()), 0, 0)'),
+  )
+  const folded = await map()
+  assert.equal(folded.violet, folded.all / 2)
+})
+
+test('finds normals wrong that leave out how the surface turns', async () => {
+  const along = 'normal.mult(normal.y().mult(9).sin().mult(0.2))'
+  const sketch = (more) =>
+    still('#ff0000', along, more).replace('position, uniforms', 'normal, position, uniforms')
+  await write(page, sketch(''))
+  const right = parseFloat((await readOuts())['Normals beside differences, at most'])
+  await write(page, sketch(', { surfaceVariation: false }'))
+  const wrong = parseFloat((await readOuts())['Normals beside differences, at most'])
+  assert.ok(right < 0.5 && wrong > 20, `${right}°, ${wrong}°`)
+  const { all, red } = await map()
+  assert.ok(red > all / 2)
+})
+
+test('says of a warp whose uniform is set where the sketch draws how it can be checked', async () => {
+  const far = "glsl.vec3(glsl.param('far'), 0, 0)"
+  const sketch = still('#ff0000', far, ", { defs: 'uniform float far;' }")
+  await write(page, sketch.replace('warp()', 'warp({ far: 0.5 })'))
+  await open('Checks')
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  assert.match(await page.locator('#panel .check').textContent(), /“far”.*uniforms: \{ far: 1 \}/)
+})
+
+test('has printed nothing', () => assert.deepEqual(messages, []))

@@ -1,0 +1,58 @@
+// Every example of the gallery, opened in the playground by its link: it draws what it draws in the gallery, and nothing goes wrong.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { sections } from '../catalogue.js'
+import { desktop } from '../../tests/support/browser/bench.js'
+import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import {
+  assertPicture,
+  lower,
+  sketchesForTests,
+  statistics,
+  still,
+} from '../../tests/support/browser/examples.js'
+import { keepFrames } from '../../tests/support/browser/frames.js'
+import { settled, shown } from '../../tests/support/browser/playground.js'
+import { serveSources } from '../../tests/support/browser/site.js'
+
+let browser, server, page, messages
+before(async () => {
+  browser = await launchBrowser()
+  server = await serveSources(5250, [sketchesForTests()])
+  const context = await browser.newContext(desktop)
+  const [url] = server.resolvedUrls.local
+  await lower(context, url, { before: still })
+  await context.addInitScript(keepFrames)
+  ;({ page, messages } = await openPage(
+    context,
+    `${url}playground/index.html#example=displaced-plane`,
+  ))
+  await settled(page)
+})
+after(async () => {
+  await page.context().close()
+  await browser.close()
+  await server.close()
+})
+
+/** What a link to the playground does where that is open already. */
+async function open(name) {
+  await page.evaluate((name) => {
+    document.querySelector('main').ariaBusy = 'true'
+    location.hash = `example=${name}`
+  }, name)
+  await page.waitForFunction((name) => document.querySelector('#example').value === name, name, {
+    timeout: 60_000,
+  })
+  await settled(page)
+}
+
+for (const { name, title } of sections.flatMap(({ examples }) => examples))
+  test(`${name}: ${title}`, async () => {
+    await open(name)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assertPicture(await statistics(await shown(page)))
+    await page.getByRole('tab', { name: 'Console' }).click()
+    assert.deepEqual(await page.locator('.printed li').allTextContents(), [])
+    assert.deepEqual(messages.splice(0), [])
+  })

@@ -1,0 +1,269 @@
+// What one does at the playground beside writing a warp: choosing, printing, looking around, reloading, dropping files, finding.
+import assert from 'node:assert/strict'
+import { mkdirSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { difference, path, pixels } from '../../tests/support/browser/bench.js'
+import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import {
+  canvasPixels,
+  line,
+  openFromDisk,
+  openPlayground,
+  settled,
+  shown,
+  still,
+  text,
+  write,
+} from '../../tests/support/browser/playground.js'
+
+const folder = path('.build/downloads')
+
+let page, messages, context, close
+before(async () => {
+  mkdirSync(folder, { recursive: true })
+  ;({ page, messages, context, close } = await openPlayground(5254, await launchBrowser()))
+})
+after(() => close())
+
+const mistake = () => page.locator('.mistake').textContent()
+const slider = (name) => page.getByLabel(name, { exact: true })
+
+const setup = (more) => still('#ff8040').replace('noStroke()', `noStroke(); ${more}`)
+
+test('chooses an example, with the scripts that it needs, and undo brings the own sketch back', async () => {
+  await write(page, still('#ff8040'))
+  await page.getByLabel('Example').selectOption('deformer-bend')
+  await page.waitForFunction(() => document.querySelector('[name=deformers]').checked)
+  await settled(page)
+  assert.equal(await mistake(), '')
+  assert.match(await text(page), /warpjet\.bend/)
+  await page.locator('.cm-content').focus()
+  await page.keyboard.press('Control+z')
+  await settled(page)
+  assert.equal(await text(page), still('#ff8040'))
+  assert.equal(await page.getByLabel('Deformers').isChecked(), false)
+})
+
+test('lists what a sketch prints, counts it, and forgets it with the sketch', async () => {
+  const tab = page.getByRole('tab', { name: 'Console' })
+  await write(page, setup("print('so', 7); console.warn('beware')"))
+  assert.equal(await tab.textContent(), 'Console (2)')
+  await tab.click()
+  const lines = page.locator('.printed li')
+  assert.deepEqual(await lines.allTextContents(), ['so 7', 'beware'])
+  assert.equal(await lines.nth(1).getAttribute('class'), 'warn')
+  // What is only said goes to the browser's own console, too.
+  assert.deepEqual(messages.splice(0), ['so 7'])
+  await write(page, still('#ff8040'))
+  assert.equal(await tab.textContent(), 'Console')
+  assert.equal(await lines.count(), 0)
+  await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
+})
+
+test('turns the shape where the sketch lets the pointer turn it', async () => {
+  const bent = still('#ff8040', 'glsl.vec3(position.y(), 0, 0)')
+  await write(page, bent.replace('warp()\n', 'orbitControl(); lights(); warp()\n'))
+  const before = await canvasPixels(page)
+  const { x, y, width, height } = await page.locator('.stage iframe').boundingBox()
+  await page.mouse.move(x + width / 2, y + height / 2)
+  await page.mouse.down()
+  await page.mouse.move(x + width / 2 + 60, y + height / 2 + 20, { steps: 6 })
+  const isTurned = async () => difference(before, await canvasPixels(page)) > 0.02
+  // p5 turns by what the pointer has moved from one frame to the next while it is down.
+  for (let i = 0; i < 40 && !(await isTurned()); i++) await page.waitForTimeout(100)
+  await page.mouse.up()
+  assert.ok(await isTurned())
+})
+
+test('keeps the sketch and where its slider stands over a reload', async () => {
+  const uniforms = "{ far: 0.5, up: [0, 0.2], tint: color('#ff8040') }"
+  const offset = 'glsl.vec3(uniforms.far.sub(uniforms.tint.x()).div(4), uniforms.up.y(), 0)'
+  const far = still('#80ff00', offset, `, { uniforms: ${uniforms} }`)
+  await write(page, far)
+  assert.equal(await mistake(), '')
+  const moves = [
+    () => slider('far').press('End'),
+    () => slider('up.y').press('End'),
+    () => slider('tint').fill('#008040'),
+  ]
+  for (const move of moves) {
+    const address = page.url()
+    const before = await canvasPixels(page)
+    await move()
+    await page.waitForFunction((before) => location.href !== before, address)
+    for (let i = 0; i < 50 && !difference(before, await canvasPixels(page)); i++)
+      await page.waitForTimeout(100)
+    const change = difference(before, await canvasPixels(page))
+    assert.ok(change > 0.005, `${move}: ${change}`)
+  }
+  const before = await canvasPixels(page)
+  await page.reload()
+  await settled(page)
+  assert.equal(await text(page), far)
+  assert.equal(Number(await slider('far').inputValue()), 2)
+  assert.equal(Number(await slider('up.y').inputValue()), 0.8)
+  assert.equal(await slider('tint').inputValue(), '#008040')
+  assert.equal(difference(before, await canvasPixels(page)), 0)
+})
+
+test('keeps where a slider stands while one writes on, until its number changes', async () => {
+  const far = (number, color) =>
+    still(color, 'glsl.vec3(uniforms.far, 0, 0)', `, { uniforms: { far: ${number} } }`)
+  await write(page, far(0.25, '#80ff00'))
+  await slider('far').press('End')
+  await write(page, far(0.25, '#8000ff'))
+  assert.equal(Number(await slider('far').inputValue()), 1)
+  await write(page, far(0.3, '#8000ff'))
+  assert.equal(Number(await slider('far').inputValue()), 0.3)
+})
+
+test('is left by a link and come back to by the browser’s own way back', async () => {
+  await write(page, still('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
+  const before = await canvasPixels(page)
+  await page.getByRole('link', { name: 'warpjet' }).click()
+  await page.waitForURL(/(?:\/|index\.html)$/)
+  await page.goBack()
+  await settled(page)
+  assert.equal(await text(page), still('#4080ff', 'glsl.vec3(0.3, 0, 0)'))
+  assert.equal(difference(before, await canvasPixels(page)), 0)
+  // Of the first page, which was left before it was there.
+  messages.length = 0
+})
+
+test('a picture that is dropped is the sketch’s to load, and goes into the page that is saved', async () => {
+  const dataTransfer = await page.evaluateHandle(async () => {
+    const canvas = new OffscreenCanvas(4, 4)
+    const brush = canvas.getContext('2d')
+    brush.fillStyle = '#ff0000'
+    brush.fillRect(0, 0, 4, 4)
+    const transfer = new DataTransfer()
+    transfer.items.add(new File([await canvas.convertToBlob()], 'red.png'))
+    return transfer
+  })
+  // What is told for a moment stays for this test.
+  await page.evaluate(() => {
+    const { setTimeout } = window
+    window.setTimeout = (work, ms) => setTimeout(work, ms >= 2000 ? 1e9 : ms)
+    window.again = () => Object.assign(window, { setTimeout })
+  })
+  await page.dispatchEvent('body', 'drop', { dataTransfer })
+  await page.evaluate(() => window.again())
+  await settled(page)
+  assert.equal(
+    await page.locator('.state').textContent(),
+    '“red.png” is there for the sketch to load',
+  )
+  const textured = setup("image = await loadImage('red.png')")
+    .replace('function setup', 'let image\nasync function setup')
+    .replace("fill('#ff8040')", 'texture(image)')
+  await write(page, textured)
+  assert.equal(await mistake(), '')
+  const before = await canvasPixels(page)
+  const middle = 4 * (120 * 45 + 60)
+  assert.deepEqual([...before.subarray(middle, middle + 3)], [255, 0, 0])
+  const other = await openFromDisk(page, `${folder}/textured.html`)
+  assert.equal(difference(before, await pixels(other.page)), 0)
+  assert.deepEqual(other.messages, [])
+  await other.page.close()
+})
+
+/** Drops a file of that name: a corner of four triangles. */
+async function dropCorner(name) {
+  const dataTransfer = await page.evaluateHandle((name) => {
+    const transfer = new DataTransfer()
+    const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n'
+    transfer.items.add(new File([text], name))
+    return transfer
+  }, name)
+  await page.dispatchEvent('body', 'drop', { dataTransfer })
+  await settled(page)
+}
+
+test('a file of any name can be dropped, tried as a model, and saved', async () => {
+  const host = page.getByLabel('Runs in')
+  for (const name of [`Bob's cat.obj`, `a "b" \\ </script> --> 100% #1?.obj`]) {
+    await host.selectOption('offset')
+    await settled(page)
+    await dropCorner(name)
+    assert.equal(await mistake(), '')
+    assert.equal(await page.locator('#model').inputValue(), name)
+    assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
+    await host.selectOption('p5')
+    await settled(page)
+    assert.equal(await mistake(), '')
+    const other = await openFromDisk(page, `${folder}/named.html`, () => window.frameCount > 1)
+    assert.equal(await other.page.evaluate('shape.faces.length'), 4)
+    assert.deepEqual(other.messages, [])
+    await other.page.close()
+  }
+})
+
+test('a sketch is saved that names a file which it writes, and compares with what begins as a tag does', async () => {
+  const words =
+    'const scripts = [1, 2, 3]; let a = 0; while (a<scripts.length) a++; document.title = `${a}`'
+  await write(
+    page,
+    `${still('#ff8040')}\nfunction keyPressed() { saveCanvas('mine.png') }\n${words}\n`,
+  )
+  assert.equal(await mistake(), '')
+  const other = await openFromDisk(page, `${folder}/writes.html`)
+  assert.equal(await other.page.title(), '3')
+  assert.deepEqual(other.messages, [])
+  await other.page.close()
+})
+
+test('a double click selects the number, which is then written over', async () => {
+  await write(page, still('#ff8040', 'glsl.vec3(-0.125, 0, 0)'))
+  await page.locator('.cm-number').getByText('0.125', { exact: true }).dblclick()
+  assert.equal(await page.evaluate(() => String(getSelection())), '0.125')
+  await page.keyboard.type('0.5')
+  await settled(page)
+  assert.equal(await text(page), still('#ff8040', 'glsl.vec3(-0.5, 0, 0)'))
+})
+
+test('the menu closes by Escape, which gives the focus back, and by a press elsewhere', async () => {
+  const item = page.getByRole('button', { name: 'Picture (PNG)' })
+  const summary = page.getByText('Save', { exact: true })
+  await summary.click()
+  await item.focus()
+  await page.keyboard.press('Escape')
+  assert.equal(await item.isVisible(), false)
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Save')
+  await summary.click()
+  assert.equal(await item.isVisible(), true)
+  await page.locator('.cm-content').click()
+  assert.equal(await item.isVisible(), false)
+})
+
+test('finds a word in the text', async () => {
+  await write(page, still('#ff8040'))
+  await page.keyboard.press('Control+f')
+  await page.getByRole('textbox', { name: 'Find' }).waitFor()
+  await page.keyboard.type('background')
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Escape')
+  assert.match(await line(page), /background\(/)
+  assert.equal(await page.evaluate(() => String(getSelection())), 'background')
+})
+
+test('holds the Tab key for nobody: it leaves the editor', async () => {
+  await page.locator('.cm-content').focus()
+  await page.keyboard.press('Tab')
+  assert.equal(await text(page), still('#ff8040'))
+  assert.equal(await page.evaluate(() => Boolean(document.activeElement.closest('.editor'))), false)
+})
+
+test('says that there is no picture to save, where nothing was ever drawn', async () => {
+  const other = await openPage(context, 'about:blank')
+  const { fragmentOf } = await import('../playground/link.js')
+  const wrong = { text: still('#ff8040', 'nothing'), host: 'p5', chosen: [] }
+  await other.page.goto(page.url().replace(/#.*/, '') + (await fragmentOf(wrong)))
+  await settled(other.page)
+  assert.match(await other.page.locator('.mistake').textContent(), /^Line 5 .*nothing/)
+  await other.page.getByText('Save', { exact: true }).click()
+  await other.page.getByRole('button', { name: 'Picture (PNG)' }).click()
+  await other.page.getByText('There is no picture to save yet.').waitFor()
+  await other.page.close()
+})
+
+test('has printed nothing of its own', () => assert.deepEqual(messages, []))

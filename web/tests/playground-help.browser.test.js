@@ -1,0 +1,162 @@
+// What the playground's editor knows: it completes names of the inputs, the operations and the deformers, and says what each means.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { compileWarp } from '../../dist/warpjet.js'
+import { launchBrowser } from '../../tests/support/browser/browser.js'
+import {
+  openPlayground,
+  settled,
+  still,
+  text,
+  write,
+} from '../../tests/support/browser/playground.js'
+
+let page, messages, close
+before(async () => ({ page, messages, close } = await openPlayground(5251, await launchBrowser())))
+after(() => close())
+
+const list = () => page.locator('.cm-tooltip-autocomplete')
+const options = () => list().locator('.cm-completionLabel').allTextContents()
+
+/** Types behind the first `given` of the sketch. */
+async function typeBehind(given, typed) {
+  await write(page, still('#ff0000', `glsl.vec3(${given}, 0, 0)`))
+  const place = await page.evaluate((given) => {
+    const { view } = document.querySelector('.cm-content').cmTile
+    const anchor = view.state.doc.toString().indexOf(`(${given}, `) + 1 + given.length
+    view.dispatch({ selection: { anchor } })
+    return anchor
+  }, given)
+  assert.ok(place > given.length)
+  await page.keyboard.type(typed)
+  await list().waitFor()
+}
+
+/** What is shown for a word of the sketch, once the pointer rests on it. */
+async function meaningOf(word) {
+  await page.mouse.move(0, 0)
+  const box = await page.evaluate((word) => {
+    const { view } = document.querySelector('.cm-content').cmTile
+    const at = view.state.doc.toString().indexOf(word)
+    const { left, top, bottom } = view.coordsAtPos(at + 1)
+    return { x: left, y: (top + bottom) / 2 }
+  }, word)
+  await page.mouse.move(box.x + 3, box.y)
+  await page.mouse.move(box.x + 4, box.y)
+  const tip = page.locator('.cm-tooltip-hover .about')
+  await tip.waitFor()
+  const said = await tip.evaluate((tip) => [...tip.children].map((each) => each.textContent))
+  await page.mouse.move(0, 0)
+  await tip.waitFor({ state: 'detached' })
+  return said
+}
+
+test('offers the operations behind a point, with how they are called and what they mean', async () => {
+  await typeBehind('position', '.fb')
+  assert.equal((await options())[0], 'fbm')
+  await page.locator('.cm-completionInfo').waitFor()
+  assert.match(await page.locator('.cm-completionInfo').textContent(), /p\.fbm\(.*Noise of/)
+  // What is chosen at once may not be taken yet.
+  await page.waitForTimeout(150)
+  await page.keyboard.press('Enter')
+  assert.match(await text(page), /\(position\.fbm, 0, 0\)/)
+  await typeBehind('position', '.')
+  const all = await options()
+  for (const name of ['sin', 'mult', 'length', 'rotate', 'mix'])
+    assert.ok(all.includes(name), `${name} of ${all.length}`)
+})
+
+test('offers the inputs and the deformers', async () => {
+  await typeBehind('0', ' + mil')
+  assert.deepEqual((await options()).slice(0, 1), ['millis'])
+  await typeBehind('warpjet', '.tw')
+  assert.equal((await options())[0], 'twist')
+})
+
+/** What our own source offers where `§` stands in the text, with what each means. */
+async function offered(text) {
+  await page.keyboard.press('Escape')
+  await write(page, text.replace('§', ''))
+  return page.evaluate(async (pos) => {
+    const { state } = document.querySelector('.cm-content').cmTile.view
+    const context = { state, pos, explicit: true, matchBefore: () => null }
+    // Those of the language ask more of the context than ours, and have nothing to say.
+    const all = await Promise.allSettled(
+      state.languageDataAt('autocomplete', pos).map(async (source) => source(context).options),
+    )
+    const ours = all.flatMap(({ value = [] }) => value).filter(({ info }) => info)
+    return Object.fromEntries(
+      ours.map(({ label, info }) => [label, info().querySelector('p').textContent]),
+    )
+  }, text.indexOf('§'))
+}
+
+/** As the compiler itself names them, where one asks for another. */
+function allInputs() {
+  try {
+    compileWarp(({ nothing }) => nothing)
+  } catch ({ message }) {
+    return /it gets (.*), and uniforms by/.exec(message)[1].split(', ')
+  }
+}
+
+test('offers every input and, in its braces, every option, each with what it means', async () => {
+  const words = await offered(still('#ff0000', 'glsl.vec3(§, 0, 0)'))
+  for (const name of [...allInputs(), 'uniforms', 'createWarp'])
+    assert.match(words[name] ?? '', /\w+ \w+/, name)
+  const options = await offered(still('#ff0000', 'glsl.vec3(0, 0, 0)', ', { § }'))
+  assert.deepEqual(Object.keys(options).sort(), [
+    'defs',
+    'hooks',
+    'returns',
+    'scope',
+    'shader',
+    'space',
+    'stroke',
+    'surfaceVariation',
+    'type',
+    'uniforms',
+  ])
+  for (const [name, meaning] of Object.entries(options)) assert.match(meaning, /\w+ \w+/, name)
+})
+
+test('offers in three.js what it has there', async () => {
+  await page.getByLabel('Runs in').selectOption('three')
+  await settled(page)
+  const sketch = await text(page)
+  const words = await offered(sketch.replace('along.sin', '§.sin'))
+  assert.ok(words.millis && words.warp && words.warpMaterial)
+  assert.equal(words.mouseX ?? words.createWarp, undefined)
+  const options = await offered(sketch.replace(/^}\)$/m, '}, { § })'))
+  assert.deepEqual(Object.keys(options).sort(), ['share', 'space', 'surfaceVariation', 'uniforms'])
+  await page.getByLabel('Runs in').selectOption('p5')
+  await settled(page)
+})
+
+test('says of what the pointer rests on what it computes and its derivative', async () => {
+  await page.keyboard.press('Escape')
+  await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
+  const [fbm, ...more] = await meaningOf('fbm')
+  assert.match(fbm, /glsl\.fbm\(p, /)
+  assert.ok(
+    more.includes('Value: Σ gain^i * n(p * lacunarity^i + i * shift) / Σ gain^i.'),
+    more.join('\n'),
+  )
+  assert.ok((await meaningOf('sin()')).includes('Value: sin(x). Derivative: cos(x).'))
+  await write(page, still('#ff0000', 'position.length().mult(uniforms.far)'))
+  assert.ok(
+    (await meaningOf('length')).includes('length(v) is √(v · v). Derivative: v · dv / |v|.'),
+  )
+  await write(page, still('#ff0000', 'position.mult(2).fbm().sin().mult(uniforms.far)'))
+  assert.match((await meaningOf('position')).join(' '), /from -1 to 1/)
+  assert.match((await meaningOf('createWarp')).join(' '), /how far each vertex moves/)
+  await write(page, still('#ff0000', 'glsl.vec3(0, 0, 0)', ", { space: 'world' }"))
+  assert.match(
+    (await meaningOf('space')).join(' '),
+    /'local' \| 'world' \| 'camera' Left out: local/,
+  )
+  await write(page, still('#ff0000'))
+  await settled(page)
+})
+
+test('has printed nothing', () => assert.deepEqual(messages, []))

@@ -1,0 +1,440 @@
+// The playground: what one writes is what one sees, mistakes cost nothing, and a link brings a sketch back.
+import assert from 'node:assert/strict'
+import { mkdirSync } from 'node:fs'
+import { after, before, describe, test } from 'node:test'
+import { desktop, difference, path, phone } from '../../tests/support/browser/bench.js'
+import { exportGLB, loadMesh } from '../../dist/mesh.js'
+import { bytesOf, launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import { drawLittle, framesInPlayground } from '../../tests/support/browser/frames.js'
+import {
+  canvasPixels,
+  dragNumber,
+  line,
+  openFromDisk,
+  saved,
+  settled,
+  shown,
+  still,
+  text,
+  write,
+} from '../../tests/support/browser/playground.js'
+import { serveSources } from '../../tests/support/browser/site.js'
+
+const screenshots = path('.build/screenshots')
+
+let browser, server, url
+before(async () => {
+  mkdirSync(screenshots, { recursive: true })
+  browser = await launchBrowser()
+  server = await serveSources(5240)
+  url = `${server.resolvedUrls.local[0]}playground/index.html`
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** The names in the directory of an archive, in order. */
+function namesInZip(bytes) {
+  const names = []
+  let at = bytes.readUInt32LE(bytes.length - 6)
+  while (bytes.readUInt32LE(at) === 0x02014b50) {
+    const length = bytes.readUInt16LE(at + 28)
+    names.push(bytes.subarray(at + 46, at + 46 + length).toString())
+    at += 46 + length
+  }
+  return names
+}
+
+describe('the playground', () => {
+  let page, messages, context
+  before(async () => {
+    context = await browser.newContext({ ...desktop, reducedMotion: 'reduce' })
+    await drawLittle(context, framesInPlayground)
+    await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+    ;({ page, messages } = await openPage(context, url))
+    await settled(page)
+  })
+  after(() => context.close())
+
+  test('begins with a sketch that runs, and its text in three languages', async () => {
+    assert.match(await text(page), /createWarp/)
+    assert.match(await page.locator('#panel').textContent(), /vec3 offset, warpedPosition/)
+    await page.getByRole('tab', { name: 'WGSL' }).click()
+    assert.match(await page.locator('#panel').textContent(), /var offset: vec3f/)
+    for (const name of ['WGSL', 'GLSL 1.00'])
+      await page.getByRole('tab', { name }).press('ArrowLeft')
+    assert.equal(
+      await page.getByRole('tab', { name: 'GLSL 3.00' }).getAttribute('aria-selected'),
+      'true',
+    )
+    await page.screenshot({ path: `${screenshots}/playground.png` })
+  })
+
+  test('shows what is typed once one pauses', async () => {
+    await write(page, still('#ff0000'))
+    const red = await canvasPixels(page)
+    await write(page, still('#0000ff'))
+    const blue = await canvasPixels(page)
+    assert.ok(difference(red, blue) > 0.1)
+    await write(page, still('#0000ff', 'glsl.vec3(1, 0, 0)'))
+    assert.ok(difference(blue, await canvasPixels(page)) > 0.1)
+  })
+
+  test('keeps the last good picture at a mistake, and marks its line with a sentence', async () => {
+    await write(page, still('#00ff00'))
+    const before = await canvasPixels(page)
+    const mistakes = [
+      [still('#00ff00', 'glsl.vec2(0, 0)'), 5, /must return a vec3/],
+      [still('#00ff00', 'position.mlt(2)'), 5, /mlt/],
+      [still('#00ff00', 'position + 1'), 5, /\+/],
+      [still('#00ff00').replace('noStroke()', 'noStroke('), 4, /^SyntaxError: /, 5],
+      [still('#00ff00').replace('noStroke()', 'while (true) {}'), 4, /went on for five seconds/],
+      [still('#00ff00').replace('warp()', 'wrap()'), 10, /^ReferenceError: wrap/],
+      [
+        still('#00ff00')
+          .replace('function setup', 'async function setup')
+          .replace('noStroke()', "await loadModel('nowhere.obj')"),
+        4,
+        /./,
+      ],
+    ]
+    for (const [sketch, number, sentence, other = number] of mistakes) {
+      await write(page, sketch)
+      const mistake = await page.locator('.mistake').textContent()
+      assert.match(mistake.replace(/^Line \d+ /, ''), sentence)
+      const named = Number(/^Line (\d+) /.exec(mistake)?.[1])
+      assert.ok(named === number || named === other, `${mistake}, not line ${number}`)
+      assert.equal(await page.locator('.cm-lint-marker-error').count(), 1, mistake)
+      assert.equal(difference(before, await canvasPixels(page)), 0)
+      assert.doesNotMatch(mistake, /blob:|warps\.js/)
+    }
+    await page.screenshot({ path: `${screenshots}/playground-mistake.png` })
+    await page.getByRole('button', { name: /^Line / }).click()
+    assert.match(await line(page), /loadModel/)
+    await write(page, still('#00ff00'))
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.equal(await page.locator('.cm-lint-marker-error').count(), 0)
+    // p5 has said of the model that it is not there. Nobody has looked for it: the page knows which files the site has.
+    assert.equal(messages.splice(0).length, 1)
+  })
+
+  test('undoes what was typed, and redoes it', async () => {
+    await write(page, still('#ffff00'))
+    const yellow = await canvasPixels(page)
+    await write(page, still('#ff00ff'))
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    assert.equal(await text(page), still('#ffff00'))
+    assert.equal(difference(yellow, await canvasPixels(page)), 0)
+    await page.keyboard.press('Control+y')
+    await settled(page)
+    assert.equal(await text(page), still('#ff00ff'))
+  })
+
+  test('brings a sketch back by its link', async () => {
+    const sketch = still('#ff8000', 'glsl.vec3(0, 0.5, 0) /* ≠ “ä” 🌸 */')
+    await write(page, sketch)
+    const before = await canvasPixels(page)
+    await page.getByRole('button', { name: 'Copy link' }).click()
+    await page.getByRole('button', { name: 'Copied' }).waitFor()
+    const link = await page.evaluate(() => navigator.clipboard.readText())
+    assert.ok(link.length < 800, `${link.length} characters`)
+    const other = await openPage(context, link)
+    await settled(other.page)
+    assert.equal(await text(other.page), sketch)
+    assert.equal(difference(before, await canvasPixels(other.page)), 0)
+    assert.deepEqual(other.messages, [])
+    await other.page.close()
+  })
+
+  test('drags a number in the text, in one step of the history', async () => {
+    await write(page, still('#00ffff', 'glsl.vec3(0.10, 0, 0)'))
+    const before = await canvasPixels(page)
+    await dragNumber(page, '0.10', 160)
+    await settled(page)
+    assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.50, 0, 0)'))
+    assert.ok(difference(before, await canvasPixels(page)) > 0.02)
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.10, 0, 0)'))
+    await page.locator('.cm-number').getByText('0.10', { exact: true }).click()
+    await page.keyboard.press('Alt+ArrowDown')
+    await settled(page)
+    assert.equal(await text(page), still('#00ffff', 'glsl.vec3(0.09, 0, 0)'))
+  })
+
+  test('gives a uniform that is a number its slider', async () => {
+    await write(
+      page,
+      still('#80ff00', 'glsl.vec3(uniforms.far, 0, 0)', ', { uniforms: { far: 0.5 } }'),
+    )
+    const before = await canvasPixels(page)
+    const slider = page.getByLabel('far', { exact: true })
+    await slider.press('End')
+    assert.equal(Number(await slider.inputValue()), 2)
+    assert.ok(difference(before, await canvasPixels(page)) > 0.05)
+  })
+
+  test('stands still, and moves where the time bar is put', async () => {
+    await write(
+      page,
+      still('#ffffff')
+        .replace('glsl.vec3(0, 0, 0)', 'glsl.vec3(millis.div(1000), 0, 0)')
+        .replace('uniforms', 'millis'),
+    )
+    const before = await canvasPixels(page)
+    assert.equal(difference(before, await canvasPixels(page)), 0)
+    await page.getByLabel('Time', { exact: true }).press('Home')
+    assert.ok(difference(before, await canvasPixels(page)) > 0.05)
+    await page.getByRole('button', { name: 'Play' }).click()
+    await page.waitForFunction(
+      () => parseFloat(document.querySelector('.time output').textContent) > 0.3,
+    )
+    await page.getByRole('button', { name: 'Stop' }).click()
+  })
+
+  test('shows normals as colours', async () => {
+    await write(page, still('#ffffff'))
+    await page.getByLabel('Normals as colours').check()
+    await settled(page)
+    const image = await canvasPixels(page)
+    // In the middle the sphere faces the eye, at the right the side.
+    const at = (x, y) => [...image.subarray(4 * (120 * y + x), 4 * (120 * y + x) + 3)]
+    const [middle, right] = [at(60, 45), at(87, 45)]
+    assert.ok(middle[2] > 240 && middle[0] < 40, `${middle}`)
+    assert.ok(right[0] > 220 && right[2] < 128, `${right}`)
+    await page.getByLabel('Normals as colours').uncheck()
+    await settled(page)
+  })
+
+  test('names the box to tick for what needs a script', async () => {
+    const mistake = page.locator('.mistake')
+    await write(page, still('#ff00ff').replace('warp =', 'warpjet.melt(0.5); warp ='))
+    assert.match(
+      await mistake.textContent(),
+      /warpjet\.melt.*warpjet\.deformers\.min\.js.*Here, tick “Deformers” above\.$/,
+    )
+    await write(page, still('#ff00ff', "warpjet.glslOffset('')"))
+    assert.match(await mistake.textContent(), /Here, tick “Shader text” above\.$/)
+  })
+
+  test('runs operators with their script, and says so without it', async () => {
+    await write(page, still('#ff00ff', '[position.y * 0.5, 0, 0]'))
+    assert.match(await page.locator('.mistake').textContent(), /Here, tick “Operators” above\.$/)
+    await page.getByLabel('Operators').check()
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.match(await page.locator('#panel').textContent(), /position\.y/)
+    await page.locator('.cm-content').focus()
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    assert.equal(await page.getByLabel('Operators').isChecked(), false)
+  })
+
+  test('runs in p5 1.11 and in three.js, and undo brings the host back', async () => {
+    await write(page, still('#ff4000', 'glsl.vec3(0.2, 0, 0)'))
+    const before = await canvasPixels(page)
+    const host = page.getByLabel('Runs in')
+    await host.selectOption('p5-1')
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.match(await (await shown(page)).evaluate('p5.VERSION || p5.prototype.VERSION'), /^1\.11/)
+    assert.ok(difference(before, await canvasPixels(page)) < 0.03)
+    await host.selectOption('three')
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.match(await text(page), /from 'three'/)
+    await page.locator('.cm-content').focus()
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    assert.equal(await host.inputValue(), 'p5-1')
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    assert.equal(await host.inputValue(), 'p5')
+    assert.equal(difference(before, await canvasPixels(page)), 0)
+  })
+
+  test('saves the picture', async () => {
+    const bytes = await bytesOf(await saved(page, 'Picture (PNG)'))
+    assert.equal(bytes.subarray(1, 4).toString(), 'PNG')
+    assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [120, 90])
+  })
+
+  test('downloads a page that opens from a disk, with its model in it', async () => {
+    const sketch = `// It ends no tag: '</script>'
+${still('#40ff40')
+  .replace('function setup', 'let bunny\nasync function setup')
+  .replace('noStroke()', "noStroke(); bunny = await loadModel('bunny.obj')")
+  .replace('sphere(30, 24, 16)', 'scale(0.4); model(bunny)')}`
+    await write(page, sketch)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.equal(await (await shown(page)).evaluate('typeof bunny'), 'object')
+    const before = await canvasPixels(page)
+    const other = await openFromDisk(page, `${screenshots}/warp.html`)
+    assert.equal(difference(before, await canvasPixels(other.page)), 0)
+    assert.deepEqual(other.messages, [])
+    await other.page.close()
+  })
+
+  test('packs a project of npm, with its model', async () => {
+    const bytes = await bytesOf(await saved(page, 'npm project'))
+    const names = ['package.json', 'vite.config.js', 'index.html', 'sketch.js', 'bunny.obj']
+    assert.deepEqual(namesInZip(bytes), names)
+    assert.ok(bytes.includes('"start": "vite"'))
+    assert.ok(bytes.includes('src="/warpjet/dist/p5.warpjet.min.js"'))
+    assert.ok(bytes.includes(await text(page)))
+  })
+
+  test('copies a page for the p5 editor, and opens that', async () => {
+    await context.route('https://editor.p5js.org/', (route) => route.fulfill({ body: 'editor' }))
+    const opened = context.waitForEvent('page')
+    await page.getByText('Save', { exact: true }).click()
+    await page.getByRole('button', { name: 'p5 editor' }).click()
+    await page.getByText('Copied: paste').waitFor()
+    const editor = await opened
+    assert.equal(editor.url(), 'https://editor.p5js.org/')
+    await editor.close()
+    const html = await page.evaluate(() => navigator.clipboard.readText())
+    assert.match(
+      html,
+      /<script src="https:\/\/cdn\.jsdelivr\.net\/npm\/p5@2[\d.]+\/lib\/p5\.min\.js"><\/script>/,
+    )
+    assert.match(html, /npm\/warpjet@[\d.]+\/dist\/p5\.warpjet\.min\.js/)
+    assert.match(html, /Upload beside this page: bunny\.obj/)
+  })
+
+  test('films four seconds', async () => {
+    const bytes = await bytesOf(await saved(page, 'Film of four'))
+    assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3)
+    assert.ok(bytes.includes('webm') && bytes.length > 500)
+  })
+
+  test('saves the warped shape, upright, where it stands', async () => {
+    await write(page, still('#40ff40', 'glsl.vec3(position.y(), 0, 0)'))
+    const mesh = await loadMesh(await bytesOf(await saved(page, 'Warped shape')))
+    const { positions, normals } = mesh
+    const most = [0, 0, 0]
+    for (let i = 0; i < positions.length; i += 3) {
+      for (let k = 0; k < 3; k++) most[k] = Math.max(most[k], positions[i + k])
+      // Of a sphere of 30 pixels that is sheared by y, the other way up: (x - y)² + y² + z² is 30².
+      const [x, y, z] = positions.subarray(i, i + 3)
+      assert.ok(Math.abs(Math.hypot(x + y, y, z) - 30) < 1e-2, `${x} ${y} ${z}`)
+      const gradient = [x + y, x + 2 * y, z]
+      const cosine = gradient.reduce((sum, each, k) => sum + each * normals[i + k], 0)
+      assert.ok(cosine / Math.hypot(...gradient) > 0.99999)
+    }
+    assert.ok(Math.abs(most[1] - 30) < 1e-3 && most[0] > 40)
+  })
+
+  test('marks the statements of the line with the cursor, and the line of a statement', async () => {
+    const lines = 'const a = position.y().mult(3).sin()\n  return glsl.vec3(a, a.mult(0.3), 0)'
+    await write(page, still('#40ff40').replace('glsl.vec3(0, 0, 0)', `{\n  ${lines}\n}`))
+    const marked = () => page.locator('.panel .lit').allTextContents()
+    for (const language of ['GLSL 3.00', 'GLSL 1.00', 'WGSL']) {
+      await page.getByRole('tab', { name: language }).click()
+      await page.locator('.cm-line', { hasText: 'const a =' }).click()
+      await page.locator('.panel .lit').first().waitFor()
+      const ofA = await marked()
+      assert.ok(ofA.some((text) => /sin\(/.test(text)) && ofA.some((text) => /cos\(/.test(text)))
+      await page.keyboard.press('ArrowDown')
+      await page.waitForFunction(
+        (before) => document.querySelector('.panel .lit')?.textContent !== before,
+        ofA[0],
+      )
+      assert.ok(!(await marked()).some((text) => /sin\(/.test(text)))
+    }
+    const statement = page.locator('.panel [data-from]', { hasText: 'sin(' })
+    await statement.hover()
+    assert.match(await page.locator('.cm-lit').textContent(), /const a =/)
+    await statement.click()
+    assert.match(await line(page), /const a =/)
+    assert.equal((await marked()).length > 0, true)
+    await page.getByRole('tab', { name: 'GLSL 3.00' }).click()
+  })
+
+  test('tries an offset function alone on a model, and brings both back by the link', async () => {
+    await page.getByLabel('Runs in').selectOption('offset')
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.doesNotMatch(await text(page), /createWarp/)
+    assert.equal(await page.getByLabel('height', { exact: true }).count(), 1)
+    const sphere = await canvasPixels(page)
+    await page.locator('#model').selectOption('bunny.obj')
+    await settled(page)
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.ok(difference(sphere, await canvasPixels(page)) > 0.05)
+    const link = page.url()
+    await page.getByLabel('Runs in').selectOption('p5')
+    await settled(page)
+    assert.match(await text(page), /model\(shape\)/)
+    assert.equal(await page.locator('#model').isVisible(), false)
+    await page.goto(link)
+    await settled(page)
+    assert.equal(await page.locator('#model').inputValue(), 'bunny.obj')
+    await write(page, 'const nothing = 0')
+    assert.match(
+      await page.locator('.mistake').textContent(),
+      /Write a function with the name offset/,
+    )
+    await page.locator('.cm-content').focus()
+    await page.keyboard.press('Control+z')
+    await settled(page)
+    await page.screenshot({ path: `${screenshots}/playground-offset.png` })
+  })
+
+  test('takes a model that is dropped, and tries the offset on it', async () => {
+    const file = await page.evaluateHandle(() => {
+      const transfer = new DataTransfer()
+      const corner = (x, y, z) => `v ${x} ${y} ${z}\n`
+      const points = [corner(0, 0, 0), corner(1, 0, 0), corner(0, 1, 0), corner(0, 0, 1)]
+      const faces = 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n'
+      transfer.items.add(new File([points.join('') + faces], 'corner.obj'))
+      return transfer
+    })
+    await page.dispatchEvent('body', 'drop', { dataTransfer: file })
+    await settled(page)
+    assert.equal(await page.locator('#model').inputValue(), 'corner.obj')
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
+    // The same as GLB, which is read in another way.
+    const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]
+    const bytes = exportGLB({ positions, indices: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3] })
+    const glb = await page.evaluateHandle((bytes) => {
+      const transfer = new DataTransfer()
+      transfer.items.add(new File([Uint8Array.from(bytes)], 'corner.glb'))
+      return transfer
+    }, Array.from(bytes))
+    await page.dispatchEvent('body', 'drop', { dataTransfer: glb })
+    await settled(page)
+    assert.equal(await page.locator('#model').inputValue(), 'corner.glb')
+    assert.equal(await page.locator('.mistake').textContent(), '')
+    assert.equal(await (await shown(page)).evaluate('shape.faces.length'), 4)
+  })
+
+  test('says that a link is damaged, and keeps the sketch', async () => {
+    const before = await text(page)
+    await page.evaluate(() => (location.hash = '#sketch=brokenlink'))
+    await page.getByText('The sketch in this link is damaged').waitFor()
+    assert.equal(await text(page), before)
+  })
+
+  test('has printed nothing of its own', () => assert.deepEqual(messages, []))
+})
+
+test('fits a phone, and opens an example of the gallery', async () => {
+  const context = await browser.newContext({ ...phone, reducedMotion: 'reduce' })
+  await drawLittle(context, framesInPlayground)
+  const { page, messages } = await openPage(context, `${url}#example=deformer-bend`)
+  await settled(page)
+  assert.match(await text(page), /warpjet\.bend/)
+  assert.equal(await page.getByLabel('Deformers').isChecked(), true)
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  assert.equal(
+    await page.evaluate(() => document.documentElement.scrollWidth),
+    phone.viewport.width,
+  )
+  await page.screenshot({ path: `${screenshots}/playground-phone.png`, fullPage: true })
+  await context.close()
+  assert.deepEqual(messages, [])
+})

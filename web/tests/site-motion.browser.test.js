@@ -1,0 +1,187 @@
+// What moves on the site, and when: the first page's warp follows the pointer, nothing draws that nobody sees, whoever wants less motion
+// gets less, and without WebGL there are pictures.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { desktop, phone } from '../../tests/support/browser/bench.js'
+import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import { drawLittle, keepFrames, rough } from '../../tests/support/browser/frames.js'
+import { settled } from '../../tests/support/browser/playground.js'
+import { calm, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
+
+const patience = { timeout: 120_000 }
+
+let browser, server, url
+before(async () => {
+  browser = await launchBrowser()
+  server = await serveSite(5345, '/some/folder/')
+  url = server.resolvedUrls.local[0]
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/** The time stands still, so that what moves does so by the pointer alone; and draws are counted. */
+function standStill() {
+  const { requestAnimationFrame } = window
+  window.requestAnimationFrame = (work) => requestAnimationFrame(() => work(2000))
+  const { drawElements } = WebGL2RenderingContext.prototype
+  window.draws = 0
+  WebGL2RenderingContext.prototype.drawElements = function (...how) {
+    window.draws++
+    return drawElements.apply(this, how)
+  }
+}
+
+/** How far the ball goes to the left and to the right of the middle of its place, in shares of its width. */
+const reach = (page) =>
+  page.locator('.hero canvas').evaluate((canvas) => {
+    const { width, height } = canvas
+    const copy = new OffscreenCanvas(width, height).getContext('2d')
+    copy.drawImage(canvas, 0, 0)
+    const { data } = copy.getImageData(0, 0, width, height)
+    const isEmpty = (x) => {
+      for (let y = 0; y < height; y++) if (data[4 * (y * width + x) + 3]) return false
+      return true
+    }
+    let [left, right] = [0, width - 1]
+    while (left < width && isEmpty(left)) left++
+    while (right > left && isEmpty(right)) right--
+    return { left: 0.5 - left / width, right: (right + 1) / width - 0.5 }
+  })
+
+const drawsIn = async (page, milliseconds) => {
+  const before = await page.evaluate(() => window.draws)
+  await page.waitForTimeout(milliseconds)
+  return (await page.evaluate(() => window.draws)) - before
+}
+
+test('the first page’s ball swells towards the pointer, and draws only while it is seen', async () => {
+  // A sixteenth of the pixels.
+  const context = await browser.newContext({ ...desktop, deviceScaleFactor: 0.25 })
+  for (const script of [withoutWorker, keepFrames, rough, standStill])
+    await context.addInitScript(script)
+  const { page, messages } = await openPage(context, url)
+  await page.waitForSelector('.hero canvas', patience)
+  const { x, y, width, height } = await page.locator('.hero .picture').boundingBox()
+  const seen = {}
+  for (const [side, share] of [
+    ['left', 0.1],
+    ['right', 0.9],
+  ]) {
+    await page.mouse.move(x + share * width, y + height / 2)
+    const from = await page.evaluate(() => window.draws)
+    await page.waitForFunction((from) => window.draws > from + 60, from, patience)
+    seen[side] = await reach(page)
+  }
+  const { left, right } = seen
+  assert.ok(left.left > right.left + 0.04, JSON.stringify(seen))
+  assert.ok(right.right > left.right + 0.04, JSON.stringify(seen))
+
+  await page.evaluate(() => scrollTo({ top: document.body.scrollHeight, behavior: 'instant' }))
+  // What is under way ends first.
+  for (let i = 0; i < 20 && (await drawsIn(page, 300)); i++);
+  assert.equal(await drawsIn(page, 500), 0)
+  await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }))
+  const from = await page.evaluate(() => window.draws)
+  await page.waitForFunction((from) => window.draws > from + 2, from, patience)
+  await context.close()
+  assert.deepEqual(messages, [])
+})
+
+test('an example runs only while it is seen', async () => {
+  const context = await browser.newContext({ viewport: { width: 700, height: 500 } })
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, `${url}gallery/deformer-shear/index.html`)
+  await page.locator('.stage').evaluate((stage) => stage.scrollIntoView())
+  await page.waitForSelector('iframe.shown', patience)
+  await page.evaluate(() => scrollTo({ top: document.body.scrollHeight, behavior: 'instant' }))
+  await page.waitForFunction(() => !document.querySelector('iframe'), null, patience)
+  assert.equal(await page.locator('.stage img').count(), 1)
+  await page.locator('.stage').evaluate((stage) => stage.scrollIntoView())
+  await page.waitForSelector('iframe.shown', patience)
+  await context.close()
+  assert.deepEqual(messages, [])
+})
+
+test('the full page of an example says what it is, fills the window, and leads back', async () => {
+  const context = await browser.newContext(desktop)
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, `${url}gallery/deformer-shear/index.html`)
+  await page.getByRole('link', { name: 'Full page' }).click()
+  await page.waitForSelector('iframe.shown', patience)
+  assert.match(await page.title(), /^Italics, full page/)
+  assert.match(await page.locator('h1').textContent(), /Italics/)
+  assert.match(await page.locator('.text').textContent(), /Points move to the side/)
+  const { width, height } = await page.locator('iframe').boundingBox()
+  assert.ok(width === desktop.viewport.width && height > 0.7 * desktop.viewport.height)
+  // Its picture is as large as fits, in the middle.
+  const canvas = await page.frameLocator('iframe').locator('.p5Canvas').boundingBox()
+  const fits = Math.min(width, (height * 4) / 3)
+  assert.ok(Math.abs(canvas.width - fits) < 1, `${canvas.width} of ${fits}`)
+  assert.ok(Math.abs((4 / 3) * canvas.height - fits) < 2)
+  await page.getByRole('button', { name: 'Pause' }).click()
+  assert.equal(await page.locator('iframe').count(), 0)
+  await page.getByRole('link', { name: 'Sketch and sliders' }).click()
+  await page.waitForURL(/deformer-shear\/$/)
+  await context.close()
+  assert.deepEqual(messages, [])
+})
+
+test('with less motion the first page stands still, and an example waits', async () => {
+  const context = await browser.newContext({ ...calm(desktop) })
+  await context.addInitScript(withoutWorker)
+  const { page } = await openPage(context, url)
+  await page.waitForSelector('.hero canvas', patience)
+  await page.waitForTimeout(300)
+  const first = await page.locator('.hero canvas').screenshot()
+  await page.mouse.move(900, 300)
+  await page.waitForTimeout(500)
+  assert.deepEqual(await page.locator('.hero canvas').screenshot(), first)
+  await page.goto(`${url}gallery/deformer-bend/index.html`)
+  assert.equal(await page.locator('iframe').count(), 0)
+  await page.getByRole('button', { name: 'Play' }).click()
+  await page.waitForSelector('iframe.shown', patience)
+  await context.close()
+})
+
+test('without WebGL there are pictures, which fit a phone, and no button for what cannot move', async () => {
+  const context = await browser.newContext({ ...phone })
+  await context.addInitScript(withoutWorker)
+  await context.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null))
+  const { page, messages } = await openPage(context, url)
+  await page.waitForTimeout(500)
+  const isLoaded = (selector) => page.locator(selector).evaluate((image) => image.naturalWidth > 0)
+  const fits = async () =>
+    assert.equal(
+      await page.evaluate(() => document.documentElement.scrollWidth),
+      phone.viewport.width,
+      page.url(),
+    )
+  assert.equal(await page.locator('.hero canvas').count(), 0)
+  assert.ok(await isLoaded('.hero img'))
+  await fits()
+  for (const file of ['index', 'full']) {
+    await page.goto(`${url}gallery/deformer-bend/${file}.html`)
+    assert.ok(await isLoaded('.stage img'))
+    assert.match(await page.locator('.rate').textContent(), /no WebGL/)
+    assert.equal(await page.locator('.pause').isVisible(), false)
+    await fits()
+  }
+  await page.goto(`${url}playground/index.html#example=lotus`)
+  await settled(page)
+  await page.locator('.still').evaluate((image) => image.decode())
+  assert.match(await page.locator('.still').getAttribute('src'), /lotus/)
+  assert.match(await page.locator('.stage').textContent(), /no WebGL/)
+  await fits()
+  for (const file of ['drop', 'bench']) {
+    await page.goto(`${url}${file}/index.html`)
+    await page.locator('main img').evaluate((image) => image.decode())
+    assert.match(await page.getByRole('alert').textContent(), /WebGL ?2/)
+    await fits()
+  }
+  assert.deepEqual(messages, [])
+  await context.close()
+})

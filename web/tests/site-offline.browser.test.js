@@ -1,0 +1,100 @@
+// The built site once it was seen, without a network: from a host that has no .html in its addresses, which is harder than from one that
+// gives each file at its own, since what such a host led to is no answer of a worker to one who asks for a page.
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { buildSite, folder } from '../../.scripts/site.mjs'
+import { desktop, path } from '../../tests/support/browser/bench.js'
+import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import { serveCleanly } from '../../tests/support/browser/clean-urls.js'
+import { drawLittle } from '../../tests/support/browser/frames.js'
+import { settled, shown } from '../../tests/support/browser/playground.js'
+import { calm, withoutWorker } from '../../tests/support/browser/site.js'
+
+const patience = { timeout: 120_000 }
+
+let browser, server, url
+before(async () => {
+  await buildSite()
+  browser = await launchBrowser()
+  server = await serveCleanly(path(folder), '/some/folder')
+  url = server.url
+})
+after(async () => {
+  await browser.close()
+  server.close()
+})
+
+test('once seen, all of it is there without a network', async () => {
+  const context = await browser.newContext(desktop)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, url)
+  // It takes over once it has kept all files.
+  await page.waitForFunction(() => navigator.serviceWorker.controller, null, patience)
+  await context.setOffline(true)
+  await page.reload(patience)
+  await page.waitForSelector('.hero canvas', patience)
+  await page.locator('#search').fill('noise')
+  await page.waitForSelector('#found a', patience)
+  // By the names of the files, as links have them, and as such a host has left them in the address before.
+  for (const [address, title] of [
+    ['docs/plots.html', /plotted/],
+    ['docs/plots', /plotted/],
+    ['gallery/lotus/', /Lotus/],
+    ['gallery/text-bulge', /./],
+    ['gallery/text-bulge/index.html', /./],
+  ]) {
+    await page.goto(url + address, patience)
+    assert.match(await page.locator('h1').textContent(), title)
+    const { width } = await page.locator('.bar').boundingBox()
+    assert.equal(width, desktop.viewport.width, `${address} has no style`)
+  }
+  const frame = await (await page.waitForSelector('iframe.shown', patience)).contentFrame()
+  await frame.waitForFunction(() => window.frameCount >= 2, null, patience)
+  await page.goto(`${url}playground/index.html#example=bunny`, patience)
+  await settled(page)
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  const bunny = await shown(page)
+  await bunny.waitForFunction(() => window.frameCount >= 2, null, patience)
+  await page.locator('#example').selectOption('airplane-twist')
+  await page.waitForFunction(() => document.querySelector('main').ariaBusy === 'true')
+  await settled(page)
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  assert.deepEqual(messages, [])
+  await context.close()
+})
+
+test('a host that gives x/index.html at x serves all of it, too', async (t) => {
+  const bare = await serveCleanly(path(folder), '/some/folder', { slashes: false })
+  t.after(() => bare.close())
+  const context = await browser.newContext(calm(desktop))
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, bare.url)
+  const places = ['', 'docs/', 'gallery/lotus/', 'drop/', 'bench/', 'playground/']
+  for (const place of places) {
+    await page.goto(bare.url + place, patience)
+    // What it links to is there, and is given at that address.
+    const links = await page.locator('a[href]').evaluateAll((all) => all.map(({ href }) => href))
+    for (const link of new Set(links.filter((link) => link.startsWith(bare.url)))) {
+      const response = await page.request.get(link)
+      assert.equal(response.status(), 200, `${place} leads to ${link}`)
+      if (link.endsWith('/')) assert.equal(response.url(), link)
+    }
+  }
+  await settled(page)
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  assert.deepEqual(messages, [])
+  // Typed without its slash a page gives itself one, after the browser has guessed at some files.
+  for (const place of places) {
+    await page.goto((bare.url + place).slice(0, -1), patience)
+    assert.equal(page.url(), bare.url + place)
+    assert.ok(await page.evaluate(() => document.styleSheets.length), `${place} has no style`)
+    assert.deepEqual(
+      messages.splice(0).filter((text) => !text.includes('404')),
+      [],
+    )
+  }
+  await settled(page)
+  assert.equal(await page.locator('.mistake').textContent(), '')
+  await context.close()
+})

@@ -1,0 +1,317 @@
+// The built site in a folder of a server: every page without a console message and without a finding of axe, by keyboard, on a
+// phone. site-motion.test.js has what moves on them, and when; site-offline.test.js opens them without a network.
+import assert from 'node:assert/strict'
+import { mkdirSync, readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { after, before, describe, test } from 'node:test'
+import { walk } from '../../.scripts/lib/files.mjs'
+import { checkSite } from '../../.scripts/lib/site-budget.mjs'
+import { folder } from '../../.scripts/site.mjs'
+import { desktop, path, phone } from '../../tests/support/browser/bench.js'
+import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
+import { drawLittle } from '../../tests/support/browser/frames.js'
+import { settled } from '../../tests/support/browser/playground.js'
+import { calm, serveSite, withoutWorker } from '../../tests/support/browser/site.js'
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
+const screenshots = path('.build/screenshots')
+const patience = { timeout: 120_000 }
+
+let browser, server, url, pages
+before(async () => {
+  mkdirSync(screenshots, { recursive: true })
+  browser = await launchBrowser()
+  server = await serveSite(5340, '/some/folder/')
+  url = server.resolvedUrls.local[0]
+  const files = walk(folder, /\.html$/).map((file) => file.slice(folder.length + 1))
+  // Those that a frame shows are sketches and nothing else.
+  pages = files.filter(
+    (file) => !/^(?:examples|playground\/host|bench\/(?:driven|p5-sketch))/.test(file),
+  )
+})
+after(async () => {
+  await browser.close()
+  await server.close()
+})
+
+/**
+ * Beside its usual rules those that axe leaves to choose, but for contrast above what WCAG's AA asks for, and for the one that
+ * wants no focus where another wants it: on a table that scrolls.
+ */
+const findings = (page) =>
+  page.evaluate(async () => {
+    const optional = [
+      'css-orientation-lock',
+      'hidden-content',
+      'label-content-name-mismatch',
+      'p-as-heading',
+      'table-fake-caption',
+      'target-size',
+      'td-has-header',
+    ]
+    const rules = Object.fromEntries(optional.map((id) => [id, { enabled: true }]))
+    // Of what is right nothing is told, which is most of the work.
+    const told = { resultTypes: ['violations'], selectors: false, ancestry: false }
+    const { violations } = await window.axe.run(document, { iframes: false, rules, ...told })
+    return violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)}`)
+  })
+
+/** What a key leads to: each is to be seen, with a ring, once it has the focus. */
+const unseen = (page) =>
+  page.evaluate(() => {
+    const wrong = []
+    const stops = 'a[href], button, input, select, textarea, summary, [tabindex]'
+    for (const stop of document.querySelectorAll(stops)) {
+      if (stop.tabIndex < 0 || stop.disabled || !stop.checkVisibility()) continue
+      stop.focus({ focusVisible: true })
+      const { width, height, right, left } = stop.getBoundingClientRect()
+      const hasRing = (element) => getComputedStyle(element).outlineStyle !== 'none'
+      const isSeen = width && height && right > 0 && left < innerWidth
+      const isMarked =
+        hasRing(stop) || hasRing(stop.parentElement.closest('.editor, label') ?? stop)
+      if (document.activeElement !== stop || !isSeen || !isMarked)
+        wrong.push(`no focus to be seen: ${stop.outerHTML.slice(0, 160)}`)
+    }
+    return wrong
+  })
+
+/** Tables of figures may be wider than a phone; what is written in words is not. */
+const wideTables = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('.table:not(.figures)')]
+      .filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth)
+      .map((table) => `a table is wider than its page: ${table.textContent.trim().slice(0, 80)}`),
+  )
+
+for (const [name, size, colorScheme] of [
+  ['a desktop', desktop, 'light'],
+  ['a phone', phone, 'dark'],
+])
+  test(`on ${name} every page has nothing that axe finds, shows where the focus is, prints nothing, and fits`, async () => {
+    const context = await browser.newContext({ ...calm(size), colorScheme })
+    await context.addInitScript(withoutWorker)
+    await drawLittle(context)
+    await context.addInitScript(axe)
+    const { page, messages } = await openPage(context, url)
+    const wrong = []
+    for (const file of pages) {
+      await page.goto(url + file, patience)
+      if (file.startsWith('playground')) await settled(page)
+      for (const look of [findings, unseen, wideTables])
+        for (const finding of await look(page)) wrong.push(`${file}: ${finding}`)
+      const width = await page.evaluate(() => document.documentElement.scrollWidth)
+      if (width > size.viewport.width) wrong.push(`${file} is ${width} wide`)
+      for (const message of messages.splice(0)) wrong.push(`${file}: ${message}`)
+    }
+    await context.close()
+    assert.deepEqual(wrong, [])
+  })
+
+/** One page of each kind. */
+for (const file of [
+  'index.html',
+  'docs/units.html',
+  'gallery/lotus/index.html',
+  'gallery/lotus/full.html',
+  'playground/index.html',
+  'drop/index.html',
+  'bench/results.html',
+])
+  test(`the Tab key goes through ${file}, stops at all that can be used, and leaves it`, async () => {
+    const context = await browser.newContext(calm(desktop))
+    await context.addInitScript(withoutWorker)
+    await drawLittle(context)
+    const { page } = await openPage(context, url + file)
+    if (file.startsWith('playground')) await settled(page)
+    const wanted = await page.evaluate(() => {
+      const stops = 'a[href], button, input, select, textarea, summary, [tabindex]'
+      const all = [...document.querySelectorAll(stops)].filter(
+        (stop) => stop.tabIndex >= 0 && !stop.disabled && stop.checkVisibility(),
+      )
+      for (const [i, stop] of all.entries()) stop.dataset.stop = i
+      // Of buttons of one choice the key stops at the chosen one alone.
+      return all
+        .filter((stop) => stop.type !== 'radio' || stop.checked)
+        .map((stop) => stop.dataset.stop)
+    })
+    await page.evaluate(() => document.activeElement.blur())
+    const reached = []
+    for (let i = 0; i < wanted.length + 20; i++) {
+      await page.keyboard.press('Tab')
+      const stop = await page.evaluate(() => {
+        const { activeElement } = document
+        return activeElement === document.body
+          ? 'end'
+          : (activeElement.dataset.stop ?? activeElement.tagName)
+      })
+      if (stop === 'end' || reached.includes(stop)) break
+      reached.push(stop)
+    }
+    await context.close()
+    const missed = wanted.filter((stop) => !reached.includes(stop))
+    assert.deepEqual(missed, [], `${reached}`)
+  })
+
+test('every page has a policy that lets it run no foreign script, and nothing written into it', () => {
+  for (const file of walk(folder, /\.html$/)) {
+    const html = readFileSync(path(file), 'utf8')
+    const [, policy] =
+      /<meta\s+http-equiv="Content-Security-Policy"\s+content="([^"]*)"/.exec(html) ?? []
+    assert.ok(policy, `${file} has no policy`)
+    // It counts for what stands behind it.
+    assert.ok(
+      html.indexOf('Content-Security-Policy') < html.search(/<(?:script|link|style)\b/),
+      file,
+    )
+    const [, scripts] = /script-src ([^;]*)/.exec(policy)
+    assert.match(policy, /default-src 'none'/)
+    // The host of sketches has no script; the sketches' own policy is tightened by the playground.
+    if (file.endsWith('playground/host.html')) {
+      assert.doesNotMatch(html, /<script/)
+      assert.match(policy, /frame-src 'none'/)
+      continue
+    }
+    assert.doesNotMatch(scripts, /'unsafe-inline'|https?:|\*/, file)
+    const isSketch = /\/examples\//.test(file)
+    assert.equal(/'unsafe-eval'/.test(scripts), isSketch, file)
+    assert.match(policy, /base-uri 'none'/, file)
+  }
+})
+
+test('the pages keep their budgets', () => checkSite(folder))
+
+describe('the first page', () => {
+  let context, page, messages
+  before(async () => {
+    context = await browser.newContext({ ...desktop })
+    await context.addInitScript(withoutWorker)
+    await drawLittle(context)
+    ;({ page, messages } = await openPage(context, url))
+  })
+  after(() => context.close())
+
+  const looks = () => page.locator('.hero canvas').screenshot()
+
+  test('has a warp that moves by itself', async () => {
+    await page.waitForSelector('.hero canvas', patience)
+    const first = await looks()
+    await page.waitForTimeout(500)
+    assert.notDeepEqual(await looks(), first)
+    await page.screenshot({ path: `${screenshots}/site-first.png` })
+  })
+
+  test('shows the first examples on a desktop’s first screen', async () => {
+    const isSeen = await page
+      .locator('.tiles img')
+      .evaluateAll((images) =>
+        images.map((image) => image.getBoundingClientRect().bottom <= innerHeight),
+      )
+    assert.deepEqual(isSeen.slice(0, 4), [true, true, true, true])
+  })
+
+  test('copies the script tag', async () => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+    await page.getByRole('button', { name: 'Copy' }).click()
+    await page.getByRole('button', { name: 'Copied' }).waitFor()
+    const copied = await page.evaluate(() => navigator.clipboard.readText())
+    assert.equal(copied, await page.locator('.install code').textContent())
+    assert.match(copied, /^<script src="https:\/\/\S+\.js"><\/script>$/)
+  })
+
+  test('filters its pictures by words and by section', async () => {
+    const tiles = page.locator('.tiles > li:visible')
+    const all = await tiles.count()
+    await page.locator('#words').fill('bunny')
+    assert.ok((await tiles.count()) > 0 && (await tiles.count()) < all)
+    for (const text of await tiles.evaluateAll((list) => list.map(({ dataset }) => dataset.words)))
+      assert.match(text, /bunny/)
+    await page.locator('#words').fill('')
+    await page.locator('#section').selectOption('Deformers')
+    assert.equal(await tiles.count(), 13)
+    await page.locator('#section').selectOption('')
+    assert.equal(await tiles.count(), all)
+  })
+
+  test('is walked by keyboard: past the bar, into the search, and to what was found', async () => {
+    await page.goto(url, patience)
+    await page.keyboard.press('Tab')
+    assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Skip to the page')
+    await page.keyboard.press('Enter')
+    assert.equal(await page.evaluate(() => location.hash), '#main')
+    await page.keyboard.press('/')
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'search')
+    await page.keyboard.type('rotate about an axis')
+    await page.waitForSelector('#found a', patience)
+    await page.keyboard.press('ArrowDown')
+    await page.keyboard.press('ArrowUp')
+    await page.keyboard.press('Enter')
+    await page.waitForURL(/docs\//)
+    assert.match(await page.locator('h1').textContent(), /Rotate about an axis/)
+  })
+
+  for (const [question, answer] of [
+    ['Rotate about an axis', /how-to-rotate/],
+    ['use noise', /docs\/(?:tutorial-3-)?noise/],
+    ["what is space: 'world'", /docs\/spaces/],
+    ['waving flag', /how-to-flag/],
+    ['melting bunny', /tutorial-5|deformers\.html#melt/],
+  ])
+    test(`answers “${question}” first of all`, async () => {
+      await page.goto(url, patience)
+      await page.locator('#search').fill(question)
+      const first = page.locator('#found a').first()
+      await first.waitFor(patience)
+      await page.waitForTimeout(100)
+      assert.match(await first.getAttribute('href'), answer)
+    })
+
+  test('has printed nothing', () => assert.deepEqual(messages, []))
+})
+
+test('the list beside a page of the docs shows where one is, and the page begins at its top', async () => {
+  const context = await browser.newContext(desktop)
+  await context.addInitScript(withoutWorker)
+  const { page, messages } = await openPage(context, `${url}docs/develop.html`)
+  const seen = await page.evaluate(() => {
+    const box = (selector) => document.querySelector(selector).getBoundingClientRect()
+    const [list, entry] = [box('.contents'), box('.contents [aria-current]')]
+    return entry.top >= list.top && entry.bottom <= Math.min(list.bottom, innerHeight)
+  })
+  assert.ok(seen)
+  assert.equal(await page.evaluate(() => scrollY), 0)
+  await context.close()
+  assert.deepEqual(messages, [])
+})
+
+test('the pages with a head of their own lead to the docs, and to the search, where one can write at once', async () => {
+  const context = await browser.newContext(calm(desktop))
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, `${url}playground/index.html`)
+  for (const file of ['playground/index', 'drop/index', 'bench/index', 'bench/results']) {
+    await page.goto(`${url}${file}.html`, patience)
+    await page.getByRole('link', { name: 'Docs', exact: true }).click()
+    await page.waitForURL(/docs\/$/)
+  }
+  await page.goto(`${url}bench/results.html`, patience)
+  await page.getByRole('link', { name: 'Search' }).click()
+  await page.waitForURL(/\/#search$/)
+  await page.waitForFunction(() => document.activeElement.id === 'search', null, patience)
+  await context.close()
+  assert.deepEqual(messages, [])
+})
+
+test('a slider changes the sketch, and the picture follows', async () => {
+  const context = await browser.newContext({ ...desktop })
+  await context.addInitScript(withoutWorker)
+  await drawLittle(context)
+  const { page, messages } = await openPage(context, `${url}gallery/deformer-twist/index.html`)
+  const frame = await page.waitForSelector('iframe.shown', patience)
+  await page.getByLabel('Angle').fill('0')
+  await page.getByText('.cos().mult(0)').waitFor(patience)
+  await page.waitForFunction((old) => !old.isConnected, frame, patience)
+  await page.waitForSelector('iframe.shown', patience)
+  assert.equal(await page.locator('iframe').count(), 1)
+  assert.deepEqual(messages, [])
+  await context.close()
+})
