@@ -13,13 +13,13 @@ set_source_files_properties(
   TARGET_DIRECTORY warpjet_mesh PROPERTIES COMPILE_OPTIONS -Oz)
 
 # Or clang would make exp2 of pow(2, x), which JavaScript's Math lacks.
-set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp TARGET_DIRECTORY warpjet_core APPEND PROPERTY COMPILE_OPTIONS -fno-builtin)
+set_property(SOURCE src/ops/ops.cpp src/ops/interval.cpp src/ops/interval_functions.cpp src/ops/interval_steps.cpp TARGET_DIRECTORY warpjet_core APPEND PROPERTY COMPILE_OPTIONS -fno-builtin)
 
 # What computes four vertices at a time. The core links none of it, for link-time optimisation would give SIMD to all
 # functions of a module that has one with it.
 set_source_files_properties(js-bindings/wasm/evaluation.cpp PROPERTIES COMPILE_OPTIONS -msimd128)
 set_source_files_properties(
-  src/eval/blocks.cpp src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp
+  src/eval/blocks.cpp src/eval/code_writer.cpp src/eval/each_lane.cpp src/eval/machine_code.cpp src/eval/stages.cpp
   TARGET_DIRECTORY warpjet_core PROPERTIES COMPILE_OPTIONS -msimd128)
 
 # emcc renamed the setting in 3.1.25.

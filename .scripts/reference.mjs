@@ -6,6 +6,7 @@ import { path } from './lib/files.mjs'
 import { good, isMain, main } from './lib/terminal.mjs'
 import { deformersText } from './reference/deformers.mjs'
 import { examplePages } from './reference/example-pages.mjs'
+import { identitiesText } from './reference/identities.mjs'
 import { meshNumberedText, numberedText } from './reference/numbered.mjs'
 import { pageText } from './reference/page.mjs'
 import { plotsText } from './reference/plots.mjs'
@@ -26,6 +27,7 @@ export async function staleFiles() {
     'web/docs/operations.md': pageText(table),
     'web/docs/plots.md': plotsText(table),
     'web/docs/plots-vectors.md': plotsVectorsText(table),
+    'web/docs/identities.md': identitiesText(table),
     'web/docs/deformers.md': deformersText(),
     'web/docs/units-spaces.svg': spacesPicture(),
     'web/docs/units-1.svg': shapesPicture(0),

@@ -76,7 +76,7 @@ Derivatives may be derived again: \`height.derivative(millis).derivative(millis)
 const page = (
   groups,
   aliases,
-) => `<!-- Written by \`npm run reference\`; the tables come from src/ops/table.hpp and src/builder/compositions.hpp. -->
+) => `<!-- Written by \`npm run reference\`; the tables come from src/ops/documentation.hpp and src/builder/compositions.hpp. -->
 
 # Operations
 

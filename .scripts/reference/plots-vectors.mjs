@@ -95,7 +95,7 @@ export function plotsVectorsText({ operations, noises }) {
   const sections = (heading) =>
     ofGroup(heading).map(({ name, meaning }) => vectorSection(name, meaning))
   const more = Object.entries(products).map(([title, meaning]) => vectorSection(title, meaning))
-  return `<!-- Written by \`npm run reference\`; the operations come from src/ops/table.hpp and src/builder/compositions.hpp. -->
+  return `<!-- Written by \`npm run reference\`; the operations come from src/ops/documentation.hpp and src/builder/compositions.hpp. -->
 
 # Vectors, matrices and noise, plotted
 

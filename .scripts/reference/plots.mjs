@@ -118,7 +118,7 @@ export function plotsText({ operations, headings }) {
       return own.length && `## ${heading}\n\n${own.map(section).join('\n')}`
     })
     .filter(Boolean)
-  return `<!-- Written by \`npm run reference\`; the operations come from src/ops/table.hpp and src/builder/compositions.hpp. -->
+  return `<!-- Written by \`npm run reference\`; the operations come from src/ops/documentation.hpp and src/builder/compositions.hpp. -->
 
 # Operations, plotted
 

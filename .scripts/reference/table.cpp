@@ -17,8 +17,11 @@
 #include "builder/builder.hpp"
 #include "builder/operations.hpp"
 #include "emit/dialect.hpp"
+#include "graph/pattern_text.hpp"
+#include "graph/turns.hpp"
 #include "job.hpp"
 #include "mesh/refine/subdivide.hpp"
+#include "ops/documentation.hpp"
 #include "texture/texture.hpp"
 
 namespace warpjet {
@@ -54,15 +57,16 @@ std::string typeName(ops::Type type) {
 }
 
 // The languages that lack a row, and so have it lowered to others.
-std::string missingIn(const ops::Spellings& spellings) {
+std::string missingIn(Op op) {
   std::vector<std::string_view> names;
   for (const Dialect* dialect : dialects()) {
-    if (spellings.in(dialect->language).text.empty()) names.push_back(dialect->name);
+    if (ops::spelling(op, dialect->language).isMissing()) names.push_back(dialect->name);
   }
   return array(names, text);
 }
 
-std::string row(const ops::Title& title, const ops::Info& info) {
+std::string row(const ops::Title& title, Op op) {
+  const ops::Declaration& info = ops::declaration(op);
   const std::span types(info.signature.operands.data(), static_cast<std::size_t>(info.arity));
   return object(
       {{"name", text(title.name)},
@@ -70,17 +74,27 @@ std::string row(const ops::Title& title, const ops::Info& info) {
        {"meaning", text(title.meaning)},
        {"types", array(types, typeName)},
        {"result", typeName(info.signature.result)},
-       {"missingIn", missingIn(info.spellings)},
+       {"missingIn", missingIn(op)},
        {"isChained", truth(info.traits.has(ops::Trait::Chained))},
        {"takesMatrices", truth(info.traits.has(ops::Trait::OnMatrices))},
        {"isHidden", truth(detail::isHidden(info) || info.traits.has(ops::Trait::ForText))}});
 }
 
 std::string rows() {
-  constexpr auto titles =
-      std::apply([](const auto&... each) { return std::array{each.title...}; }, ops::table);
-  std::size_t i = 0;
-  return array(titles, [&](const ops::Title& title) { return row(title, ops::infos[i++]); });
+  std::uint8_t i = 0;
+  return array(ops::documentation, [&](const ops::Title& title) { return row(title, Op{i++}); });
+}
+
+std::string identity(const patterns::Identity& each) {
+  constexpr std::string_view precisions[] = {"bits", "value", "rounding"};
+  const auto precision = static_cast<std::size_t>(each.keeps.precision);
+  const std::string condition = each.hasCondition() ? patterns::text(each.when) : "";
+  return object({{"operation", text(ops::declaration(each.from.root().op()).name)},
+                 {"from", text(patterns::text(each.from))},
+                 {"to", text(patterns::text(each.to))},
+                 {"when", text(condition)},
+                 {"precision", text(precisions[precision])},
+                 {"onlyNumbers", truth(each.keeps.onlyNumbers)}});
 }
 
 std::string composition(const Composition& each) {
@@ -150,6 +164,8 @@ std::string other(const Operation& each) {
 int main() {
   using namespace warpjet;
   std::cout << object({{"rows", rows()},
+                       {"identities", array(patterns::identities, identity)},
+                       {"turns", array(patterns::turns, identity)},
                        {"compositions", array(compositions, composition)},
                        {"aliases", array(detail::aliases, alias)},
                        {"others", array(detail::others, other)},

@@ -100,7 +100,7 @@ std::optional<Value> Builder::applyRow(Op op, const Site& site) {
   if (op == ops::find("atan") && operands_.size() == 2) op = ops::find("atan2");
   const std::size_t fewest = site.isMethod ? 2 : 1;
   if (!ops::has(op, ops::Trait::Chained) || operands_.size() < fewest) {
-    if (!checkCount(ops::info(op).arity, site)) return std::nullopt;
+    if (!checkCount(ops::declaration(op).arity, site)) return std::nullopt;
     return applyRowTo(op, operands_, site);
   }
   std::optional<Value> result = operands_[0];

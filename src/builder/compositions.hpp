@@ -12,7 +12,7 @@
 #include "algebra/matrices.hpp"
 #include "algebra/vectors.hpp"
 #include "diff/differentiator.hpp"
-#include "ops/row.hpp"
+#include "ops/title.hpp"
 #include "warp/warp.hpp"
 
 namespace warpjet {

@@ -49,7 +49,7 @@ inline constexpr std::array aliases{
     Alias{"vecMin", "min"},   Alias{"vecMax", "max"}, Alias{"vecIfElse", "ifElse"},
 };
 
-constexpr bool isHidden(const ops::Info& row) { return row.traits.has(ops::Trait::Hidden); }
+constexpr bool isHidden(const ops::Declaration& row) { return row.traits.has(ops::Trait::Hidden); }
 
 using Source = Operation::Source;
 
@@ -62,8 +62,8 @@ inline constexpr std::array others{
     Operation{"mat4Rows", Source::MatrixOfRows, 4},
 };
 
-inline constexpr auto hiddenCount =
-    static_cast<std::size_t>(std::count_if(ops::infos.begin(), ops::infos.end(), isHidden));
+inline constexpr auto hiddenCount = static_cast<std::size_t>(
+    std::count_if(ops::declarations.begin(), ops::declarations.end(), isHidden));
 
 }  // namespace detail
 
@@ -75,13 +75,13 @@ inline constexpr auto operations = [] {
   std::size_t n = 0;
   const auto number = [](std::size_t i) { return static_cast<std::uint8_t>(i); };
   for (std::size_t i = 0; i < ops::count; ++i) {
-    if (!detail::isHidden(ops::infos[i]))
-      all[n++] = {ops::infos[i].name, Source::Row, number(i),
-                  ops::infos[i].traits.has(ops::Trait::ForText)};
+    if (!detail::isHidden(ops::declarations[i]))
+      all[n++] = {ops::declarations[i].name, Source::Row, number(i),
+                  ops::declarations[i].traits.has(ops::Trait::ForText)};
   }
   for (const auto& alias : detail::aliases) {
     for (std::size_t i = 0; i < ops::count; ++i) {
-      if (ops::infos[i].name == alias.of) all[n++] = {alias.name, Source::Row, number(i)};
+      if (ops::declarations[i].name == alias.of) all[n++] = {alias.name, Source::Row, number(i)};
     }
   }
   for (std::size_t i = 0; i < compositions.size(); ++i)

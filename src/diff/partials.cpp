@@ -1,6 +1,7 @@
 #include "diff/partials.hpp"
 
 #include "graph/multi_index.hpp"
+#include "ops/rows.hpp"
 
 namespace warpjet {
 

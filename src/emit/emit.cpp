@@ -4,16 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "emit/names.hpp"
-#include "emit/packs.hpp"
 #include "emit/products.hpp"
-#include "emit/statements.hpp"
+#include "emit/statement_writer.hpp"
 #include "emit/sums.hpp"
-#include "emit/writer.hpp"
 #include "graph/flags.hpp"
-#include "graph/folds.hpp"
 #include "graph/reachable.hpp"
-#include "graph/schedule.hpp"
 
 namespace warpjet {
 
@@ -40,17 +35,13 @@ class Emitter {
   }
 
   Emitted run() {
-    constexpr std::size_t usualLength = 24;
-    statements_.reserve(nodes_.size() * usualLength);
     findOrders();
     findHelped();
     reserveNames();
-    bindInputs();
     writeStatements();
     result_.nodes = nodes_.size();
     result_.operations = static_cast<std::size_t>(
         std::count_if(nodes_.begin(), nodes_.end(), [&](NodeId id) { return computes(id); }));
-    result_.code = assemble();
     return std::move(result_);
   }
 
@@ -99,8 +90,7 @@ class Emitter {
     }
     for (std::size_t i = 0; i < ops::count; ++i) {
       const Op op{static_cast<std::uint8_t>(i)};
-      if (isUsed[i] && !ops::info(op).helpers[static_cast<std::size_t>(dialect_.language)].empty())
-        result_.helped.push_back(op);
+      if (isUsed[i] && !ops::helpers(op, dialect_.language).empty()) result_.helped.push_back(op);
     }
   }
 
@@ -126,180 +116,24 @@ class Emitter {
     }
   }
 
-  // An expression of the host that is more than a variable is computed once.
-  void bindInputs() {
-    for (const std::uint32_t i : result_.inputs) {
-      if (isPlainVariable(inputs_[i])) {
-        writer_.nameInput(i, inputs_[i]);
-        continue;
-      }
-      const std::string name = temporaries_.next();
-      define(dialect_.typeName(ops::Type::Float, graph_.input(i).shape), name);
-      statements_ += inputs_[i] + ";\n";
-      writer_.nameInput(i, name);
-      ++result_.temporaries;
-    }
-  }
-
-  // The beginning of a statement.
-  void define(std::string_view type, std::string_view name) {
-    begin(dialect_.definition, type, name);
-  }
-  void begin(std::string_view form, std::string_view type, std::string_view name) {
-    statements_ += indent_;
-    fill(statements_, form, {type, name});
-  }
-
   void writeStatements() {
-    all_ = makeStatements(graph_, nodes_, uses_, loops_ ? &*loops_ : nullptr, outputs_, sums_,
-                          products_, options_);
-    packStatements(graph_, nodes_, packs_, all_, options_);
-    writeBody(all_[0]);
-  }
-
-  void writeBody(const Statements& statements) {
-    const std::size_t known = writer_.matrixCount();
-    for (const Statement& statement : statements.all) {
-      if (const auto turn = turnOf(statement)) writer_.countMatrix(turn->matrix, known);
-    }
-    for (const std::uint32_t i : schedule(statements.work)) {
-      const Statement& statement = statements.all[i];
-      const auto turn = turnOf(statement);
-      if (turn && writer_.wantsName(turn->matrix)) nameMatrix(turn->matrix);
-      if (statement.node == noNode)
-        assign(*statement.output);
-      else if (graph_.isFold(statement.node))
-        writeLoop(graph_.loopOf(statement.node));
-      else
-        compute(statement);
-    }
-    writer_.forgetMatrices(known);
-  }
-
-  std::optional<Packs::Turn> turnOf(const Statement& statement) const {
-    if (statement.pack == none) return {};
-    const Lanes lanes = packs_[statement.pack];
-    const auto turn = packs_.turnOf(lanes);
-    if (!turn || packs_.written(lanes, Packs::As::Statement).form != Packs::Form::Operation)
-      return {};
-    return turn;
-  }
-
-  void nameMatrix(const Packs::Matrix& matrix) {
-    const std::string name = temporaries_.next();
-    define(dialect_.typeName(ops::Type::Float, matrixOf(2, 2)), name);
-    writer_.writeMatrix(statements_, matrix);
-    statements_ += ";\n";
-    writer_.nameMatrix(matrix, name);
-    ++result_.temporaries;
-  }
-
-  // Variables live on behind the loop, where they are the outcome.
-  [[gnu::noinline, gnu::cold]] void writeLoop(std::uint32_t loop) {
-    const std::vector<State>& states = loops_->statesOf(loop);
-    const std::string_view type = dialect_.typeName(ops::Type::Float, oneNumber);
-    std::vector<std::string> variables;
-    for (const State& state : states) {
-      variables.push_back(temporaries_.next());
-      begin(dialect_.variable, type, variables.back());
-      writer_.writeValue(statements_, oneNumber, {&state.start, 1});
-      statements_ += ";\n";
-    }
-    for (std::size_t i = 0; i < states.size(); ++i) writer_.name(states[i].local, variables[i]);
-    const std::string counter = temporaries_.next();
-    statements_ += indent_;
-    fill(statements_, dialect_.loop, {counter, std::to_string(graph_.loop(loop).steps)});
-    indent_ += "  ";
-    if (const auto step = loops_->stepOf(loop)) {
-      const std::string number = temporaries_.next();
-      define(type, number);
-      fill(statements_, dialect_.construction, {type, counter});
-      statements_ += ";\n";
-      writer_.name(*step, number);
-    }
-    writeBody(all_[loop + 1]);
-    assignStates(states);
-    indent_.resize(indent_.size() - 2);
-    statements_ += indent_ + "}\n";
-    result_.temporaries += states.size();
-  }
-
-  // All at once: what is read from a variable that is assigned too is kept before.
-  void assignStates(std::span<const State> states) {
-    std::vector<std::string> sources;
-    for (const auto& [local, start, next] : states) {
-      std::string& source = sources.emplace_back();
-      if (next == local) continue;
-      writer_.writeValue(source, oneNumber, {&next, 1});
-      const bool isOwn = !graph_.isLocal(next) && !graph_.is(next, ops::find("neg"));
-      if (isOwn || graph_.isStep(next) || (writer_.isNamed(next) && !graph_.isLocal(next)))
-        continue;
-      const std::string kept = temporaries_.next();
-      define(dialect_.typeName(ops::Type::Float, oneNumber), kept);
-      statements_ += source + ";\n";
-      source = kept;
-    }
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      if (!sources[i].empty())
-        statements_ += indent_ + writer_.nameOf(states[i].local) + " = " + sources[i] + ";\n";
-    }
-  }
-
-  void compute(const Statement& statement) {
-    const bool isVector = statement.pack != none;
-    const Lanes lanes = isVector ? packs_[statement.pack] : Lanes({&statement.node, 1});
-    writeComments({lanes.begin(), lanes.end()});
-    const std::string name = statement.output ? statement.output->name : temporaries_.next();
-    if (statement.output) {
-      statements_ += indent_ + name + " = ";
-    } else {
-      const auto vector = dialect_.typeName(ops::Type::Float, vectorOf(lanes.count));
-      define(isVector ? std::string(vector) : writer_.typeOf(lanes[0]), name);
-      ++result_.temporaries;
-      result_.vectors += isVector;
-    }
-    if (isVector)
-      writer_.writeLanes(statements_, lanes, Packs::As::Statement);
-    else
-      writer_.writeOperation(statements_, lanes[0]);
-    statements_ += ";\n";
-    for (int i = 0; i < lanes.count; ++i)
-      writer_.name(lanes[i], isVector ? name + '.' + "xyzw"[i] : name);
-  }
-
-  void assign(const Output& output) {
-    writeComments(output.components);
-    statements_ += indent_ + output.name + " = ";
-    if (const auto& sum = sums_[static_cast<std::size_t>(&output - outputs_.data())]) {
-      statements_ += writer_.inputName(sum->input) + " + " + outputs_[sum->output].name;
-    } else {
-      writer_.writeValue(statements_, output.shape, output.components);
-    }
-    statements_ += ";\n";
-  }
-
-  // Of all nodes that a statement has in it, each once.
-  [[gnu::noinline, gnu::cold]] void writeComments(std::span<const NodeId> roots) {
-    if (comments_.ranges.empty()) return;
-    std::vector<NodeId> nodes(roots.begin(), roots.end());
-    std::vector<std::uint32_t> said;
-    while (!nodes.empty()) {
-      const NodeId id = nodes.back();
-      nodes.pop_back();
-      if (writer_.isNamed(id) || graph_.isLeaf(id)) continue;
-      const Comments::Range* comment = comments_.find(id);
-      if (comment && std::find(said.begin(), said.end(), comment->text) == said.end()) {
-        said.push_back(comment->text);
-        statements_ += indent_ + "// " + comments_.texts[comment->text] + '\n';
-      }
-      if (graph_.isOutcome(id)) continue;
-      for (int i = 0; i < graph_.arity(id); ++i) nodes.push_back(graph_.operand(id, i));
-    }
+    Plan plan{graph_, dialect_, outputs_, sums_, comments_, packs_, loops_ ? &*loops_ : nullptr};
+    StatementWriter writer(plan, writer_, temporaries_);
+    constexpr std::size_t usualLength = 24;
+    writer.reserve(nodes_.size() * usualLength);
+    for (const std::uint32_t i : result_.inputs) writer.bindInput(i, inputs_[i]);
+    plan.statements =
+        makeStatements(graph_, nodes_, uses_, plan.loops, outputs_, sums_, products_, options_);
+    packStatements(graph_, nodes_, packs_, plan.statements, options_);
+    writer.write();
+    result_.temporaries = writer.temporaryCount();
+    result_.vectors = writer.vectorCount();
+    result_.code = assemble(writer.code());
   }
 
   // Results are declared outside of a block that holds the temporaries, so that two texts can be
   // spliced into one function, and no temporary can meet a variable of the host.
-  std::string assemble() const {
+  std::string assemble(const std::string& statements) const {
     std::string code;
     std::string_view group;
     for (const Output& output : outputs_) {
@@ -311,7 +145,7 @@ class Emitter {
       }
       group = type;
     }
-    return code + ";\n{\n" + statements_ + "}\n";
+    return code + ";\n{\n" + statements + "}\n";
   }
 
   const Graph& graph_;
@@ -328,9 +162,6 @@ class Emitter {
   Packs packs_;
   Writer writer_;
   Temporaries temporaries_;
-  std::vector<Statements> all_;  // outside of all loops, then by loop
-  std::string indent_ = "  ";
-  std::string statements_;
   Emitted result_;
 };
 

@@ -27,10 +27,8 @@ std::vector<Output> outputsOf(Graph& graph, const Bundle& bundle,
 }  // namespace
 
 void Declarations::add(const Graph& graph, const Emitted& emitted) {
-  for (const Op op : emitted.helped) {
-    const ops::Info& info = ops::info(op);
-    define(info.name, info.helpers[static_cast<std::size_t>(dialect_.language)]);
-  }
+  for (const Op op : emitted.helped)
+    define(ops::declaration(op).name, ops::helpers(op, dialect_.language));
   for (const auto& [number, order] : emitted.ourFunctions) define(graph.function(number), order);
 }
 

@@ -66,9 +66,9 @@ bool Packs::isOperation(const Lanes& lanes) const {
   for (const NodeId id : lanes) {
     if (!graph_.is(id, op)) return false;
   }
-  const ops::Info& info = ops::info(op);
+  const ops::Declaration& info = ops::declaration(op);
   if (info.signature.result != ops::Type::Float) return false;
-  if (!info.helpers[static_cast<std::size_t>(language_)].empty()) return false;
+  if (!ops::helpers(op, language_).empty()) return false;
   for (int i = 0; i < info.arity; ++i) {
     if (info.signature.operands[i] != ops::Type::Float && !takesNumber(lanes, i)) return false;
   }

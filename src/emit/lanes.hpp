@@ -133,7 +133,7 @@ class Packs {
   bool isOperation(const Lanes& lanes) const;
   bool isNamedSineOrCosine(NodeId id) const;
   const ops::Spelling& spellingOf(const Lanes& lanes) const {
-    return ops::info(graph_.node(lanes[0]).op).spellings.in(language_);
+    return ops::spelling(graph_.node(lanes[0]).op, language_);
   }
 
   const Graph& graph_;

@@ -75,7 +75,7 @@ int Lengths::ofOperation(NodeId id, int levels) const {
 
 int Lengths::measureOperation(NodeId id, int levels) const {
   const int arity = graph_.arity(id);
-  int total = around(ops::info(graph_.node(id).op).spellings.in(language_), arity);
+  int total = around(ops::spelling(graph_.node(id).op, language_), arity);
   for (int i = 0; i < arity; ++i) total += whereRead(graph_.operand(id, i), levels - 1);
   return total;
 }

@@ -5,6 +5,7 @@
 
 #include "graph/expression.hpp"
 #include "graph/reachable.hpp"
+#include "ops/rows.hpp"
 
 namespace warpjet {
 
@@ -15,9 +16,9 @@ using Formula = NodeId (*)(Graph&, const Operands<NodeId>&);
 template <std::size_t Row>
 NodeId applyFormula(Graph& graph, const Operands<NodeId>& operands) {
   Operands<Expression> x{};
-  for (int i = 0; i < ops::infos[Row].arity; ++i) x[i] = {&graph, operands[i]};
+  for (int i = 0; i < ops::declarations[Row].arity; ++i) x[i] = {&graph, operands[i]};
   constexpr auto formula = std::get<Row>(ops::table).lowered;
-  return ops::spread<ops::infos[Row].arity>(formula, x.data()).id;
+  return ops::spread<ops::declarations[Row].arity>(formula, x.data()).id;
 }
 
 template <std::size_t Row>
@@ -26,10 +27,10 @@ constexpr bool hasFormula =
 
 template <std::size_t Row>
 constexpr Formula formulaOf() {
-  constexpr auto& spellings = ops::infos[Row].spellings.byLanguage;
+  constexpr auto spellings = std::get<Row>(ops::table).spellings.byLanguage;
   constexpr bool isMissing = std::any_of(spellings.begin(), spellings.end(),
                                          [](const auto& spelling) { return spelling.isMissing(); });
-  static_assert(hasFormula<Row> || !isMissing || ops::infos[Row].signature.hasWhole(),
+  static_assert(hasFormula<Row> || !isMissing || ops::declarations[Row].signature.hasWhole(),
                 "a row that a language lacks must say what it is lowered to");
   if constexpr (hasFormula<Row>) {
     return &applyFormula<Row>;
@@ -42,9 +43,7 @@ constexpr Formula formulaOf() {
 constexpr auto formulas =
     ops::numbered<ops::count>([](auto... row) { return std::array{formulaOf<row>()...}; });
 
-bool lacks(ops::Language language, Op op) {
-  return ops::info(op).spellings.in(language).isMissing();
-}
+bool lacks(ops::Language language, Op op) { return ops::spelling(op, language).isMissing(); }
 
 class Lowering {
  public:
@@ -116,7 +115,7 @@ std::string_view refused(const Graph& graph, std::span<const NodeId> roots,
   for (const NodeId id : reachable(graph, roots)) {
     if (!graph.isOperation(id)) continue;
     const Op op = graph.node(id).op;
-    if (lacks(language, op) && !formulas[index(op)]) return ops::info(op).name;
+    if (lacks(language, op) && !formulas[index(op)]) return ops::declaration(op).name;
   }
   return {};
 }

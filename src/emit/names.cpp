@@ -4,7 +4,7 @@
 #include <array>
 
 #include "module/syntax.hpp"
-#include "ops/ops.hpp"
+#include "ops/rows.hpp"
 
 namespace warpjet {
 
@@ -19,12 +19,13 @@ constexpr auto listCalled(ops::Language language) {
     list[size++] = ' ';
   };
   for (const std::string_view name : {"dot", "cross"}) add(name);  // of sums, by the writer
-  for (const ops::Info& info : ops::infos) {
-    const std::string_view text = info.spellings.in(language).text;
+  const auto addCalled = [&](std::string_view text) {
     const std::size_t bracket = text.find('(');
     const std::string_view name = text.substr(0, bracket);
     if (bracket != text.npos && std::all_of(name.begin(), name.end(), isWordPart)) add(name);
-  }
+  };
+  std::apply([&](const auto&... row) { (addCalled(row.spellings.in(language).text), ...); },
+             ops::table);
   return list;
 }
 

@@ -25,7 +25,7 @@ Writer::Writer(const Graph& graph, const Dialect& dialect, const Packs& packs)
 const ops::Spelling& Writer::spellingOf(NodeId id) const {
   if (graph_.isList(id)) return listSpelling;
   if (graph_.isCall(id)) return callSpelling;
-  return ops::info(graph_.node(id).op).spellings.in(dialect_.language);
+  return ops::spelling(graph_.node(id).op, dialect_.language);
 }
 
 void Writer::need(NodeId call, int result) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "eval/each_lane.hpp"
+#include "ops/rows.hpp"
 
 namespace warpjet {
 
@@ -38,7 +39,8 @@ auto valueOf(const X&... x) {
   if constexpr (std::is_invocable_v<decltype(row.value), X...>) {
     return row.value(x...);
   } else {
-    static_assert(row.signature.result == ops::Type::Float && (std::is_same_v<X, Lanes> && ...),
+    static_assert(ops::declarations[Row].signature.result == ops::Type::Float &&
+                      (std::is_same_v<X, Lanes> && ...),
                   "a row of conditions must be written for any scalar");
     Lanes all;
     for (std::size_t i = 0; i < Lanes::count; ++i)
@@ -59,8 +61,8 @@ auto valueOf(const X&... x) {
 
 template <std::size_t Row>
 void applyRow(Lanes* result, const Operands<Place>& operands, std::size_t count) {
-  constexpr auto types = ops::infos[Row].signature.operands;
-  ops::numbered<ops::infos[Row].arity>([=](auto... k) {
+  constexpr auto types = ops::declarations[Row].signature.operands;
+  ops::numbered<ops::declarations[Row].arity>([=](auto... k) {
     for (std::size_t i = 0; i < count; ++i)
       result[i] =
           untyped(valueOf<Row>(typed<types[k]>(operands[k].lanes[i * operands[k].step])...));
@@ -71,7 +73,7 @@ using Kernel = void (*)(Lanes*, const Operands<Place>&, std::size_t);
 
 template <std::size_t Row>
 constexpr Kernel kernelOf() {
-  if constexpr (ops::infos[Row].signature.hasWhole()) {
+  if constexpr (ops::declarations[Row].signature.hasWhole()) {
     return nullptr;
   } else {
     return &applyRow<Row>;

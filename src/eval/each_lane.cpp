@@ -17,8 +17,12 @@ float numberAs(ops::Type type, double value) {
   return __builtin_bit_cast(float, type == ops::Type::Int ? whole : -whole);
 }
 
-constexpr auto signatures =
-    ops::numbered<ops::count>([](auto... row) { return std::array{ops::infos[row].signature...}; });
+// A copy, so that the names stay out of the program.
+constexpr auto signatures = [] {
+  std::array<ops::Signature, ops::count> all{};
+  for (std::size_t i = 0; i < ops::count; ++i) all[i] = ops::declarations[i].signature;
+  return all;
+}();
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "eval/code_writer.hpp"
+#include "eval/stages.hpp"
+#include "eval/wasm_module.hpp"
 
 namespace warpjet {
 
@@ -10,56 +12,6 @@ namespace {
 
 // A function of so many takes an engine's best compiler some milliseconds.
 constexpr std::size_t instructionsPerFunction = 500;
-
-// The types of functions, in the order of the section. The first number is the memory's address.
-enum FunctionType : std::uint32_t {
-  Piece,     // of the program: that, and 16 times the number of the four vertices
-  Kernel,    // of so many operands
-  Kernel2,   //
-  EachLane,  // the operation and its operands
-  Routine,   //
-  Routine2,  //
-};
-
-template <ops::Type type>
-auto typed(Staged x) {
-  if constexpr (type == ops::Type::Bool)
-    return asMask(x);
-  else
-    return x;
-}
-
-Staged untyped(Staged value) { return value; }
-Staged untyped(StagedMask value) { return asLanes(value); }
-
-using Stage = Staged (*)(const Operands<Staged>&);
-
-// Null for what is done on each lane.
-template <std::size_t Row>
-constexpr Stage stageOf() {
-  constexpr auto& signature = ops::infos[Row].signature;
-  if constexpr (signature.hasWhole()) {
-    return nullptr;
-  } else {
-    return ops::numbered<ops::infos[Row].arity>([](auto... k) -> Stage {
-      constexpr const auto& row = std::get<Row>(ops::table);
-      using Value = decltype(row.value);
-      if constexpr (std::is_invocable_v<
-                        Value, decltype(typed<ops::infos[Row].signature.operands[k]>(Staged()))...>)
-        return [](const Operands<Staged>& x) {
-          return ops::numbered<ops::infos[Row].arity>([&](auto... i) {
-            return untyped(std::get<Row>(ops::table)
-                               .value(typed<ops::infos[Row].signature.operands[i]>(x[i])...));
-          });
-        };
-      else
-        return nullptr;
-    });
-  }
-}
-
-constexpr auto stages =
-    ops::numbered<ops::count>([](auto... row) { return std::array{stageOf<row>()...}; });
 
 // So many sines and the like stand where they are needed, which saves calls; from more the module
 // would grow long, and so each is a function.
@@ -88,13 +40,13 @@ class Generator {
   MachineCode run() {
     importKernels();
     writeRoutines();
-    const std::uint32_t prologue = functionCount_;
+    const std::uint32_t prologue = wasm_.functionCount();
     writePieces(program_.prologue, false);
-    const std::uint32_t body = functionCount_;
+    const std::uint32_t body = wasm_.functionCount();
     writePieces(program_.body, true);
     writeStart(prologue, body);
     writeRun(body);
-    return {whole().bytes(), module_.sharedAt, std::move(module_.shared)};
+    return {wasm_.bytes(start_).bytes(), module_.sharedAt, std::move(module_.shared)};
   }
 
  private:
@@ -108,7 +60,7 @@ class Generator {
   void importKernels() {
     module_.kernels.fill(noFunction);
     module_.routines.fill(noFunction);
-    module_.eachLane = import("each_lane", EachLane);
+    module_.eachLane = wasm_.import("each_lane", EachLane);
     std::size_t uses = 0;
     for (const auto* part : {&program_.prologue, &program_.body}) {
       for (const RegisterInstruction& instruction : *part) {
@@ -131,31 +83,16 @@ class Generator {
   void importKernel(Op op) {
     if (module_.kernels[index(op)] != noFunction) return;
     module_.kernels[index(op)] =
-        import(ops::info(op).name, arities[index(op)] == 1 ? Kernel : Kernel2);
-  }
-
-  std::uint32_t import(std::string_view name, FunctionType type) {
-    imports_.text("");
-    imports_.text("lanes_", name);
-    imports_.byte(wasm::OfFunction);
-    imports_.number(type);
-    return functionCount_++;
-  }
-
-  void add(FunctionType type, const WasmBytes& body) {
-    types_.number(type);
-    code_.appendCounted(body);
-    ++functionCount_;
+        wasm_.import(ops::declaration(op).name, arities[index(op)] == 1 ? Kernel : Kernel2);
   }
 
   void writeRoutines() {
-    imported_ = functionCount_;
     for (const Op op : routines_) {
-      const std::uint32_t number = functionCount_;
+      const std::uint32_t number = wasm_.functionCount();
       const bool isUnary = arities[index(op)] == 1;
       CodeWriter writer(module_, 1, isUnary ? 1 : 2);
       writer.give(routineFormula(op, writer.parameter(0), writer.parameter(isUnary ? 0 : 1)));
-      add(isUnary ? Routine : Routine2, writer.function());
+      wasm_.add(isUnary ? Routine : Routine2, writer.function());
       module_.routines[index(op)] = number;
     }
   }
@@ -172,7 +109,7 @@ class Generator {
         writeResults(writer);
       else
         spill(writer);
-      add(Piece, writer.function());
+      wasm_.add(Piece, writer.function());
     }
   }
 
@@ -214,7 +151,7 @@ class Generator {
     }
     Operands<Staged> x;
     for (int k = 0; k < arities[index(op)]; ++k) x[k] = get(writer, instruction.operands[k]);
-    const Stage stage = stages[index(op)];
+    const Stage stage = stageOf(op);
     set(writer, instruction.result, stage ? writer.owned(stage(x)) : writer.callEachLane(op, x));
   }
 
@@ -247,8 +184,8 @@ class Generator {
     code.number(0);
     for (std::uint32_t i = first; i < end; ++i) callPiece(code, i, 1);
     code.byte(wasm::End);
-    start_ = functionCount_;
-    add(Piece, code);
+    start_ = wasm_.functionCount();
+    wasm_.add(Piece, code);
   }
 
   // for (at = 0; at < end; at += 16) …
@@ -275,75 +212,18 @@ class Generator {
     code.number(0);
     code.byte(wasm::End);
     code.byte(wasm::End);
-    add(Piece, code);
+    wasm_.add(Piece, code);
   }
-
-  WasmBytes whole() const;
 
   const RegisterProgram& program_;
   std::span<const Placement> inputs_, results_;
-  std::uint32_t spillsAt_, functionCount_ = 0, imported_ = 0, start_ = 0;
+  std::uint32_t spillsAt_, start_ = 0;
   std::vector<Source> sources_;
   std::vector<Home> homes_;
   std::vector<Op> routines_;
   CodeModule module_;
-  WasmBytes imports_, types_, code_;
+  WasmModule wasm_;
 };
-
-void type(WasmBytes& types, std::initializer_list<std::uint8_t> operands, bool hasResult) {
-  types.byte(wasm::functionType);
-  types.number(static_cast<std::uint32_t>(operands.size()));
-  for (const std::uint8_t operand : operands) types.byte(operand);
-  types.number(hasResult);
-  if (hasResult) types.byte(wasm::v128);
-}
-
-WasmBytes Generator::whole() const {
-  using namespace wasm;
-  WasmBytes module;
-  for (const char x : {'\0', 'a', 's', 'm', '\1', '\0', '\0', '\0'})
-    module.byte(static_cast<std::uint8_t>(x));
-
-  WasmBytes types;
-  types.number(6);
-  type(types, {i32, i32}, false);
-  type(types, {v128}, true);
-  type(types, {v128, v128}, true);
-  type(types, {i32, v128, v128, v128}, true);
-  type(types, {i32, v128}, true);
-  type(types, {i32, v128, v128}, true);
-  module.section(Types, types);
-
-  WasmBytes imports;
-  imports.number(imported_ + 1);
-  imports.append(imports_);
-  imports.text("");
-  imports.text("memory");
-  imports.byte(OfMemory);
-  imports.number(0);
-  imports.number(0);
-  module.section(Imports, imports);
-
-  WasmBytes functions;
-  functions.number(functionCount_ - imported_);
-  functions.append(types_);
-  module.section(Functions, functions);
-
-  WasmBytes exports;
-  exports.number(2);
-  for (const auto& [name, number] : {std::pair{"start", start_}, {"run", start_ + 1}}) {
-    exports.text(name);
-    exports.byte(OfFunction);
-    exports.number(number);
-  }
-  module.section(Exports, exports);
-
-  WasmBytes code;
-  code.number(functionCount_ - imported_);
-  code.append(code_);
-  module.section(Code, code);
-  return module;
-}
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include "graph/flags.hpp"
 #include "graph/reachable.hpp"
 #include "noise/noise.hpp"
+#include "ops/scalar.hpp"
 
 namespace warpjet {
 

@@ -19,14 +19,14 @@ constexpr std::size_t initialTableSize = 256;
 constexpr auto resultTypes = [] {
   std::array<ops::Type, arities.size()> all{};
   all.fill(ops::Type::Float);
-  for (std::size_t i = 0; i < ops::count; ++i) all[i] = ops::infos[i].signature.result;
+  for (std::size_t i = 0; i < ops::count; ++i) all[i] = ops::declarations[i].signature.result;
   return all;
 }();
 
 constexpr auto isCommutative = [] {
   std::array<bool, arities.size()> all{};
   for (std::size_t i = 0; i < ops::count; ++i)
-    all[i] = ops::infos[i].traits.has(ops::Trait::Commutative);
+    all[i] = ops::declarations[i].traits.has(ops::Trait::Commutative);
   return all;
 }();
 
@@ -50,6 +50,14 @@ To bitCast(From from) {
   std::memcpy(&to, &from, sizeof to);
   return to;
 }
+
+// By operation, whether `known` may have a value of it: most operands are none, and are seen so by
+// one byte.
+constexpr auto mayBeKnown = [] {
+  std::array<bool, arities.size()> all{};
+  for (const Op op : {constantOp, ops::find("bool"), ops::find("int")}) all[index(op)] = true;
+  return all;
+}();
 
 // A constant as a shader reads it.
 double asFloat32(double value) { return static_cast<double>(static_cast<float>(value)); }
@@ -143,7 +151,8 @@ NodeId Graph::component(std::uint32_t input, int component) {
 
 ops::Type Graph::type(NodeId id) const { return resultTypes[index(node(id).op)]; }
 
-NodeId Graph::convert(NodeId id, ops::Type wanted) {
+// Seldom needed, and so kept out of `apply`.
+[[gnu::noinline]] NodeId Graph::convert(NodeId id, ops::Type wanted) {
   if (type(id) == wanted) return id;
   if (type(id) == ops::Type::Int) {
     const NodeId number = apply(ops::find("intToFloat"), {id});
@@ -163,13 +172,16 @@ std::optional<double> Graph::known(NodeId id) const {
 }
 
 std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
-  const ops::Info& info = ops::info(op);
+  const ops::Declaration& info = ops::declaration(op);
+  for (int i = 0; i < info.arity; ++i) {
+    if (!mayBeKnown[index(node(operands[i]).op)]) return std::nullopt;
+  }
   Operands<double> values{};
   for (int i = 0; i < info.arity; ++i) {
     const auto value = known(operands[i]);
     if (!value) return std::nullopt;
     const bool isFloat = info.signature.operands[i] == ops::Type::Float;
-    values[i] = info.isStep && isFloat ? asFloat32(*value) : *value;
+    values[i] = ops::isStep(op) && isFloat ? asFloat32(*value) : *value;
   }
   const double result = ops::valueOf(op, values);
   if (!fitsFloat32(result)) return std::nullopt;
@@ -186,9 +198,11 @@ std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
 
 NodeId Graph::apply(Op op, Operands<NodeId> operands) {
   if (full()) return NodeId(nodes_.size() - 1);
-  const ops::Info& info = ops::info(op);
-  for (int i = 0; i < info.arity; ++i)
-    operands[i] = convert(operands[i], info.signature.operands[i]);
+  const ops::Declaration& info = ops::declaration(op);
+  for (int i = 0; i < info.arity; ++i) {
+    const ops::Type wanted = info.signature.operands[i];
+    if (type(operands[i]) != wanted) operands[i] = convert(operands[i], wanted);
+  }
   if (simplification_ == Simplification::On) {
     if (const auto folded = fold(op, operands)) return *folded;
     if (const auto simpler = simplify(*this, op, operands)) return *simpler;

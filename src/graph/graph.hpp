@@ -49,7 +49,7 @@ inline constexpr Op outcomeOp{static_cast<std::uint8_t>(ops::count + 8)};
 inline constexpr auto arities = [] {
   std::array<std::uint8_t, ops::count + 9> all{};
   for (std::size_t i = 0; i < ops::count; ++i)
-    all[i] = static_cast<std::uint8_t>(ops::infos[i].arity);
+    all[i] = static_cast<std::uint8_t>(ops::declarations[i].arity);
   all[index(callOp)] = 1;
   all[index(listOp)] = 2;
   all[index(resultOp)] = 1;

@@ -1,104 +1,207 @@
 #include "graph/turns.hpp"
 
-#include <array>
+#include <cmath>
 #include <utility>
 
 namespace warpjet {
 
 namespace {
 
+using patterns::Identity, patterns::Item, patterns::Kind, patterns::Pattern;
+
 constexpr Op Neg = ops::find("neg"), Add = ops::find("add"), Sub = ops::find("sub"),
              Mult = ops::find("mult"), Sin = ops::find("sin"), Cos = ops::find("cos");
 
-// Of cos u and of sin u in a sum of the two, where there are any.
-using Coefficients = std::array<NodeId, 2>;
-constexpr Coefficients noCoefficients{noNode, noNode};
+// A node, or what is 0 - it.
+struct Term {
+  NodeId node;
+  bool isNegative;
+};
 
-class TurnedBack {
+// In the place of a factor that is missing: 1.
+constexpr NodeId missing = noNode;
+
+// Goals are solved in the order in which they come up, so that what fails soonest is tried first:
+// whether one factor of each product is the cosine or sine, and only then what the others are. A
+// goal that can be solved in two ways is solved in the first; if that fails in the end, all begins
+// anew, with the last such choice made otherwise.
+class TurnMatcher {
  public:
-  TurnedBack(Graph& graph, NodeId x, NodeId y, bool isDifference)
-      : graph_(graph), x_(x), y_(y), isDifference_(isDifference) {}
+  TurnMatcher(Graph& graph, const Pattern& sum) : graph_(graph), sum_(sum.items.data()) {}
 
-  std::optional<NodeId> find() {
-    for (int i = 0; i < 4; ++i) {
-      NodeId cosine = graph_.operand(x_, i / 2), sine = graph_.operand(y_, i % 2);
-      NodeId f = graph_.operand(x_, 1 - i / 2), g = graph_.operand(y_, 1 - i % 2);
-      const bool isReverse = graph_.is(cosine, Sin);
-      if (isReverse) std::swap(cosine, sine), std::swap(f, g);
-      angle_ = graph_.operand(cosine, 0);
-      if (!graph_.is(cosine, Cos) || !graph_.is(sine, Sin) || !isSineOrCosine(sine)) continue;
-      if (const auto found = withoutCommonFactor(f, g))
-        return isReverse && isDifference_ ? graph_.apply(Neg, {*found}) : *found;
-    }
-    return {};
+  bool matches(Term first, Term second) {
+    do {
+      if (solve(first, second)) return true;
+    } while (chooseOtherwise());
+    return false;
+  }
+
+  NodeId build(const Pattern& pattern) {
+    const NodeId found = build(pattern.items.data());
+    return isNegative_ ? graph_.apply(Neg, {found}) : found;
   }
 
  private:
-  std::optional<NodeId> withoutCommonFactor(NodeId f, NodeId g) {
-    if (const auto found = turned(f, g, isDifference_)) return found;
-    if (!graph_.is(f, Mult) || !graph_.is(g, Mult)) return {};
-    for (int i = 0; i < 4; ++i) {
-      const NodeId a = graph_.operand(f, i / 2), b = graph_.operand(g, i % 2);
-      // A constant has its minus in it.
-      const bool isOpposite = a != b;
-      if (isOpposite && !(graph_.isConstant(a) && graph_.isConstant(b, -graph_.value(a)))) continue;
-      const auto found = turned(graph_.operand(f, 1 - i / 2), graph_.operand(g, 1 - i % 2),
-                                isDifference_ != isOpposite);
-      if (found) return graph_.apply(Mult, {*found, a});
-    }
-    return {};
+  NodeId build(const Item* item) {
+    if (item->kind != Kind::Operation) return toNode(bindings_[item->number]);
+    const NodeId left = build(item + 1);
+    return graph_.apply(item->op(), {left, build(item + 1 + item[1].size)});
   }
 
-  // (a cos u + b sin u) cos u ± (c cos u + d sin u) sin u is a, if ±d is a and ±c is -b.
-  std::optional<NodeId> turned(NodeId f, NodeId g, bool isDifference) {
-    Coefficients first = noCoefficients, second = noCoefficients;
-    if (!add(first, f, false) || !add(second, g, isDifference)) return {};
-    if (first[1] != noNode) first[1] = graph_.apply(Neg, {first[1]});
-    if (first[0] == noNode || first[0] != second[1] || first[1] != second[0]) return {};
-    return first[0];
-  }
+  struct Goal {
+    const Item* item;
+    Term term;
+  };
 
-  bool add(Coefficients& sum, NodeId id, bool isNegative) {
-    const bool isDifference = graph_.is(id, Sub);
-    if (!isDifference && !graph_.is(id, Add)) return addPart(sum, id, isNegative);
-    return addPart(sum, graph_.operand(id, 0), isNegative) &&
-           addPart(sum, graph_.operand(id, 1), isNegative != isDifference);
-  }
-
-  bool addPart(Coefficients& sum, NodeId id, bool isNegative) {
-    NodeId factor = graph_.constant(1);
-    if (graph_.is(id, Neg)) {
-      id = graph_.operand(id, 0);
-      isNegative = !isNegative;
+  bool solve(Term first, Term second) {
+    isBound_ = 0;
+    choice_ = 0;
+    goalCount_ = 0;
+    if (choose()) std::swap(first, second);
+    // A minus of the first is one of all.
+    isNegative_ = first.isNegative;
+    addTerms(sum_, {first.node, false}, {second.node, second.isNegative != isNegative_});
+    for (std::size_t i = 0; i < goalCount_; ++i) {
+      if (!solve(goals_[i])) return false;
     }
-    if (graph_.is(id, Mult)) {
-      const int i = isSineOrCosine(graph_.operand(id, 0)) ? 0 : 1;
-      factor = graph_.operand(id, 1 - i);
-      id = graph_.operand(id, i);
-    }
-    NodeId& place = sum[graph_.is(id, Cos) ? 0 : 1];
-    if (!isSineOrCosine(id) || place != noNode) return false;
-    place = isNegative ? graph_.apply(Neg, {factor}) : factor;
     return true;
   }
 
-  bool isSineOrCosine(NodeId id) const {
-    return (graph_.is(id, Sin) || graph_.is(id, Cos)) && graph_.operand(id, 0) == angle_;
+  bool choose() {
+    if (choice_ == choiceCount_) isOtherwise_[choiceCount_++] = false;
+    return isOtherwise_[choice_++];
+  }
+
+  bool chooseOtherwise() {
+    while (choiceCount_ > 0 && isOtherwise_[choiceCount_ - 1]) --choiceCount_;
+    if (choiceCount_ == 0) return false;
+    isOtherwise_[choiceCount_ - 1] = true;
+    return true;
+  }
+
+  void add(const Item* item, Term term) {
+    for (; graph_.is(term.node, Neg); term.node = graph_.operand(term.node, 0))
+      term.isNegative = !term.isNegative;
+    goals_[goalCount_++] = {item, term};
+  }
+
+  void addTerms(const Item* item, Term first, Term second) {
+    second.isNegative = second.isNegative != item->is(Sub);
+    add(item + 1, first);
+    add(item + 1 + item[1].size, second);
+  }
+
+  bool solve(const Goal& goal) {
+    const auto [item, term] = goal;
+    if (item->kind != Kind::Operation) return bind(item, term);
+    if (item->is(Mult))
+      return item[1].kind == Kind::Factor ? solveFactor(item, term) : solveWave(item, term);
+    const bool isDifference = graph_.is(term.node, Sub);
+    if (!isDifference && !graph_.is(term.node, Add)) return false;
+    Term first{graph_.operand(term.node, 0), term.isNegative};
+    Term second{graph_.operand(term.node, 1), term.isNegative != isDifference};
+    if (choose()) std::swap(first, second);
+    addTerms(item, first, second);
+    return true;
+  }
+
+  // k * …; it may have a minus on the second side if it is a constant, which goes to the rest.
+  bool solveFactor(const Item* item, Term term) {
+    const Item *factor = item + 1, *rest = item + 2;
+    if (!graph_.is(term.node, Mult) || !choose()) {
+      add(rest, term);
+      return bind(factor, {missing, false});
+    }
+    const int place = choose();
+    const Term found{graph_.operand(term.node, place), false};
+    const Term other{graph_.operand(term.node, 1 - place), term.isNegative};
+    const bool isOpposite = !bind(factor, found);
+    add(rest, {other.node, other.isNegative != isOpposite});
+    return !isOpposite || isSame(bindings_[factor->number], {found.node, true});
+  }
+
+  // … * cos(u) or … * sin(u); the minus goes to what is multiplied by it.
+  bool solveWave(const Item* item, Term term) {
+    const Item *other = item + 1, *wave = other + other->size;
+    if (isWave(wave, term.node)) {
+      return bind(other, {missing, term.isNegative}) &&
+             bind(wave + 1, {graph_.operand(term.node, 0), false});
+    }
+    if (!graph_.is(term.node, Mult)) return false;
+    int place = isWave(wave, graph_.operand(term.node, 0)) ? 0 : 1;
+    const NodeId second = graph_.operand(term.node, 1);
+    if (place == 0 && isWave(wave, second) && choose()) place = 1;
+    const NodeId node = graph_.operand(term.node, place);
+    if (!isWave(wave, node)) return false;
+    add(other, {graph_.operand(term.node, 1 - place), term.isNegative});
+    return bind(wave + 1, {graph_.operand(node, 0), false});
+  }
+
+  bool isWave(const Item* wave, NodeId id) const { return graph_.is(id, wave->op()); }
+
+  // False if the variable stands for another term. A constant has its minus in it.
+  bool bind(const Item* variable, Term term) {
+    if (!variable->isVariable()) return false;
+    const std::uint32_t bit = std::uint32_t{1} << variable->number;
+    Term& bound = bindings_[variable->number];
+    if ((isBound_ & bit) != 0) return isSame(bound, term);
+    isBound_ |= bit;
+    bound = term;
+    return true;
+  }
+
+  bool isSame(Term a, Term b) const {
+    if (a.node == b.node) return a.isNegative == b.isNegative;
+    if (a.node == missing || b.node == missing) return false;
+    return graph_.isConstant(a.node) && graph_.isConstant(b.node) && valueOf(a) == valueOf(b);
+  }
+
+  double valueOf(Term constant) const {
+    const double value = graph_.value(constant.node);
+    return constant.isNegative ? -value : value;
+  }
+
+  NodeId toNode(Term term) {
+    if (term.node == missing) return graph_.constant(term.isNegative ? -1 : 1);
+    return term.isNegative ? graph_.apply(Neg, {term.node}) : term.node;
   }
 
   Graph& graph_;
-  NodeId x_, y_;
-  bool isDifference_;
-  NodeId angle_ = noNode;
+  const Item* sum_;
+  bool isNegative_ = false;
+  std::uint32_t isBound_ = 0;
+  std::array<Term, 26> bindings_;
+  std::size_t choice_ = 0, choiceCount_ = 0, goalCount_ = 0;
+  std::array<bool, 24> isOtherwise_;
+  std::array<Goal, 24> goals_;
 };
+
+// Of one angle, one in each product.
+bool haveSineAndCosine(const Graph& graph, NodeId first, NodeId second) {
+  for (int i = 0; i < 4; ++i) {
+    const NodeId x = graph.operand(first, i / 2), y = graph.operand(second, i % 2);
+    const bool areBoth =
+        (graph.is(x, Cos) && graph.is(y, Sin)) || (graph.is(x, Sin) && graph.is(y, Cos));
+    if (areBoth && graph.operand(x, 0) == graph.operand(y, 0)) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
 // Most sums are none of these: out of the way of those, which a warp has thousands of.
-[[gnu::noinline, gnu::cold]] std::optional<NodeId> turnedBack(Graph& graph, NodeId x, NodeId y,
-                                                              bool isDifference) {
-  if (!graph.is(x, Mult) || !graph.is(y, Mult)) return {};
-  return TurnedBack(graph, x, y, isDifference).find();
+[[gnu::noinline, gnu::cold]] std::optional<NodeId> turnedBack(Graph& graph, Op op, NodeId first,
+                                                              NodeId second) {
+  const bool isNegative = graph.is(first, Neg);
+  const NodeId product = isNegative ? graph.operand(first, 0) : first;
+  if (!graph.is(product, Mult) || !graph.is(second, Mult)) return {};
+  if (!haveSineAndCosine(graph, product, second)) return {};
+  for (const Identity& identity : patterns::turns) {
+    TurnMatcher matcher(graph, identity.from);
+    if (matcher.matches({product, isNegative}, {second, op == Sub}))
+      return matcher.build(identity.to);
+  }
+  return {};
 }
 
 }  // namespace warpjet

@@ -4,6 +4,7 @@
 #include "functions/fold.hpp"
 #include "noise/bodies.hpp"
 #include "noise/random.hpp"
+#include "ops/scalar.hpp"
 
 namespace warpjet {
 

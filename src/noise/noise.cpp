@@ -4,6 +4,7 @@
 #include <string>
 
 #include "noise/table.hpp"
+#include "ops/scalar.hpp"
 
 namespace warpjet {
 

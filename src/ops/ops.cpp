@@ -1,4 +1,4 @@
-#include "ops/ops.hpp"
+#include "ops/rows.hpp"
 
 namespace warpjet::ops {
 
@@ -18,15 +18,23 @@ template <std::size_t Row>
 double valueOfRow(const Operands<double>& operands) {
   constexpr auto value =
       std::get<Row>(table).value;  // a copy, so that the texts stay out of the program
-  constexpr auto types = infos[Row].signature.operands;
-  return numbered<infos[Row].arity>(
+  constexpr auto types = declarations[Row].signature.operands;
+  return numbered<declarations[Row].arity>(
       [&](auto... i) { return static_cast<double>(value(operandAs<types[i]>(operands[i])...)); });
 }
 
 constexpr auto values =
     numbered<count>([](auto... row) { return std::array{&valueOfRow<row>...}; });
 
+constexpr auto steps = std::apply(
+    [](const auto&... row) {
+      return std::array{std::tuple_size_v<decltype(row.partials)> == 0 ...};
+    },
+    table);
+
 }  // namespace
+
+bool isStep(Op op) { return steps[static_cast<std::size_t>(op)]; }
 
 double valueOf(Op op, const Operands<double>& operands) {
   return values[static_cast<std::size_t>(op)](operands);

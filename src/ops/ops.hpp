@@ -1,15 +1,14 @@
-// The table by number: what the other rooms see of it at run time.
+// Operations by number: what most files see of the table. Formulas are seen by rows.hpp alone, so
+// that a change of one compiles few files again.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 
+#include "ops/declarations.hpp"
 #include "ops/interval.hpp"
-#include "ops/table.hpp"
+#include "ops/spelling.hpp"
 
 namespace warpjet {
 
@@ -18,32 +17,15 @@ enum class Op : std::uint8_t {};
 
 namespace ops {
 
-inline constexpr std::size_t count = std::tuple_size_v<decltype(table)>;
+inline constexpr std::size_t count = declarations.size();
 
-// A row without its functions and what people read.
-struct Info {
-  std::string_view name;
-  int arity;
-  Signature signature;
-  Spellings spellings;
-  Helpers helpers;
-  Traits traits;
-  // Without partials, so that it changes only in jumps.
-  bool isStep;
-};
-
-inline constexpr auto infos = std::apply(
-    [](const auto&... row) {
-      return std::array{Info{row.title.name, row.arity, row.signature, row.spellings, row.helpers,
-                             row.traits, std::tuple_size_v<decltype(row.partials)> == 0}...};
-    },
-    table);
-
-constexpr const Info& info(Op op) { return infos[static_cast<std::size_t>(op)]; }
-constexpr bool has(Op op, Trait trait) { return info(op).traits.has(trait); }
-// Of the second and the third operand, by the first.
+constexpr const Declaration& declaration(Op op) {
+  return declarations[static_cast<std::size_t>(op)];
+}
+constexpr bool has(Op op, Trait trait) { return declaration(op).traits.has(trait); }
+// Whether it chooses the second or the third operand by the first.
 constexpr bool isChoice(Op op) {
-  return info(op).arity == 3 && info(op).signature.operands[0] == Type::Bool;
+  return declaration(op).arity == 3 && declaration(op).signature.operands[0] == Type::Bool;
 }
 
 // Not constexpr, so that reaching it while compiling is an error.
@@ -52,46 +34,27 @@ void noSuchOperation();
 // The operation of that name. A name that the table lacks does not compile.
 consteval Op find(std::string_view name) {
   for (std::size_t i = 0; i < count; ++i) {
-    if (infos[i].name == name) return static_cast<Op>(i);
+    if (declarations[i].name == name) return static_cast<Op>(i);
   }
   noSuchOperation();
   return {};
 }
 
-// Calls `function` with 0, 1, … as so many arguments, each a constant that a template can take.
-template <std::size_t Count, class Function>
-constexpr auto numbered(const Function& function) {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return function(std::integral_constant<std::size_t, I>{}...);
+// Whether these rows have the names of the declarations, in their order.
+template <class Rows>
+consteval bool haveDeclaredNames(const Rows& rows) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i >= rows.size() || rows[i].name != declarations[i].name) return false;
   }
-  (std::make_index_sequence<Count>{});
+  return rows.size() == count;
 }
 
-// Applies a row's function to the first `Arity` of `arguments`, then to `extra`.
-template <std::size_t Arity, class Function, class Scalar, class... Extra>
-auto spread(const Function& function, const Scalar* arguments, const Extra&... extra) {
-  return numbered<Arity>([&](auto... i) { return function(arguments[i]..., extra...); });
-}
+const Spelling& spelling(Op op, Language language);
+// The functions that the spelling calls; empty if it calls none.
+std::string_view helpers(Op op, Language language);
 
-// Whether a row's partial by its operand number K gives the product with that operand's derivative.
-template <std::size_t Row, std::size_t K>
-inline constexpr bool takesDerivative = numbered<infos[Row].arity>([](auto... i) {
-  using Partial = std::tuple_element_t<K, std::decay_t<decltype(std::get<Row>(table).partials)>>;
-  constexpr auto types = infos[Row].signature.operands;
-  return !std::is_invocable_v<Partial, std::conditional_t<types[i] == Type::Bool, bool, double>...,
-                              double>;
-});
-
-// That product, where `d` is the derivative of the operand.
-template <std::size_t Row, std::size_t K, class Scalar>
-auto term(const Scalar* operands, const Scalar& value, const Scalar& d) {
-  constexpr auto partial = std::get<K>(std::get<Row>(table).partials);
-  if constexpr (takesDerivative<Row, K>) {
-    return spread<infos[Row].arity>(partial, operands, value, d);
-  } else {
-    return spread<infos[Row].arity>(partial, operands, value) * d;
-  }
-}
+// Whether it has no partials, so that it changes only in jumps.
+bool isStep(Op op);
 
 // The value of an operation on numbers; conditions are 1 and 0.
 double valueOf(Op op, const Operands<double>& operands);

@@ -1,5 +1,5 @@
 // The rows of the table in interval arithmetic.
-#include "ops/ops.hpp"
+#include "ops/rows.hpp"
 
 namespace warpjet::ops {
 
@@ -22,17 +22,18 @@ template <std::size_t Row>
 Interval rangeOfRow(const Operands<Interval>& operands) {
   constexpr auto value =
       std::get<Row>(table).value;  // a copy, so that the texts stay out of the program
-  constexpr auto types = infos[Row].signature.operands;
-  return numbered<infos[Row].arity>([&](auto... i) {
+  constexpr auto types = declarations[Row].signature.operands;
+  return numbered<declarations[Row].arity>([&](auto... i) {
     using Value = decltype(value);
     if constexpr (std::is_invocable_v<Value, decltype(operandAs<types[i]>(operands[i]))...>) {
       return asInterval(value(operandAs<types[i]>(operands[i])...));
-    } else if constexpr (infos[Row].traits.has(Trait::Rising)) {
+    } else if constexpr (declarations[Row].traits.has(Trait::Rising)) {
       return rising(value, operands[0]);
-    } else if constexpr (infos[Row].signature.result == Type::Int) {
+    } else if constexpr (declarations[Row].signature.result == Type::Int) {
       return anyWhole();
     } else {
-      return infos[Row].signature.result == Type::Bool ? Interval(0, 1) : Interval::anything(true);
+      return declarations[Row].signature.result == Type::Bool ? Interval(0, 1)
+                                                              : Interval::anything(true);
     }
   });
 }

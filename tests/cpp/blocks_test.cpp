@@ -8,6 +8,7 @@
 #include <random>
 
 #include "eval/program.hpp"
+#include "ops/rows.hpp"
 #include "support.hpp"
 
 namespace warpjet {
@@ -71,7 +72,7 @@ TEST_F(BlocksTest, EveryRowGivesWhatTheTableSays) {
                 const float* at = &positions[3 * vertex];
                 Operands<double> x{};
                 for (std::size_t k = 0; k < 3; ++k) {
-                  const ops::Type type = row.signature.operands[k];
+                  const ops::Type type = ops::declaration(op).signature.operands[k];
                   x[k] = type == ops::Type::Bool  ? double(at[k] != 0)
                          : type == ops::Type::Int ? std::trunc(double{at[k]})
                                                   : double{at[k]};
@@ -80,7 +81,7 @@ TEST_F(BlocksTest, EveryRowGivesWhatTheTableSays) {
                 // Few bits of a whole number make a float.
                 if (std::isnan(expected) && std::isnan(found[vertex])) continue;
                 ASSERT_NEAR(found[vertex], expected, 2e-6 * std::max(1.0, std::abs(expected)))
-                    << row.title.name << "(" << at[0] << ", " << at[1] << ", " << at[2] << ")";
+                    << row.name << "(" << at[0] << ", " << at[1] << ", " << at[2] << ")";
               }
             }(),
             ...);

@@ -297,7 +297,8 @@ double evaluateRounded(const Program& program, std::span<const double> inputs) {
       value = ops::valueOf(words.op(i), x);
     }
     const auto row = static_cast<std::size_t>(words.op(i));
-    const bool isInt = row < ops::count && ops::infos[row].signature.result == ops::Type::Int;
+    const bool isInt =
+        row < ops::count && ops::declarations[row].signature.result == ops::Type::Int;
     values[i] = isInt ? value : static_cast<Number>(value);
   }
   return values[words.result(0)];

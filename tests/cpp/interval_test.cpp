@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "ops/ops.hpp"
+#include "ops/rows.hpp"
 
 namespace warpjet {
 namespace {
@@ -92,9 +92,9 @@ void checkRow() {
   for (int box = 0; box < 3000; ++box) {
     ops::Operands<Interval> x;
     for (std::size_t i = 0; i < 3; ++i) {
-      const bool isBool = ops::infos[Row].signature.operands[i] == ops::Type::Bool;
+      const bool isBool = ops::declarations[Row].signature.operands[i] == ops::Type::Bool;
       const int truth = sample.below(3);
-      const bool isInt = ops::infos[Row].signature.operands[i] == ops::Type::Int;
+      const bool isInt = ops::declarations[Row].signature.operands[i] == ops::Type::Int;
       x[i] = isBool  ? Interval(truth == 1, truth != 0)
              : isInt ? sample.wholes()
                      : sample.interval();
@@ -104,21 +104,22 @@ void checkRow() {
       ops::Operands<double> at{};
       for (std::size_t i = 0; i < 3; ++i) at[i] = sample.inside(x[i]);
       for (std::size_t i = 0; i < 3; ++i) {
-        if (ops::infos[Row].signature.operands[i] == ops::Type::Bool) at[i] = at[i] >= 0.5;
-        if (ops::infos[Row].signature.operands[i] == ops::Type::Int) at[i] = std::round(at[i]);
+        if (ops::declarations[Row].signature.operands[i] == ops::Type::Bool) at[i] = at[i] >= 0.5;
+        if (ops::declarations[Row].signature.operands[i] == ops::Type::Int)
+          at[i] = std::round(at[i]);
         if (!x[i].has(at[i])) at[i] = x[i].low;
       }
       const double value = ops::valueOf(Op(Row), at);
       ASSERT_TRUE(std::isnan(value) ? range.canBeNaN : range.has(value))
-          << ops::infos[Row].name << " of " << at[0] << ", " << at[1] << ", " << at[2] << " is "
-          << value << ", not from " << range.low << " to " << range.high << ", of " << x[0].low
-          << ".." << x[0].high << ", " << x[1].low << ".." << x[1].high;
+          << ops::declarations[Row].name << " of " << at[0] << ", " << at[1] << ", " << at[2]
+          << " is " << value << ", not from " << range.low << " to " << range.high << ", of "
+          << x[0].low << ".." << x[0].high << ", " << x[1].low << ".." << x[1].high;
       // Beyond its ends float32 has infinity, or may have zero.
       if (std::isnan(value) || !std::all_of(at.begin(), at.end(), isFloat32)) continue;
       const double inFloat32 = std::abs(value) > 1 ? value * Interval::infinity : 0;
       ASSERT_TRUE(isFloat32(value) || range.has(inFloat32))
-          << ops::infos[Row].name << " of " << at[0] << ", " << at[1] << " in float32, not from "
-          << range.low << " to " << range.high;
+          << ops::declarations[Row].name << " of " << at[0] << ", " << at[1]
+          << " in float32, not from " << range.low << " to " << range.high;
     }
   }
 }
@@ -131,7 +132,7 @@ TEST(Interval, HoldsTheValuesOfEveryRow) {
 // inside.
 template <std::size_t Row>
 void checkTightness() {
-  constexpr auto& info = ops::infos[Row];
+  constexpr auto& info = ops::declarations[Row];
   const std::string_view name = info.name;
   if (info.signature.operands[0] == ops::Type::Bool || info.signature.result == ops::Type::Bool)
     return;

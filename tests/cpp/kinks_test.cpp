@@ -27,7 +27,7 @@ class KinksTest : public testing::Test {
     const Op op = rowNamed(row);
     const Expression f{&graph, graph.apply(op, {v[0].id, v[1].id, v[2].id})};
     std::vector<double> all;
-    for (int i = 0; i < ops::info(op).arity; ++i) all.push_back(slope(f, i, at));
+    for (int i = 0; i < ops::declaration(op).arity; ++i) all.push_back(slope(f, i, at));
     return all;
   }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "eval/lanes_math.hpp"
-#include "ops/ops.hpp"
+#include "ops/rows.hpp"
 
 namespace warpjet {
 namespace {
@@ -18,7 +18,7 @@ using ops::Operands;
 
 template <std::size_t Row, std::size_t I>
 auto operand(const Operands<Lanes>& operands) {
-  if constexpr (ops::infos[Row].signature.operands[I] == ops::Type::Bool) {
+  if constexpr (ops::declarations[Row].signature.operands[I] == ops::Type::Bool) {
     return ne(operands[I], 0.0);
   } else {
     return operands[I];
@@ -35,11 +35,11 @@ Lanes asNumber(Lanes x) { return x; }
 template <std::size_t Row>
 Lanes evaluateRow(const Operands<Lanes>& operands) {
   // Whole numbers are computed lane by lane; see blocks_test.cpp.
-  if constexpr (ops::infos[Row].signature.hasWhole()) {
+  if constexpr (ops::declarations[Row].signature.hasWhole()) {
     return operands[0];
   } else {
     constexpr auto value = std::get<Row>(ops::table).value;
-    return ops::numbered<ops::infos[Row].arity>(
+    return ops::numbered<ops::declarations[Row].arity>(
         [&](auto... i) { return asNumber(value(operand<Row, i>(operands)...)); });
   }
 }
@@ -49,7 +49,7 @@ constexpr auto evaluators =
 
 std::size_t rowNamed(std::string_view name) {
   for (std::size_t row = 0; row < ops::count; ++row) {
-    if (ops::infos[row].name == name) return row;
+    if (ops::declarations[row].name == name) return row;
   }
   ADD_FAILURE() << "no row " << name;
   return 0;
@@ -76,7 +76,7 @@ double ulps(float got, double expected) {
   return std::abs(got - expected) / std::ldexp(1.0, std::max(exponent - 24, -149));
 }
 
-bool isFloatFunction(const ops::Info& row, int arity) {
+bool isFloatFunction(const ops::Declaration& row, int arity) {
   return row.arity == arity && row.signature.result == ops::Type::Float &&
          row.signature.operands[0] == ops::Type::Float;
 }
@@ -99,8 +99,9 @@ class Worst {
  public:
   Worst(std::size_t row, double bound) : row_(row), bound_(bound) {}
   ~Worst() {
-    EXPECT_LE(ulps_, bound_) << ops::infos[row_].name << " of " << x_[0] << ", " << x_[1] << ": "
-                             << got_ << " instead of " << ops::valueOf(Op(row_), {x_[0], x_[1], 0});
+    EXPECT_LE(ulps_, bound_) << ops::declarations[row_].name << " of " << x_[0] << ", " << x_[1]
+                             << ": " << got_ << " instead of "
+                             << ops::valueOf(Op(row_), {x_[0], x_[1], 0});
   }
 
   void check(const Operands<Lanes>& operands) {
@@ -108,7 +109,7 @@ class Worst {
     for (std::size_t i = 0; i < Lanes::count; ++i) {
       const double a = operands[0][i], b = operands[1][i];
       // Of a hash and a cell of float32; beyond there is nothing to be right about.
-      if (ops::infos[row_].name == "hash" && !(a >= 0 && a < 4091 && std::abs(b) <= 0x1p24))
+      if (ops::declarations[row_].name == "hash" && !(a >= 0 && a < 4091 && std::abs(b) <= 0x1p24))
         continue;
       const double distance = ulps(results[i], ops::valueOf(Op(row_), {a, b, 0}));
       if (distance > ulps_) {
@@ -138,7 +139,7 @@ class Worst {
 TEST(Lanes, EveryRowAgreesWithItsValueInDoubleOnItsDomain) {
   std::mt19937 random(1);
   for (std::size_t row = 0; row < ops::count; ++row) {
-    const ops::Info& info = ops::infos[row];
+    const ops::Declaration& info = ops::declarations[row];
     if (info.signature.hasWhole()) continue;
     const ops::Domain domain = std::apply(
         [&](const auto&... each) { return std::array{each.domain...}[row]; }, ops::table);
@@ -172,8 +173,8 @@ TEST(Lanes, EveryRowAgreesWithItsValueInDoubleOnItsDomain) {
 
 TEST(Lanes, FunctionsOfOneNumberKeepTheirBoundsOverAllFloats) {
   for (std::size_t row = 0; row < ops::count; ++row) {
-    if (!isFloatFunction(ops::infos[row], 1)) continue;
-    Worst worst(row, boundOf(ops::infos[row].name));
+    if (!isFloatFunction(ops::declarations[row], 1)) continue;
+    Worst worst(row, boundOf(ops::declarations[row].name));
     std::vector<float> xs;
     for (std::uint64_t bits = row; bits <= 0xffffffff; bits += 16381)
       xs.push_back(fromBits(static_cast<std::uint32_t>(bits)));
@@ -217,14 +218,14 @@ std::vector<float> specialFloats() {
 
 TEST(Lanes, FunctionsOfOneNumberAreRightAtSpecialValues) {
   for (std::size_t row = 0; row < ops::count; ++row) {
-    if (isFloatFunction(ops::infos[row], 1))
-      Worst(row, boundOf(ops::infos[row].name)).check(specialFloats());
+    if (isFloatFunction(ops::declarations[row], 1))
+      Worst(row, boundOf(ops::declarations[row].name)).check(specialFloats());
   }
 }
 
 TEST(Lanes, FunctionsOfTwoNumbersAreRightAtSpecialValues) {
   for (std::size_t row = 0; row < ops::count; ++row) {
-    const ops::Info& info = ops::infos[row];
+    const ops::Declaration& info = ops::declarations[row];
     // mod rounds x / y, as it does in any language: no float is near its value for large x.
     if (info.arity != 2 || info.signature.operands[0] != ops::Type::Float || info.name == "mod")
       continue;
@@ -305,7 +306,8 @@ TEST(Lanes, NoLaneAffectsItsNeighbours) {
       const Lanes before = evaluators[row](ordinary), after = evaluators[row](disturbed);
       for (std::size_t i = 0; i < Lanes::count; ++i) {
         if (i == place) continue;
-        EXPECT_EQ(bitsOf(before[i]), bitsOf(after[i])) << ops::infos[row].name << ", " << stranger;
+        EXPECT_EQ(bitsOf(before[i]), bitsOf(after[i]))
+            << ops::declarations[row].name << ", " << stranger;
       }
     }
   }

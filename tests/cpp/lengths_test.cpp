@@ -30,8 +30,8 @@ class LengthsTest : public testing::Test {
 
   int expectedOperation(NodeId id, int levels) const {
     if (!graph.isOperation(id)) return Lengths::usualNumber;
-    auto total = static_cast<int>(
-        ops::info(graph.node(id).op).spellings.in(ops::Language::Glsl300).text.size());
+    auto total =
+        static_cast<int>(ops::spelling(graph.node(id).op, ops::Language::Glsl300).text.size());
     for (int i = 0; i < graph.arity(id); ++i)
       total += expectedWhereRead(graph.operand(id, i), levels - 1) - Lengths::member;
     return total;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "diff/differentiator.hpp"
+#include "ops/rows.hpp"
 #include "support.hpp"
 
 namespace warpjet {
@@ -32,8 +33,9 @@ class LowerTest : public testing::Test {
   void expectWritable(NodeId root, Language language, std::string_view what) {
     for (const NodeId id : reachable(graph, {&root, 1})) {
       if (!graph.isOperation(id)) continue;
-      const ops::Info& info = ops::info(graph.node(id).op);
-      EXPECT_NE(info.spellings.in(language).text, "") << what << " needs " << info.name;
+      const Op op = graph.node(id).op;
+      EXPECT_NE(ops::spelling(op, language).text, "")
+          << what << " needs " << ops::declaration(op).name;
     }
   }
 
@@ -53,7 +55,7 @@ constexpr auto domains =
 
 TEST_F(LowerTest, EveryRowInEveryLanguageKeepsItsValueAndNeedsNothingThatIsMissing) {
   std::mt19937 random(1);
-  for (const ops::Info& info : ops::infos) {
+  for (const ops::Declaration& info : ops::declarations) {
     const Expression root = apply(info.name);
     for (const Language language : languages) {
       // What has no text for bits says so; see tests/glsl-source/glsl.test.js.
@@ -76,7 +78,7 @@ TEST_F(LowerTest, EveryRowInEveryLanguageKeepsItsValueAndNeedsNothingThatIsMissi
 TEST_F(LowerTest, DerivativesTakenBeforeKeepTheirValues) {
   Differentiator differentiator(graph);
   std::mt19937 random(2);
-  for (const ops::Info& info : ops::infos) {
+  for (const ops::Declaration& info : ops::declarations) {
     const Expression root = apply(info.name);
     const Expression slope{&graph, differentiator.derivative(root.id, v[0].id)};
     const Expression curvature{&graph, differentiator.derivative(slope.id, v[0].id)};

@@ -1,8 +1,6 @@
 // Every row: its value at points worked out by hand from the GLSL ES 3.00 specification, its
 // partial derivatives against finite differences of its value, and what it is lowered to against
 // its value.
-#include "ops/ops.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,12 +11,14 @@
 #include <type_traits>
 #include <vector>
 
+#include "ops/rows.hpp"
+
 namespace warpjet::ops {
 namespace {
 
 double valueOfRowNamed(std::string_view name, double a, double b = 0, double c = 0) {
   for (std::size_t i = 0; i < count; ++i) {
-    if (infos[i].name == name) return valueOf(Op(i), {a, b, c});
+    if (declarations[i].name == name) return valueOf(Op(i), {a, b, c});
   }
   ADD_FAILURE() << "no row " << name;
   return NAN;
@@ -195,7 +195,7 @@ TEST(Ops, ValuesAreThoseOfGlsl) {
     expectValue(expected);
     checked.insert(expected.row);
   }
-  for (const Info& row : infos) EXPECT_TRUE(checked.contains(row.name)) << row.name;
+  for (const Declaration& row : declarations) EXPECT_TRUE(checked.contains(row.name)) << row.name;
 }
 
 TEST(Ops, ValuesAtInfinityAreThoseOfIeee754) {
@@ -240,7 +240,7 @@ void checkPartial() {
   int kinks = 0;
   for (int point = 0; point < points; ++point) {
     Operands<double> x{};
-    for (int i = 0; i < row.arity; ++i) x[i] = sample(row.domain[i]);
+    for (int i = 0; i < declarations[Row].arity; ++i) x[i] = sample(row.domain[i]);
     const auto along = [&](double t) {
       auto moved = x;
       moved[Operand] = t;
@@ -256,17 +256,16 @@ void checkPartial() {
     if constexpr (Operand < std::tuple_size_v<decltype(row.partials)>)
       partial = term<Row, Operand>(x.data(), value, 1.0);
     EXPECT_NEAR(partial, fine, 1e-7 * std::max(1.0, std::abs(fine)))
-        << row.title.name << " by operand " << Operand << " at " << x[0] << ", " << x[1] << ", "
-        << x[2];
+        << row.name << " by operand " << Operand << " at " << x[0] << ", " << x[1] << ", " << x[2];
   }
-  EXPECT_LT(kinks, points / 20) << row.title.name;
+  EXPECT_LT(kinks, points / 20) << row.name;
 }
 
 template <std::size_t Row>
 void checkRow() {
-  if constexpr (infos[Row].signature.result == Type::Float &&
-                infos[Row].signature.operands[0] == Type::Float) {
-    numbered<infos[Row].arity>([](auto... i) { (checkPartial<Row, i>(), ...); });
+  if constexpr (declarations[Row].signature.result == Type::Float &&
+                declarations[Row].signature.operands[0] == Type::Float) {
+    numbered<declarations[Row].arity>([](auto... i) { (checkPartial<Row, i>(), ...); });
   }
 }
 
@@ -281,9 +280,9 @@ void checkFormula(const Operands<double>& x) {
   if constexpr (!std::is_same_v<Lowered, NoFormula>) {
     constexpr auto formula = std::get<Row>(table).lowered;
     const double value = valueOf(Op(Row), x);
-    const double lowered = spread<infos[Row].arity>(formula, x.data());
+    const double lowered = spread<declarations[Row].arity>(formula, x.data());
     const auto at = [&] {
-      return std::string(infos[Row].name) + " of " + std::to_string(x[0]) + ", " +
+      return std::string(declarations[Row].name) + " of " + std::to_string(x[0]) + ", " +
              std::to_string(x[1]);
     };
     if (std::isinf(value)) {
@@ -299,7 +298,7 @@ void checkFormulaOnDomain() {
   Sampler sample;
   for (int point = 0; point < 2000; ++point) {
     Operands<double> x{};
-    for (int i = 0; i < infos[Row].arity; ++i) x[i] = sample(std::get<Row>(table).domain[i]);
+    for (int i = 0; i < declarations[Row].arity; ++i) x[i] = sample(std::get<Row>(table).domain[i]);
     checkFormula<Row>(x);
   }
 }
@@ -311,7 +310,7 @@ TEST(Ops, LoweredFormulasHaveTheSameValues) {
 TEST(Ops, LoweredFormulasHaveTheSameValuesAtEdges) {
   constexpr auto number = [](std::string_view name) {
     std::size_t i = 0;
-    while (infos[i].name != name) ++i;
+    while (declarations[i].name != name) ++i;
     return i;
   };
   const auto forBothSigns = [](std::vector<double> points, auto check) {
@@ -342,7 +341,7 @@ TEST(Ops, LoweredFormulasHaveTheSameValuesAtEdges) {
 
 TEST(Ops, NamesAreDistinct) {
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(infos[i].name, infos[j].name);
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(declarations[i].name, declarations[j].name);
   }
 }
 

@@ -341,7 +341,7 @@ struct Step {
   NodeId folded{}, unfolded{};
   int depth = 0;
 
-  int arity() const { return depth == 0 ? 0 : ops::info(op).arity; }
+  int arity() const { return depth == 0 ? 0 : ops::declaration(op).arity; }
 };
 
 class Pair {
@@ -358,7 +358,7 @@ class Pair {
   void apply(Op op, const std::array<std::size_t, ops::maxArity>& operands) {
     Step step{op, operands};
     Operands<NodeId> on{}, off{};
-    for (int i = 0; i < ops::info(op).arity; ++i) {
+    for (int i = 0; i < ops::declaration(op).arity; ++i) {
       const Step& operand = steps[operands[i]];
       on[i] = operand.folded;
       off[i] = operand.unfolded;
@@ -383,7 +383,7 @@ class Judge {
 
   Difference judge(Op op, const Operands<NodeId>& operands, double found) const {
     Operands<double> x{};
-    for (int i = 0; i < ops::info(op).arity; ++i) x[i] = at(operands[i]);
+    for (int i = 0; i < ops::declaration(op).arity; ++i) x[i] = at(operands[i]);
     const double expected = ops::valueOf(op, x);
     if (same(expected, found)) return Nothing;
     if (expected == 0 && found == 0) return SignOfZero;
@@ -417,12 +417,12 @@ class Judge {
   bool isKnown(NodeId id, double value) const { return graph_.known(id) == value; }
   // A number as a condition is such a step too.
   bool isStepOfConstants(Op op, const Operands<NodeId>& operands, double found) const {
-    const ops::Info& info = ops::info(op);
+    const ops::Declaration& info = ops::declaration(op);
     Operands<double> x{};
     for (int i = 0; i < info.arity; ++i) {
       const bool isKnown = graph_.known(operands[i]).has_value();
-      if (info.isStep && !isKnown) return false;
-      const bool jumps = info.isStep || info.signature.operands[i] == ops::Type::Bool;
+      if (ops::isStep(op) && !isKnown) return false;
+      const bool jumps = ops::isStep(op) || info.signature.operands[i] == ops::Type::Bool;
       x[i] = isKnown && jumps ? static_cast<float>(at(operands[i])) : at(operands[i]);
     }
     return same(ops::valueOf(op, x), found);
@@ -595,7 +595,7 @@ class SimplifyRandom : public testing::Test {
   static std::string describe(const Pair& pair, const Step& step, const std::vector<double>& values,
                               int number) {
     std::ostringstream text;
-    text << "graph " << number << ": " << ops::info(step.op).name;
+    text << "graph " << number << ": " << ops::declaration(step.op).name;
     for (int k = 0; k < step.arity(); ++k)
       text << (k == 0 ? " of " : ", ") << values[index(pair.steps[step.operands[k]].folded)];
     text << " became " << values[index(step.folded)];

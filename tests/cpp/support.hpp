@@ -51,7 +51,7 @@ inline std::string body(Expression y, const Dialect& dialect = glsl300) {
 // The number of the row of that name.
 inline Op rowNamed(std::string_view name) {
   std::size_t i = 0;
-  while (i < ops::count && ops::infos[i].name != name) ++i;
+  while (i < ops::count && ops::declarations[i].name != name) ++i;
   return Op{static_cast<std::uint8_t>(i)};
 }
 

@@ -60,7 +60,7 @@ std::size_t arityOf(const Operation& operation) {
   using Source = Operation::Source;
   switch (operation.source) {
     case Source::Row:
-      return static_cast<std::size_t>(ops::infos[operation.index].arity);
+      return static_cast<std::size_t>(ops::declarations[operation.index].arity);
     case Source::Composition:
       return forms[operation.index].operands.size();
     case Source::Part:

@@ -143,12 +143,12 @@ Latest latestOf(const Module& module) {
 
 bool isNumber(const Words& words, std::uint32_t instruction) {
   const Op op = words.op(instruction);
-  return index(op) >= ops::count || ops::info(op).signature.result == ops::Type::Float;
+  return index(op) >= ops::count || ops::declaration(op).signature.result == ops::Type::Float;
 }
 
 std::string nameOf(const Words& words, std::uint32_t instruction) {
   const Op op = words.op(instruction);
-  return index(op) < ops::count ? std::string(ops::info(op).name) : "a leaf";
+  return index(op) < ops::count ? std::string(ops::declaration(op).name) : "a leaf";
 }
 
 // The same program, with a result for each instruction.

@@ -56,7 +56,7 @@ class Calls {
 
 // A row on numbers, and on vectors.
 void addRow(Calls& calls, std::size_t operation) {
-  const auto arity = static_cast<std::size_t>(ops::infos[operations[operation].index].arity);
+  const auto arity = static_cast<std::size_t>(ops::declarations[operations[operation].index].arity);
   std::vector<std::size_t> operands{2, 1, 0};
   operands.resize(arity);
   calls.position().component(0, 0).component(1, 1).component(2, 2);

@@ -45,6 +45,7 @@ export const groups = [
       { file: 'operations', title: 'Operations' },
       { file: 'plots', title: 'Operations, plotted' },
       { file: 'plots-vectors', title: 'Vectors, matrices and noise, plotted' },
+      { file: 'identities', title: 'Identities' },
       { file: 'operators', title: 'Operators: + - * / and if' },
       { file: 'noise', title: 'Noise' },
       { file: 'deformers', title: 'Deformers' },

@@ -21,25 +21,19 @@ inline constexpr auto table = std::tuple_cat(
     standardTable,
     std::tuple{
         // For plain numbers alone, with a function of its own in the texts that have it.
-        unary(
-            {"cbrt", "x", "The cube root."}, floats, call("warpjetCbrt($0)").missingIn(Glsl100),
-            everywhere, [](double x) { return std::cbrt(x); },
-            [](auto, auto v) { return 1.0 / (3.0 * v * v); })
-            .with(Rising)
+        row(
+            "cbrt", call("warpjetCbrt($0)").missingIn(Glsl100), everywhere,
+            [](double x) { return std::cbrt(x); }, [](auto, auto v) { return 1.0 / (3.0 * v * v); })
             .helpedBy(cbrtHelpers)
             .loweredTo([](auto x) { return sign(x) * pow(abs(x), 1.0 / 3); }),
         // For any scalar.
-        binary(
-            {"hypot", "x, y", "The length of the vector of two or more."}, floats,
-            call("length(vec2($0, $1))").with(Wgsl, "length(vec2f($0, $1))"), everywhere,
+        row(
+            "hypot", call("length(vec2($0, $1))").with(Wgsl, "length(vec2f($0, $1))"), everywhere,
             [](auto x, auto y) { return sqrt(x * x + y * y); },
-            [](auto x, auto, auto v) { return x / v; }, [](auto, auto y, auto v) { return y / v; })
-            .with(Chained, OnMatrices, Commutative),
+            [](auto x, auto, auto v) { return x / v; }, [](auto, auto y, auto v) { return y / v; }),
         // Two plain numbers, without a derivative.
-        binary({"times", "x, y", "How often y goes into x, in whole numbers."}, floats,
-               call("round($0 / $1)").missingIn(Glsl100), {anywhere, positive, {}},
-               [](double x, double y) { return std::nearbyint(x / y); })
-            .with(Divides)
+        row("times", call("round($0 / $1)").missingIn(Glsl100), {anywhere, positive, {}},
+            [](double x, double y) { return std::nearbyint(x / y); })
             .loweredTo([](auto x, auto y) { return floor(x / y + 0.5); }),
     });
 

@@ -1,0 +1,69 @@
+// The statements of a text, in order and written: what is decided of them enters, lines leave.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "emit/names.hpp"
+#include "emit/packs.hpp"
+#include "emit/statements.hpp"
+#include "emit/writer.hpp"
+
+namespace warpjet {
+
+// What is to be written: statements outside of all loops, then by loop; `loops` is null if there
+// are none.
+struct Plan {
+  const Graph& graph;
+  const Dialect& dialect;
+  std::span<const Output> outputs;
+  std::span<const std::optional<Sum>> sums;
+  const Comments& comments;
+  const Packs& packs;
+  const Loops* loops;
+  std::vector<Statements> statements = {};
+};
+
+class StatementWriter {
+ public:
+  // `writer` knows the names of nodes, `temporaries` which names are taken.
+  StatementWriter(const Plan& plan, Writer& writer, Temporaries& temporaries)
+      : plan_(plan), graph_(plan.graph), writer_(writer), temporaries_(temporaries) {}
+
+  void reserve(std::size_t characters) { code_.reserve(characters); }
+  // An expression of the host that is more than a variable is computed once.
+  void bindInput(std::uint32_t input, const std::string& text);
+  void write() { write(plan_.statements[0]); }
+
+  const std::string& code() const { return code_; }
+  std::size_t temporaryCount() const { return temporaryCount_; }
+  // Of these, those that are vectors.
+  std::size_t vectorCount() const { return vectorCount_; }
+
+ private:
+  // The beginning of a statement.
+  void define(std::string_view type, std::string_view name);
+  void begin(std::string_view form, std::string_view type, std::string_view name);
+
+  void write(const Statements& statements);
+  void writeLoop(std::uint32_t loop);
+  void assignStates(std::span<const State> states);
+  void compute(const Statement& statement);
+  void assign(const Output& output);
+  void nameMatrix(const Packs::Matrix& matrix);
+  void writeComments(std::span<const NodeId> roots);
+  std::optional<Packs::Turn> turnOf(const Statement& statement) const;
+
+  const Plan& plan_;
+  const Graph& graph_;
+  Writer& writer_;
+  Temporaries& temporaries_;
+  std::string indent_ = "  ";
+  std::string code_;
+  std::size_t temporaryCount_ = 0, vectorCount_ = 0;
+};
+
+}  // namespace warpjet

@@ -1,0 +1,52 @@
+#include "eval/stages.hpp"
+
+#include "ops/rows.hpp"
+
+namespace warpjet {
+
+namespace {
+
+template <ops::Type type>
+auto typed(Staged x) {
+  if constexpr (type == ops::Type::Bool)
+    return asMask(x);
+  else
+    return x;
+}
+
+Staged untyped(Staged value) { return value; }
+Staged untyped(StagedMask value) { return asLanes(value); }
+
+template <std::size_t Row>
+constexpr Stage stageOfRow() {
+  constexpr auto& signature = ops::declarations[Row].signature;
+  if constexpr (signature.hasWhole()) {
+    return nullptr;
+  } else {
+    return ops::numbered<ops::declarations[Row].arity>([](auto... k) -> Stage {
+      constexpr const auto& row = std::get<Row>(ops::table);
+      using Value = decltype(row.value);
+      if constexpr (std::is_invocable_v<
+                        Value,
+                        decltype(typed<ops::declarations[Row].signature.operands[k]>(Staged()))...>)
+        return [](const Operands<Staged>& x) {
+          return ops::numbered<ops::declarations[Row].arity>([&](auto... i) {
+            return untyped(
+                std::get<Row>(ops::table)
+                    .value(typed<ops::declarations[Row].signature.operands[i]>(x[i])...));
+          });
+        };
+      else
+        return nullptr;
+    });
+  }
+}
+
+constexpr auto stages =
+    ops::numbered<ops::count>([](auto... row) { return std::array{stageOfRow<row>()...}; });
+
+}  // namespace
+
+Stage stageOf(Op op) { return stages[index(op)]; }
+
+}  // namespace warpjet

@@ -1,0 +1,61 @@
+// Matching: an operation on nodes enters, the identity that simplifies it leaves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "graph/rules.hpp"
+
+namespace warpjet::patterns {
+
+// The nodes that the variables of a pattern stand for, by letter.
+class Bindings {
+ public:
+  void clear() { bound_ = 0; }
+  NodeId operator[](std::uint8_t variable) const { return nodes_[variable]; }
+
+  // False if the variable stands for another node.
+  bool bind(std::uint8_t variable, NodeId node) {
+    const std::uint32_t bit = std::uint32_t{1} << variable;
+    if ((bound_ & bit) != 0) return nodes_[variable] == node;
+    bound_ |= bit;
+    nodes_[variable] = node;
+    return true;
+  }
+
+ private:
+  std::uint32_t bound_ = 0;
+  std::array<NodeId, 26> nodes_;
+};
+
+// The rules that the operands' kinds leave, by bits; most operations have none.
+inline std::uint32_t findCandidates(const Graph& graph, Op op, const Operands<NodeId>& operands) {
+  const std::uint8_t number = rules.bucketOf[index(op)];
+  if (number == Rules::noBucket) return 0;
+  const Bucket& bucket = rules.buckets[number];
+  std::uint32_t candidates = operands[0] == operands[1] ? ~std::uint32_t{0} : ~bucket.ofEqual;
+  for (int i = 0; i < arities[index(op)]; ++i)
+    candidates &= bucket.candidates[i][kindOf(graph, operands[i])];
+  return candidates;
+}
+
+// The first of these that matches, or null.
+const Rule* findRule(const Graph& graph, Op op, const Operands<NodeId>& operands,
+                     std::uint32_t candidates, Bindings& bindings);
+
+// The value of what is known: of a literal, of constants, and of what is computed from them.
+double valueOf(const Graph& graph, const Item* item, const Bindings& bindings);
+
+// A pattern as nodes; `apply` makes those of operations.
+template <class Apply>
+NodeId build(Graph& graph, const Item* item, const Bindings& bindings, const Apply& apply) {
+  if (item->isVariable()) return bindings[item->number];
+  if (item->isKnown) return graph.constant(valueOf(graph, item, bindings));
+  Operands<NodeId> operands{};
+  const Item* operand = item + 1;
+  for (int i = 0; i < arities[index(item->op())]; ++i, operand += operand->size)
+    operands[i] = build(graph, operand, bindings, apply);
+  return apply(item->op(), operands);
+}
+
+}  // namespace warpjet::patterns

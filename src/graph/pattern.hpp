@@ -1,0 +1,169 @@
+// Patterns of operations, written as what they match: `x + -y` is a tree of constants that the
+// compiler builds. The rows of identities.hpp are made of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "ops/ops.hpp"
+
+namespace warpjet::patterns {
+
+struct Function;
+
+// An operation or a leaf of a pattern. An operation's operands follow it.
+struct Item {
+  enum class Kind : std::uint8_t {
+    Anything,   // a variable: any node, and the same one wherever the variable stands
+    Computed,   // a variable: any node but a constant
+    Constant,   // a variable: a constant
+    Factor,     // a variable: a common factor, which may be missing; see turns.hpp
+    Literal,    // a known number or condition
+    Operation,  //
+    Function,   // a function of what is known
+  };
+
+  Kind kind = Kind::Literal;
+  std::uint8_t number = 0;  // of the variable or the operation
+  std::uint8_t size = 1;    // how many items it has with its operands
+  bool isKnown = true;      // whether its value is known when it is matched
+  ops::Type type = ops::Type::Float;
+  double value = 0;
+  const Function* function = nullptr;
+
+  constexpr bool is(Op op) const {
+    return kind == Kind::Operation && number == static_cast<std::uint8_t>(op);
+  }
+  constexpr bool isVariable() const {
+    return kind != Kind::Literal && kind != Kind::Operation && kind != Kind::Function;
+  }
+  constexpr Op op() const { return Op{number}; }
+};
+
+using Kind = Item::Kind;
+
+// Its first item is the root.
+struct Pattern {
+  static constexpr std::size_t maxSize = 40;
+
+  std::array<Item, maxSize> items{};
+
+  constexpr Pattern(double value) : items{Item{.value = value}} {}
+  constexpr Pattern(int value) : Pattern(static_cast<double>(value)) {}
+  constexpr Pattern(bool value)
+      : items{Item{.type = ops::Type::Bool, .value = value ? 1.0 : 0.0}} {}
+
+  // A variable, named by a letter.
+  constexpr Pattern(Kind kind, char letter)
+      : items{Item{.kind = kind,
+                   .number = static_cast<std::uint8_t>(letter - 'a'),
+                   .isKnown = kind == Kind::Constant}} {}
+
+  // An operation or a function.
+  template <class... Operands>
+  constexpr Pattern(Item root, const Operands&... operands) : items{root} {
+    (append(operands), ...);
+    items[0].isKnown = (operands.root().isKnown && ...);
+  }
+
+  constexpr const Item& root() const { return items[0]; }
+  constexpr std::size_t size() const { return items[0].size; }
+
+ private:
+  constexpr void append(const Pattern& operand) {
+    for (std::size_t i = 0; i < operand.size(); ++i) items[size() + i] = operand.items[i];
+    items[0].size = static_cast<std::uint8_t>(size() + operand.size());
+  }
+};
+
+// A function that only patterns know, of a known number.
+struct Function {
+  std::string_view name;
+  double (*of)(double);
+
+  constexpr Pattern operator()(const Pattern& x) const {
+    return {Item{.kind = Kind::Function, .function = this}, x};
+  }
+};
+
+template <class... Operands>
+constexpr Pattern operation(Op op, const Operands&... operands) {
+  return {Item{.kind = Kind::Operation, .number = static_cast<std::uint8_t>(op)}, operands...};
+}
+
+constexpr Pattern operator-(const Pattern& x) { return operation(ops::find("neg"), x); }
+constexpr Pattern operator+(const Pattern& x, const Pattern& y) {
+  return operation(ops::find("add"), x, y);
+}
+constexpr Pattern operator-(const Pattern& x, const Pattern& y) {
+  return operation(ops::find("sub"), x, y);
+}
+constexpr Pattern operator*(const Pattern& x, const Pattern& y) {
+  return operation(ops::find("mult"), x, y);
+}
+constexpr Pattern operator/(const Pattern& x, const Pattern& y) {
+  return operation(ops::find("div"), x, y);
+}
+constexpr Pattern pow(const Pattern& x, const Pattern& y) {
+  return operation(ops::find("pow"), x, y);
+}
+constexpr Pattern sqrt(const Pattern& x) { return operation(ops::find("sqrt"), x); }
+constexpr Pattern sin(const Pattern& x) { return operation(ops::find("sin"), x); }
+constexpr Pattern cos(const Pattern& x) { return operation(ops::find("cos"), x); }
+constexpr Pattern min(const Pattern& x, const Pattern& y) {
+  return operation(ops::find("min"), x, y);
+}
+constexpr Pattern max(const Pattern& x, const Pattern& y) {
+  return operation(ops::find("max"), x, y);
+}
+constexpr Pattern clamp(const Pattern& x, const Pattern& low, const Pattern& high) {
+  return operation(ops::find("clamp"), x, low, high);
+}
+constexpr Pattern mix(const Pattern& x, const Pattern& y, const Pattern& t) {
+  return operation(ops::find("mix"), x, y, t);
+}
+constexpr Pattern operator<(const Pattern& x, const Pattern& y) {
+  return operation(ops::find("lt"), x, y);
+}
+constexpr Pattern operator>(const Pattern& x, const Pattern& y) {
+  return operation(ops::find("gt"), x, y);
+}
+constexpr Pattern operator!(const Pattern& x) { return operation(ops::find("not"), x); }
+constexpr Pattern ifElse(const Pattern& condition, const Pattern& yes, const Pattern& no) {
+  return operation(ops::find("ifElse"), condition, yes, no);
+}
+constexpr Pattern intIfElse(const Pattern& condition, const Pattern& yes, const Pattern& no) {
+  return operation(ops::find("intIfElse"), condition, yes, no);
+}
+
+// How exactly an identity keeps values, of double as of float32.
+enum class Precision : std::uint8_t {
+  Bits,      // all bits, of zeros, infinities and NaN too
+  Value,     // all but the sign of a zero
+  Rounding,  // to a few roundings of the largest intermediate result, if none leaves the range
+};
+
+struct Keeps {
+  Precision precision;
+  // It may give a number where there was none, as x * 0 = 0 does of an infinite x.
+  bool onlyNumbers = false;
+};
+
+inline constexpr Keeps bits{Precision::Bits}, value{Precision::Value},
+    rounding{Precision::Rounding};
+
+// What an identity keeps where its left side is a number.
+constexpr Keeps ifNumber(Keeps keeps) { return {keeps.precision, true}; }
+
+// A row: what is replaced, by what, what that keeps, and the condition on the constants.
+struct Identity {
+  Pattern from, to;
+  Keeps keeps;
+  Pattern when = true;
+
+  constexpr bool hasCondition() const { return when.root().kind != Kind::Literal; }
+};
+
+}  // namespace warpjet::patterns

@@ -1,0 +1,12 @@
+// A module as text, one node a line and then its results, for debugging and for tests.
+#pragma once
+
+#include <string>
+
+#include "module/module.hpp"
+
+namespace warpjet {
+
+std::string print(const Module& module);
+
+}  // namespace warpjet

@@ -1,0 +1,97 @@
+// What people read of each operation, in the order of declarations.hpp. `npm run reference` prints
+// it; nothing else includes this file, so that no change of a word compiles anything again.
+#pragma once
+
+#include <array>
+
+#include "ops/ops.hpp"
+#include "ops/title.hpp"
+
+namespace warpjet::ops {
+
+inline constexpr std::array documentation{
+    Title{"neg", "x", "-x"},
+    Title{"add", "x, y", "The sum of two or more."},
+    Title{"sub", "x, y", "x - y, and minus all that follow."},
+    Title{"mult", "x, y", "The product of two or more; with a matrix, that of linear algebra."},
+    Title{"div", "x, y", "x / y, and divided by all that follow."},
+    Title{"pow", "x, exponent",
+          "x to the power of the exponent. A whole number from -16 to 16 makes a product, right "
+          "for negative x too; with any other exponent, x must not be negative."},
+    Title{"sqrt", "x", "The square root; its derivative at 0 counts as 0."},
+    Title{"inversesqrt", "x", "1 / sqrt(x)"},
+    Title{"exp", "x", "e to the power of x."},
+    Title{"exp2", "x", "2 to the power of x."},
+    Title{"log", "x", "The natural logarithm, of what is greater than 0."},
+    Title{"log2", "x", "The logarithm to base 2, of what is greater than 0."},
+    Title{"sin", "x", "The sine of an angle in radians."},
+    Title{"cos", "x", "The cosine of an angle in radians."},
+    Title{"tan", "x", "The tangent of an angle in radians."},
+    Title{"asin", "x", "The angle from -π/2 to π/2 whose sine is x, which is from -1 to 1."},
+    Title{"acos", "x", "The angle from 0 to π whose cosine is x, which is from -1 to 1."},
+    Title{"atan", "x", "The angle from -π/2 to π/2 whose tangent is x."},
+    Title{"atan2", "y, x", "The angle of the point (x, y), from -π to π."},
+    Title{"sinh", "x", "The hyperbolic sine."},
+    Title{"cosh", "x", "The hyperbolic cosine."},
+    Title{"tanh", "x", "The hyperbolic tangent, between -1 and 1."},
+    Title{"asinh", "x", "The number whose hyperbolic sine is x."},
+    Title{"acosh", "x", "The number from 0 up whose hyperbolic cosine is x, which is at least 1."},
+    Title{"atanh", "x", "The number whose hyperbolic tangent is x, which is between -1 and 1."},
+    Title{"abs", "x", "x without its sign."},
+    Title{"sign", "x", "-1, 0 or 1."},
+    Title{"floor", "x", "The whole number at or below x."},
+    Title{"ceil", "x", "The whole number at or above x."},
+    Title{"round", "x",
+          "The nearest whole number; a half goes to the even one: round(0.5) is 0, round(1.5) 2."},
+    Title{"trunc", "x", "x without what follows its point."},
+    Title{"fract", "x", "x - floor(x)"},
+    Title{"mod", "x, divisor",
+          "x - divisor * floor(x / divisor), which has the sign of the divisor."},
+    Title{"min", "x, y", "The least of two or more."},
+    Title{"max", "x, y", "The greatest of two or more."},
+    Title{"clamp", "x, low, high", "x, but not below low nor above high."},
+    Title{"mix", "x, y, amount", "From x where the amount is 0 to y where it is 1, and beyond."},
+    Title{"step", "edge, x", "0 where x is below the edge, otherwise 1."},
+    Title{"lt", "x, y", "x < y"},
+    Title{"le", "x, y", "x <= y"},
+    Title{"gt", "x, y", "x > y"},
+    Title{"ge", "x, y", "x >= y"},
+    Title{"eq", "x, y", "x == y"},
+    Title{"ne", "x, y", "x != y"},
+    Title{"and", "x, y", "Whether all are true."},
+    Title{"or", "x, y", "Whether any is true."},
+    Title{"not", "x", "Whether x is false."},
+    Title{"ifElse", "condition, yes, no",
+          "One of two values; a number other than 0 counts as true."},
+    Title{"hash", "h, i", "A whole number from 0 to 4090 that looks random."},
+    Title{"float", "x", "1 or 0."},
+    Title{"bool", "x", "Whether x is not 0."},
+    Title{"int", "x", "x without what follows its point."},
+    Title{"bitsOf", "x", "The same of what is not negative."},
+    Title{"intToFloat", "x", "x as a float."},
+    Title{"bitsToFloat", "x", "x as a float."},
+    Title{"floatBitsToInt", "x", "The bits of a float."},
+    Title{"intBitsToFloat", "x", "The float of these bits."},
+    Title{"intAdd", "x, y", "x + y"},
+    Title{"intSub", "x, y", "x - y"},
+    Title{"intMult", "x, y", "x * y"},
+    Title{"intDiv", "x, y", "x / y, towards 0"},
+    Title{"intMod", "x, y", "What that leaves."},
+    Title{"bitsDiv", "x, y", "x / y"},
+    Title{"bitsMod", "x, y", "What that leaves."},
+    Title{"bitAnd", "x, y", "Bits that both have."},
+    Title{"bitOr", "x, y", "Bits that either has."},
+    Title{"bitXor", "x, y", "Bits that one of both has."},
+    Title{"bitNot", "x", "Bits that x has not."},
+    Title{"shiftLeft", "x, count", "x with its bits that many places further up."},
+    Title{"shiftRight", "x, count", "x with its bits down, the sign where they come from."},
+    Title{"bitsShiftRight", "x, count", "x with its bits down, zeros where they come from."},
+    Title{"intLt", "x, y", "x < y"},
+    Title{"bitsLt", "x, y", "x < y"},
+    Title{"intEq", "x, y", "x == y"},
+    Title{"intIfElse", "condition, yes, no", "One of two."},
+};
+
+static_assert(haveDeclaredNames(documentation), "documentation.hpp and declarations.hpp differ");
+
+}  // namespace warpjet::ops
