@@ -46,7 +46,10 @@ const code = (text) => `\`${text.replaceAll('|', '\\|')}\``
 const kept = ({ precision, onlyNumbers }) =>
   precisions[precision] + (onlyNumbers ? ', where it is a number' : '')
 
-const page = (groups, turns) => `<!-- Written by \`npm run reference\` from src/graph/identities.hpp. -->
+const page = (
+  groups,
+  turns,
+) => `<!-- Written by \`npm run reference\` from src/graph/identities.hpp. -->
 
 # Identities
 
