@@ -436,14 +436,14 @@ describe('loadWarpModel from elsewhere', () => {
   })
 })
 
-test("'warpjet/p5' as a module fetches mesh.js when it is first used", async () => {
+test("'warpjet/p5' as a module fetches the mesh module when it is first used", async () => {
   assert.match(readFileSync(path('/dist/p5.warpjet.min.js'), 'utf8'), /import\(\w+\)/)
   const { page, messages } = await runSketch(
     browser,
     server,
     [p5Versions['2.x']],
     `import '/dist/p5.js'
-    const fetched = () => performance.getEntriesByType('resource').some(({ name }) => name.endsWith('/mesh.js'))
+    const fetched = () => performance.getEntriesByType('resource').some(({ name }) => name.endsWith('/meshes.js'))
     window.report = [fetched()]
     new p5((p) => {
       p.setup = async () => {
