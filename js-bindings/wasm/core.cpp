@@ -2,7 +2,7 @@
 // with numbers only; embind binds the rest. No exception crosses: a problem is a message, which
 // JavaScript throws.
 #include <emscripten.h>
-#include <emscripten/emmalloc.h>
+#include <malloc.h>
 
 #include <array>
 #include <cstdint>
@@ -240,7 +240,7 @@ std::vector<double> evaluateInDouble(const Words& words, std::uint32_t instructi
 }
 
 std::uint32_t memoryInUse() {
-  return emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory();
+  return mallinfo().uordblks;
 }
 
 template <typename Enum, std::size_t count>

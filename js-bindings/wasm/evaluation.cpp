@@ -1,7 +1,7 @@
 // The border to JavaScript of what runs programs on many vertices. Vertices cross by views of
 // arrays here; machine code has arrays of its own in memory that JavaScript allocates.
 #include <emscripten.h>
-#include <emscripten/emmalloc.h>
+#include <malloc.h>
 
 #include <cstdint>
 #include <optional>
@@ -146,7 +146,7 @@ Code makeCode(const CpuProgram& program, const Words& wanted, const std::vector<
 }
 
 std::uint32_t memoryInUse() {
-  return emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory();
+  return mallinfo().uordblks;
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // functions are listed in words that JavaScript replays.
 #include "glsl/glsl.hpp"
 
-#include <emscripten/emmalloc.h>
+#include <malloc.h>
 
 #include <array>
 #include <cstdint>
@@ -23,7 +23,7 @@ std::vector<std::string> codes() { return {std::begin(codeNames), std::end(codeN
 Source* openSource(std::string_view text) { return new Source(text); }
 
 std::uint32_t memoryInUse() {
-  return emmalloc_dynamic_heap_size() - emmalloc_free_dynamic_memory();
+  return mallinfo().uordblks;
 }
 
 }  // namespace
