@@ -130,16 +130,7 @@ test('npm shows where the source is, and where to ask', () => {
 test('NOTICE names every library that is compiled in', () => {
   const notice = readFileSync(`${root}NOTICE`, 'utf8').toLowerCase()
   // What the linker adds, and what Vite bundles; .cmake/wasm.cmake says which allocator is where.
-  const others = [
-    'emscripten',
-    'embind',
-    'emmalloc',
-    'dlmalloc',
-    'musl',
-    'libc++',
-    'libc++abi',
-    'libunwind',
-  ]
+  const others = ['emscripten', 'embind', 'dlmalloc', 'musl', 'libc++', 'libc++abi', 'libunwind']
   for (const name of [...others, 'compiler-rt', 'acorn', 'magic-string'])
     assert.match(notice, new RegExp(`${name.replaceAll('+', '\\+')}(?![+\\w])`), name)
   const linked = readFileSync(`${root}.cmake/wasm.cmake`, 'utf8')
