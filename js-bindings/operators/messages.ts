@@ -40,6 +40,10 @@ export interface Missing {
   helper?: string
 }
 
+/** That a method reads a property of `this` and has no object. */
+export const lacksThis = (member: string) =>
+  `the function reads this.${member}, but a method that is passed by itself has no "this"; write (inputs) => object.method(inputs), or take ${member} from a variable.`
+
 /** That the text of a function cannot see what is around it, and what to write. */
 export function cannotSee({ place, names, shadowed, members, helper }: Missing): string {
   const text = helper

@@ -6,7 +6,7 @@ import { type ReadOptions, isOwnFunction } from '../errors/operators.js'
 import type { OffsetFunction, WarpInputs } from '../core/types/types.js'
 import { noteChanging } from './changing.js'
 import { isSurelyGlobal, isThere } from './globals.js'
-import { cannotSee, sayingSo } from './messages.js'
+import { cannotSee, lacksThis, sayingSo } from './messages.js'
 import { isKnown } from './functions.js'
 import { parseFunction } from './parse.js'
 import { type References, freeReferences } from './resolve.js'
@@ -68,6 +68,7 @@ export function operators(
       ? withOperators(reading.make as (operators: Operators) => (inputs: WarpInputs) => unknown, {
           read: (helper, name) => readHelper(helper, name, reader),
           isPlain: needs === 'logic' && !isVector,
+          check: checkThis(parsed.tree, reader.place),
         })
       : asItIs(reading ? sayingSo(offset, reading.refuse) : offset)
   translated.add(result)
@@ -213,6 +214,17 @@ const isCalledIn = (tree: Tree) => {
   }
   visit(tree)
   return (node: Tree) => callees.has(node)
+}
+
+/** Returns a check of the `this` of a call: a method that was taken from its object has none, and what it reads is `undefined`. */
+function checkThis(tree: Tree, place: Place): (self: unknown) => void {
+  const members =
+    tree.type === 'ArrowFunctionExpression' ? [] : membersOfThis(freeReferences(tree.body as Tree))
+  return (self) => {
+    if (self !== undefined && self !== globalThis) return
+    const missing = members.find((member) => !(member in globalThis))
+    if (missing) throw place.error(lacksThis(missing))
+  }
 }
 
 /** The properties of `this` that are read, for a message. */

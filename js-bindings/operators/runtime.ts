@@ -233,6 +233,8 @@ interface RunOptions {
   once?: readonly string[]
   /** True if the function uses no operators on numbers; see `operatorsOf`. */
   isPlain?: boolean
+  /** Throws if the function cannot be called with this `this`. */
+  check?: (self: unknown) => void
 }
 
 let current: Operators | undefined
@@ -240,9 +242,10 @@ let current: Operators | undefined
 /** The offset function that a translated text makes. */
 export function withOperators(
   make: (operators: Operators) => (inputs: WarpInputs) => unknown,
-  { read, once = [], isPlain = false }: RunOptions = {},
+  { read, once = [], isPlain = false, check }: RunOptions = {},
 ): OffsetFunction {
   const run = function (this: unknown, inputs: WarpInputs) {
+    check?.(this)
     for (const name of once) noteReadOnce(new Place('createWarp'), name)
     const outer = current
     current = operatorsOf(glslOf(inputs), { ...(read && { read }), isPlain })

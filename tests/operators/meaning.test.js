@@ -683,3 +683,17 @@ test('noise is ours, from 0 to 1', () => {
     console.warn = warn
   }
 })
+
+test('a method that is passed without its object says so', () => {
+  class Wave {
+    amount = 2
+    offset({ position }) {
+      return [position.x * this.amount, 0, 0]
+    }
+  }
+  assert.throws(() => compileWarp(new Wave().offset), {
+    name: 'WarpError',
+    message:
+      /^compileWarp: the function reads this\.amount, but a method that is passed by itself has no "this"; write \(inputs\) => object\.method\(inputs\)/,
+  })
+})
