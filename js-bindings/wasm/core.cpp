@@ -239,9 +239,7 @@ std::vector<double> evaluateInDouble(const Words& words, std::uint32_t instructi
   return results;
 }
 
-std::uint32_t memoryInUse() {
-  return mallinfo().uordblks;
-}
+std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 
 template <typename Enum, std::size_t count>
 void bindEnum(const char* name, const std::array<std::string_view, count>& names) {

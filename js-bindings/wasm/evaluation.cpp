@@ -145,9 +145,7 @@ Code makeCode(const CpuProgram& program, const Words& wanted, const std::vector<
   return code;
 }
 
-std::uint32_t memoryInUse() {
-  return mallinfo().uordblks;
-}
+std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 
 }  // namespace
 

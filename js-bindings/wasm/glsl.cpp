@@ -22,9 +22,7 @@ std::vector<std::string> codes() { return {std::begin(codeNames), std::end(codeN
 
 Source* openSource(std::string_view text) { return new Source(text); }
 
-std::uint32_t memoryInUse() {
-  return mallinfo().uordblks;
-}
+std::uint32_t memoryInUse() { return mallinfo().uordblks; }
 
 }  // namespace
 
