@@ -8,10 +8,10 @@ import { Stop } from './terminal.mjs'
 
 const read = (file) => readFileSync(path(file), 'utf8')
 
-/** The files that one of the core includes, by its own name in `src`. */
+/** Lists the files that a C++ file includes, by their paths in `src`. */
 const includesOf = (text) => [...text.matchAll(/^#include "([^"]+)"/gm)].map(([, file]) => file)
 
-/** A way from a node back to itself, or nothing. `edges` has the nodes after each. */
+/** Finds a path from a node back to itself; `undefined` if there is none. `edges` maps each node → the nodes it points to. */
 function circleIn(edges) {
   const done = new Set()
   const way = []
@@ -59,7 +59,7 @@ function includeProblems() {
   ]
 }
 
-/** What is in no JavaScript, but in the text of shaders; `glsl.vec3(…)` in a message is none. */
+/** Matches shader source. `glsl.vec3(…)` in a message is JavaScript and does not match. */
 const shaderText =
   /(?<![.\w])(?:vec[234]f?|mat[234](?:x[234]f?)?)\(|\b(?:textureSize|textureDimensions|texelFetch|textureLoad|texture2D|gl_[A-Z]\w+)\b|#version|\bvoid main\b/
 
@@ -73,7 +73,7 @@ const textsIn = (source) =>
 const isAdapter = (file) =>
   /^js-bindings\/(p5|three|babylon)\/|^js-bindings\/glsl-source\/function-text\.ts$/.test(file)
 
-/** Texts of shaders outside dialects and adapters. */
+/** Finds shader source outside dialects and adapters. */
 const shaderTextProblems = () =>
   walk('js-bindings', /\.ts$/)
     .filter((file) => !file.endsWith('.d.ts') && !isAdapter(file))

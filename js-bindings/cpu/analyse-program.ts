@@ -1,4 +1,4 @@
-// What can be said of a program without running it.
+// Analyses a program without running it.
 import type { Variable } from '../core/expression/shapes.js'
 import type { Range } from '../core/inputs/vertices.js'
 import type { Program } from '../core/module/kept-module.js'
@@ -12,7 +12,7 @@ export const withProgram = <Result>(
 
 const sizeOf = ({ shape: [columns, rows] }: Variable) => columns * rows
 
-/** Which of the program's inputs the wanted results depend on. */
+/** Returns for each of the program's inputs whether the wanted results depend on it. */
 export const inputsRead = (program: Program, wanted: readonly number[]): boolean[] =>
   withProgram(program, (loaded) =>
     Array.from(loaded.inputsRead(wanted, program.inputs.map(sizeOf)), Boolean),

@@ -158,22 +158,23 @@ struct CpuProgram {
 
 Module* openModule(const Words& words) { return new Module(load(words)); }
 
+Variable inputVariable(const Module& module, std::uint32_t number) {
+  const Input& input = module.graph.input(number);
+  return {input.label, input.shape, number};
+}
+
 std::vector<Variable> inputs(const Module& module) {
   std::vector<Variable> all;
-  for (std::uint32_t i = 0; i < module.graph.inputCount(); ++i) {
-    const Input& input = module.graph.input(i);
-    all.push_back({input.label, input.shape, i});
-  }
+  for (std::uint32_t i = 0; i < module.graph.inputCount(); ++i)
+    all.push_back(inputVariable(module, i));
   return all;
 }
 
 // The inputs that the results depend on.
 std::vector<Variable> inputsReadBy(const Module& module, const Words& results) {
   std::vector<Variable> read;
-  for (const std::uint32_t i : inputsRead(module, results)) {
-    const Input& input = module.graph.input(i);
-    read.push_back({input.label, input.shape, i});
-  }
+  for (const std::uint32_t i : inputsRead(module, results))
+    read.push_back(inputVariable(module, i));
   return read;
 }
 

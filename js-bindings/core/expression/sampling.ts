@@ -1,4 +1,4 @@
-// How a host samples an image: what its adapter passes to the shader beside the image itself.
+// The sampling of an image by its host, which the adapter passes to the shader beside the image.
 
 /** The sampling that an adapter passes to the shader beside an image. */
 export interface HostSampling {

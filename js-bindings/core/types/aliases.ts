@@ -1,4 +1,4 @@
-// Other names of operations; js-bindings/expression/aliases.ts has them and says where they come from.
+// Other names of operations; js-bindings/core/expression/aliases.ts has them and says where they come from.
 import type { sameAs } from '../expression/aliases.js'
 import type { Operand, Scalar, Vec2, Vector } from './expressions.js'
 
