@@ -12,7 +12,7 @@
 
   /** The block that a warp is, in a vertex shader of three.js with all its chunks. */
   const block =
-    /\{\n(?:#ifdef USE_TANGENT\n)?(?:(?!\n\{\n)[\s\S])*?transformed = warpjetMoved;|\{\nmat4 warpjetToWorld[\s\S]*?transformed = \( inverse/
+    /\{\n(?:#ifdef USE_TANGENT\n)?(?:(?!\n\{\n)[\s\S])*?transformed = warpjetPosition;|\{\nmat4 warpjetToWorld[\s\S]*?transformed = \( inverse/
   const { shaderSource } = WebGL2RenderingContext.prototype
   WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
     const [code] = block.exec(text.slice(text.indexOf('void main'))) ?? []

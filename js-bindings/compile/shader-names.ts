@@ -2,9 +2,9 @@
 
 export const shaderNames = {
   offset: 'warpjetOffset',
-  position: 'warpjetMoved',
-  normal: 'warpjetTurned',
-  tangent: 'warpjetSwung',
+  position: 'warpjetPosition',
+  normal: 'warpjetNormal',
+  tangent: 'warpjetTangent',
   jacobian: 'warpjetSlope',
   /** 1, or -1 where the warp mirrors all of space. */
   orientation: 'warpjetOrientation',

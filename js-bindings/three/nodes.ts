@@ -137,9 +137,9 @@ function takeBack(turned: Turned) {
 /** In the space where three.js has the vertex. */
 const here = {
   inputs: (turned: Turned): Record<string, unknown> => ({
-    warpjetPosition: tsl.positionLocal,
-    ...(turned !== 'position' && { warpjetNormal: tsl.normalLocal }),
-    ...(turned === 'tangent' && { warpjetTangent: tsl.tangentLocal }),
+    warpjetRestPosition: tsl.positionLocal,
+    ...(turned !== 'position' && { warpjetRestNormal: tsl.normalLocal }),
+    ...(turned === 'tangent' && { warpjetRestTangent: tsl.tangentLocal }),
   }),
   assign(result: AnyNode, turned: Turned) {
     if (turned === 'position') return void tsl.positionLocal.assign(result)
@@ -160,9 +160,9 @@ function normalInWorld() {
 /** In the world, and back. */
 const inWorld = {
   inputs: (turned: Turned): Record<string, unknown> => ({
-    warpjetPosition: tsl.modelWorldMatrix.mul(make.vec4(tsl.positionLocal, 1)).xyz,
-    ...(turned !== 'position' && { warpjetNormal: normalInWorld() }),
-    ...(turned === 'tangent' && { warpjetTangent: linear().mul(tsl.tangentLocal) }),
+    warpjetRestPosition: tsl.modelWorldMatrix.mul(make.vec4(tsl.positionLocal, 1)).xyz,
+    ...(turned !== 'position' && { warpjetRestNormal: normalInWorld() }),
+    ...(turned === 'tangent' && { warpjetRestTangent: linear().mul(tsl.tangentLocal) }),
   }),
   assign(result: AnyNode, turned: Turned) {
     const back = (position: unknown) => tsl.modelWorldMatrixInverse.mul(make.vec4(position, 1)).xyz
@@ -260,8 +260,8 @@ const colorOf = (size: number) => {
 }
 
 const names: Record<string, string> = {
-  position: 'warpjetPosition',
-  normal: 'warpjetNormal',
+  position: 'warpjetRestPosition',
+  normal: 'warpjetRestNormal',
   uv: 'warpjetUv',
   color: 'warpjetColor',
   millis: shaderNames.millis,
@@ -292,9 +292,9 @@ function parametersOf(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): [stri
     ...variationNames.map((name): [string, string] => [name, 'vec3']),
   ]
   return [
-    ['warpjetPosition', 'vec3'],
-    ...(turned === 'position' ? [] : [['warpjetNormal', 'vec3'] as [string, string]]),
-    ...(turned === 'tangent' ? [['warpjetTangent', 'vec3'] as [string, string]] : []),
+    ['warpjetRestPosition', 'vec3'],
+    ...(turned === 'position' ? [] : [['warpjetRestNormal', 'vec3'] as [string, string]]),
+    ...(turned === 'tangent' ? [['warpjetRestTangent', 'vec3'] as [string, string]] : []),
     ...optional
       .filter(([name]) => read.has(name))
       .map(([name, type]): [string, string] => [names[name]!, type]),
@@ -306,7 +306,7 @@ function parametersOf(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): [stri
 
 const namesIn = (isWebGPU: boolean) => ({
   ...names,
-  tangent: `${isWebGPU ? 'vec4f' : 'vec4'}(warpjetTangent, 1.0)`,
+  tangent: `${isWebGPU ? 'vec4f' : 'vec4'}(warpjetRestTangent, 1.0)`,
 })
 
 /** One function, which gives the position, or the columns position, normal and tangent. */
@@ -319,8 +319,8 @@ function functionFor(warp: ThreeWarp, turned: Turned, isWebGPU: boolean): Call {
   const type = turned === 'position' ? vec3 : mat3
   // A normal of zero, where the surface collapses, is left to its neighbours.
   const normal = isWebGPU
-    ? `select(${shaderNames.normal}, warpjetNormal * 1e-6, all(${shaderNames.normal} == vec3f(0.0)))`
-    : `(${shaderNames.normal} == vec3(0.0) ? warpjetNormal * 1e-6 : ${shaderNames.normal})`
+    ? `select(${shaderNames.normal}, warpjetRestNormal * 1e-6, all(${shaderNames.normal} == vec3f(0.0)))`
+    : `(${shaderNames.normal} == vec3(0.0) ? warpjetRestNormal * 1e-6 : ${shaderNames.normal})`
   const tangent = turned === 'tangent' ? `${shaderNames.tangent}.xyz` : `${vec3}(0.0)`
   const result =
     turned === 'position'

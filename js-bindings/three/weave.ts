@@ -133,7 +133,11 @@ const isWorld = (space: WarpSpace) => space === 'world'
 
 function namesIn(space: WarpSpace): Record<string, string> {
   const own = isWorld(space)
-    ? { position: 'warpjetPosition', normal: 'warpjetNormal', tangent: 'warpjetTangent' }
+    ? {
+        position: 'warpjetRestPosition',
+        normal: 'warpjetRestNormal',
+        tangent: 'warpjetRestTangent',
+      }
     : {
         position: 'transformed',
         normal: 'objectNormal',
@@ -193,17 +197,17 @@ warpjetToWorld = warpjetToWorld * instanceMatrix;
 #endif
 mat3 warpjetLinear = mat3( warpjetToWorld );
 if ( determinant( warpjetLinear ) != 0.0 ) {
-mat3 warpjetBack = inverse( warpjetLinear );
-mat3 warpjetCovariant = transpose( warpjetBack );
-vec3 warpjetPosition = ( warpjetToWorld * vec4( transformed, 1.0 ) ).xyz;
-vec3 warpjetNormal = warpjetCovariant * objectNormal;
-float warpjetLength = length( warpjetNormal );
-if ( warpjetLength > 0.0 ) warpjetNormal /= warpjetLength;
+mat3 warpjetInverse = inverse( warpjetLinear );
+mat3 warpjetCovariant = transpose( warpjetInverse );
+vec3 warpjetRestPosition = ( warpjetToWorld * vec4( transformed, 1.0 ) ).xyz;
+vec3 warpjetRestNormal = warpjetCovariant * objectNormal;
+float warpjetLength = length( warpjetRestNormal );
+if ( warpjetLength > 0.0 ) warpjetRestNormal /= warpjetLength;
 ${gradients ? gradientsInWorld : ''}${variation
     .filter((name) => !name.startsWith('normal'))
     .map((name) => `vec3 warpjet_${name} = warpjetCovariant * ${variationAttribute(name)};\n`)
     .join('')}#ifdef USE_TANGENT
-vec4 warpjetTangent = vec4( warpjetLinear * objectTangent, tangent.w );
+vec4 warpjetRestTangent = vec4( warpjetLinear * objectTangent, tangent.w );
 #endif
 ${code}
 transformed = ( inverse( warpjetToWorld ) * vec4( ${shaderNames.position}, 1.0 ) ).xyz;${
@@ -211,7 +215,7 @@ transformed = ( inverse( warpjetToWorld ) * vec4( ${shaderNames.position}, 1.0 )
       ? `
 objectNormal = ${shaderNames.normal} * warpjetLinear;
 #ifdef USE_TANGENT
-objectTangent = warpjetBack * ${shaderNames.tangent}.xyz;
+objectTangent = warpjetInverse * ${shaderNames.tangent}.xyz;
 #endif`
       : ''
   }
@@ -221,11 +225,11 @@ objectTangent = warpjetBack * ${shaderNames.tangent}.xyz;
 const [nx, ny, nz] = variationNames.map(variationAttribute)
 
 /** The rows of the derivative of the normal: turned, and without what would change its length. */
-const gradientsInWorld = `mat3 warpjetVaries = warpjetCovariant * mat3( ${nx}, ${ny}, ${nz} ) * warpjetBack;
-if ( warpjetLength > 0.0 ) warpjetVaries = ( warpjetVaries - outerProduct( warpjetVaries * warpjetNormal, warpjetNormal ) ) / warpjetLength;
-vec3 warpjet_${variationNames[0]} = warpjetVaries[ 0 ];
-vec3 warpjet_${variationNames[1]} = warpjetVaries[ 1 ];
-vec3 warpjet_${variationNames[2]} = warpjetVaries[ 2 ];
+const gradientsInWorld = `mat3 warpjetGradients = warpjetCovariant * mat3( ${nx}, ${ny}, ${nz} ) * warpjetInverse;
+if ( warpjetLength > 0.0 ) warpjetGradients = ( warpjetGradients - outerProduct( warpjetGradients * warpjetRestNormal, warpjetRestNormal ) ) / warpjetLength;
+vec3 warpjet_${variationNames[0]} = warpjetGradients[ 0 ];
+vec3 warpjet_${variationNames[1]} = warpjetGradients[ 1 ];
+vec3 warpjet_${variationNames[2]} = warpjetGradients[ 2 ];
 `
 
 /** Three.js takes their side from the attribute. */

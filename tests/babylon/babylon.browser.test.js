@@ -121,7 +121,7 @@ function withoutNormals(warp, material) {
   const { getCustomCode } = warp
   warp.getCustomCode = (...args) => {
     const code = getCustomCode.apply(warp, args)
-    const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL?.replaceAll('normalUpdated = warpjetTurned;', '')
+    const text = code?.CUSTOM_VERTEX_UPDATE_NORMAL?.replaceAll('normalUpdated = warpjetNormal;', '')
     return text ? { ...code, CUSTOM_VERTEX_UPDATE_NORMAL: text } : code
   }
   material.markDirty(true)

@@ -75,8 +75,8 @@ function turned(
   const own = `warpjetOwn_${word}`
   const outputs = {
     offset: `warpjetOffset_${word}`,
-    position: `warpjetMoved_${word}`,
-    normal: `warpjetTurned_${word}`,
+    position: `warpjetPosition_${word}`,
+    normal: `warpjetNormal_${word}`,
   }
   const hook = shader.hooks.vertex[name]!
   const text = `${isWgsl(shader) ? 'fn' : type} ${own}${hook}`
@@ -84,7 +84,7 @@ function turned(
   const weaving = weavingOf(name)
   const isOfShape = /Object|Local/.test(word!)
   const source = `${readable(shader, `${type} ${own}`, hook, isOfShape)}
-vec3 warpjetPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
+vec3 warpjetRestPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
   ${isWgsl(shader) ? '' : attributes.map((each) => each.isSet(isOfShape)).join('')}
   ${weaving.moved(own)}
 }`
@@ -95,7 +95,7 @@ vec3 warpjetPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     surfaceVariation: true,
   } as const
   const read = glslOffset(source, {
-    function: 'warpjetPosition',
+    function: 'warpjetRestPosition',
     returns: 'position',
     maxIterations: 256,
   })

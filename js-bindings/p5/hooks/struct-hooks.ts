@@ -50,9 +50,9 @@ export const structHooks: HookStyle = {
       ),
       [`Vertex ${hookIn[space]}`]: `(Vertex warpjetInputs) {
 ${varies ? turnedVariation(normalMatrices[space]) : ''}${text.code}
-  warpjetFlat = warpjetTurned == vec3(0.0);
-  warpjetInputs.position = warpjetMoved;
-  warpjetInputs.normal = warpjetTurned;
+  warpjetFlat = warpjetNormal == vec3(0.0);
+  warpjetInputs.position = warpjetPosition;
+  warpjetInputs.normal = warpjetNormal;
   return warpjetInputs;
 }`,
       'void afterVertex':
@@ -80,7 +80,7 @@ function strokeHooks({ text, space }: Woven) {
   const hook = (name: string, code: string): Record<string, string> => ({
     [`StrokeVertex ${name}`]: `(StrokeVertex warpjetInputs) {\n${code}\n  return warpjetInputs;\n}`,
   })
-  const moved = `${text.code}\n  warpjetInputs.position = warpjetMoved;`
+  const moved = `${text.code}\n  warpjetInputs.position = warpjetPosition;`
   if (space === 'camera')
     return hook(
       hookIn.camera,

@@ -28,12 +28,12 @@ export interface HookStyle {
   /** Whether the sketch's hooks can run after the warp. */
   isOrdered: boolean
   names: Record<'position' | 'normal' | 'uv' | 'color' | 'instance', string>
-  /** The hooks that run a text and hand its `warpjetMoved` and `warpjetTurned` to p5. */
+  /** The hooks that run a text and hand its `warpjetPosition` and `warpjetNormal` to p5. */
   fill(woven: Woven, type: WovenType, base: Shader): Modifications
   /** What is beyond hooks. */
   finish?(shader: Shader, woven: Woven): void
   /**
-   * The same for lines, of `warpjetMoved` and `warpjetSlope`: each end of a line is moved, and the directions t in which lines
+   * The same for lines, of `warpjetPosition` and `warpjetSlope`: each end of a line is moved, and the directions t in which lines
    * come and go are turned, to t + J t.
    */
   stroke(woven: Woven, base: Shader): Modifications

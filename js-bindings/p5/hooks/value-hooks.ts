@@ -20,8 +20,8 @@ export const valueHooks: HookStyle = {
   turnOf: (name, { space }) =>
     space !== 'camera' ? 'last' : name.endsWith('Position') ? 'first' : 'inside',
   names: {
-    position: 'warpjetPosition',
-    normal: 'warpjetNormal',
+    position: 'warpjetRestPosition',
+    normal: 'warpjetSharedNormal',
     uv: 'HOOK_getUV(aTexCoord)',
     color: 'HOOK_getVertexColor(uUseVertexColor ? aVertexColor : uMaterialColor)',
     instance: 'warpjetInstance',
@@ -37,21 +37,21 @@ export const valueHooks: HookStyle = {
       // p5 gives its normal shader medium precision, too little for a warp where a phone takes that at its word.
       vertexDeclarations: glslDeclarations(
         woven,
-        'precision highp float;\nvec3 warpjetNormal;',
+        'precision highp float;\nvec3 warpjetSharedNormal;',
         hooksOfTheSketch,
         isTurned && `vec3 ${given(worldNormal)}(vec3);`,
         !source.includes('uniform mat4 uModelMatrix') && matrices(woven.space),
         varies && variationDeclarations,
       ),
       'vec3 getWorldPosition': `(vec3 warpjetView) {
-  vec3 warpjetPosition = ${position.replace('aPosition.xyz', 'HOOK_getLocalPosition(aPosition)')};
-  warpjetNormal = ${isTurned ? `${given(worldNormal)}(${normal})` : normal};
+  vec3 warpjetRestPosition = ${position.replace('aPosition.xyz', 'HOOK_getLocalPosition(aPosition)')};
+  warpjetSharedNormal = ${isTurned ? `${given(worldNormal)}(${normal})` : normal};
 ${varies ? turnedVariation(matrix) : ''}${woven.text.code}
-  warpjetNormal = ${viewNormal};
+  warpjetSharedNormal = ${viewNormal};
   return ${viewPosition};
 }`,
       'vec3 getWorldNormal':
-        '(vec3 normal) { return warpjetNormal == vec3(0.0) ? warpjetNormal : normalize(warpjetNormal); }',
+        '(vec3 normal) { return warpjetSharedNormal == vec3(0.0) ? warpjetSharedNormal : normalize(warpjetSharedNormal); }',
       ...facingTheEye(base),
     }
   },
@@ -74,7 +74,7 @@ ${varies ? turnedVariation(matrix) : ''}${woven.text.code}
   warpjetModelView = warpjetGivenModelView();
 }`,
       'vec3 getWorldPosition': `(vec3 warpjetView) {
-  vec3 warpjetPosition = ${position};
+  vec3 warpjetRestPosition = ${position};
 ${woven.text.code}
 ${turned('warpjetIn')}
 ${turned('warpjetOut')}
@@ -87,7 +87,7 @@ ${turned('warpjetOut')}
   point: (woven) => ({
     vertexDeclarations: glslDeclarations(woven, 'precision highp float;', matrices(woven.space)),
     'vec3 getWorldPosition': `(vec3 warpjetView) {
-  vec3 warpjetPosition = ${positions[woven.space].position};
+  vec3 warpjetRestPosition = ${positions[woven.space].position};
 ${woven.text.code}
   return ${positions[woven.space].viewPosition};
 }`,
@@ -120,17 +120,17 @@ const same = (direction: string) => direction
 const positions = {
   local: {
     position: 'aPosition.xyz',
-    viewPosition: '(uModelViewMatrix * vec4(warpjetMoved, 1.0)).xyz',
+    viewPosition: '(uModelViewMatrix * vec4(warpjetPosition, 1.0)).xyz',
     viewDirection: { from: same, to: by('uModelViewMatrix') },
   },
   world: {
     position: '(uModelMatrix * vec4(aPosition.xyz, 1.0)).xyz',
-    viewPosition: '(uViewMatrix * vec4(warpjetMoved, 1.0)).xyz',
+    viewPosition: '(uViewMatrix * vec4(warpjetPosition, 1.0)).xyz',
     viewDirection: { from: by('uModelMatrix'), to: by('uViewMatrix') },
   },
   camera: {
     position: 'warpjetView',
-    viewPosition: 'warpjetMoved',
+    viewPosition: 'warpjetPosition',
     viewDirection: { from: by('uModelViewMatrix'), to: same },
   },
 }
@@ -139,16 +139,16 @@ const normals = {
   local: {
     matrix: '',
     normal: 'HOOK_getLocalNormal(aNormal)',
-    viewNormal: 'uNormalMatrix * warpjetTurned',
+    viewNormal: 'uNormalMatrix * warpjetNormal',
   },
   world: {
     matrix: `mat3(${[0, 1, 2].map((i) => `(vec4(uNormalMatrix[${i}], 0.0) * uViewMatrix).xyz`).join(', ')})`,
     normal: '(vec4(uNormalMatrix * HOOK_getLocalNormal(aNormal), 0.0) * uViewMatrix).xyz',
-    viewNormal: '(uViewMatrix * vec4(warpjetTurned, 0.0)).xyz',
+    viewNormal: '(uViewMatrix * vec4(warpjetNormal, 0.0)).xyz',
   },
   camera: {
     matrix: 'uNormalMatrix',
     normal: 'uNormalMatrix * HOOK_getLocalNormal(aNormal)',
-    viewNormal: 'warpjetTurned',
+    viewNormal: 'warpjetNormal',
   },
 }

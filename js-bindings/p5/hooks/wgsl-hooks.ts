@@ -44,7 +44,7 @@ export const wgslHooks: HookStyle = {
       'var<private> warpjetFlat: bool;',
       ...privatesFor(attributesOf(woven)),
     ),
-    varyingVariables: ['warpjetShown: vec3<f32>', 'warpjetSeen: vec3<f32>'],
+    varyingVariables: ['warpjetViewNormal: vec3<f32>', 'warpjetViewPosition: vec3<f32>'],
     ...hooks('Vertex', fillHooks(woven)),
     ...(type === 'normal' ? colors : 'Inputs getPixelInputs' in base.hooks.fragment && lit),
   }),
@@ -69,8 +69,8 @@ export const wgslHooks: HookStyle = {
 const lit = {
   'Inputs getPixelInputs': `(warpjetGiven: Inputs) {
   var warpjetInputs = warpjetGiven;
-  if (all(warpjetShown == vec3<f32>())) { warpjetInputs.normal = normalize(-warpjetSeen); }
-  else { warpjetInputs.normal = normalize(warpjetShown); }
+  if (all(warpjetViewNormal == vec3<f32>())) { warpjetInputs.normal = normalize(-warpjetViewPosition); }
+  else { warpjetInputs.normal = normalize(warpjetViewNormal); }
   return warpjetInputs;
 }`,
 }
@@ -78,18 +78,18 @@ const lit = {
 /** As p5's shader for normals does in WebGL; on WebGPU it has none. */
 const colors = {
   'vec4<f32> getFinalColor': `(color: vec4<f32>, texCoord: vec2<f32>) {
-  return vec4<f32>(warpjetShown, 1.0);
+  return vec4<f32>(warpjetViewNormal, 1.0);
 }`,
 }
 
 function fillHooks(woven: Woven): Record<string, string> {
   const warp = `${variation(woven)}${runs(woven)}
-  warpjetFlat = all(warpjetTurned == vec3<f32>());
-  warpjetInputs.position = warpjetMoved;
-  warpjetInputs.normal = warpjetTurned;\n`
-  const keep = `  warpjetSeen = warpjetInputs.position;
-  warpjetShown = vec3<f32>();
-  if (!warpjetFlat) { warpjetShown = normalize(warpjetInputs.normal); }`
+  warpjetFlat = all(warpjetNormal == vec3<f32>());
+  warpjetInputs.position = warpjetPosition;
+  warpjetInputs.normal = warpjetNormal;\n`
+  const keep = `  warpjetViewPosition = warpjetInputs.position;
+  warpjetViewNormal = vec3<f32>();
+  if (!warpjetFlat) { warpjetViewNormal = normalize(warpjetInputs.normal); }`
   const name = hookIn[woven.space]
   return { [name]: warp, getCameraInputs: woven.space === 'camera' ? warp + keep : keep }
 }
@@ -205,7 +205,7 @@ function declarationsOf({ text, defs, uniforms }: Woven, base: Shader, ...own: s
 /** See struct-hooks.ts. p5 gives the hook of world space directions that are moved too, so the first hook keeps them. */
 function strokeHooks(woven: Woven): Record<string, string> {
   const { space } = woven
-  const moved = `${runs(woven)}\n  warpjetInputs.position = warpjetMoved;`
+  const moved = `${runs(woven)}\n  warpjetInputs.position = warpjetPosition;`
   if (space === 'camera')
     return {
       getCameraInputs: `${moved}

@@ -53,7 +53,7 @@ const sabotages = {
         const weave = each.onBeforeCompile
         each.onBeforeCompile = function (shader, ...others) {
           weave.call(this, shader, ...others)
-          shader.vertexShader = shader.vertexShader.replaceAll('objectNormal = warpjetTurned', '')
+          shader.vertexShader = shader.vertexShader.replaceAll('objectNormal = warpjetNormal', '')
         }
         each.customProgramCacheKey = () => 'without normals'
       }
