@@ -56,6 +56,6 @@ class Handler implements ProxyHandler<object> {
   }
 }
 
-/** `refusing` of nearest.ts may be the prototype. `Reflect.ownKeys` makes no value. */
+/** `throwingPrototype` of nearest.ts may be the prototype. `Reflect.ownKeys` makes no value. */
 export const lazyObject = (prototype: object, lazy: Lazy): object =>
   new Proxy(Object.create(prototype) as object, new Handler(lazy))

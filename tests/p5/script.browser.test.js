@@ -194,10 +194,7 @@ describe('the order of scripts', () => {
     )
     await leavePage(page)
     assert.equal(messages.length, 1)
-    assert.match(
-      messages[0],
-      /^warpjet: there is no p5 on this page, and createWarp comes with it;/,
-    )
+    assert.match(messages[0], /^warpjet: there is no p5 on this page, which createWarp needs;/)
   })
 
   test('a second script keeps what the first one has, deformers too', async () => {

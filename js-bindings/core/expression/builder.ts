@@ -2,7 +2,7 @@
 // methods of expressions.
 import { WarpError } from '../../errors/errors.js'
 import { frontEndKey } from '../../errors/front-end.js'
-import { didYouMean, refusing } from '../../errors/nearest.js'
+import { didYouMean, throwingPrototype } from '../../errors/nearest.js'
 import { Place } from '../../options/place.js'
 import { lazyObject } from '../lazy-object.js'
 import { madeOf, meantByFunctions, methodsOf, operationLists, sameAs } from './aliases.js'
@@ -44,7 +44,7 @@ export function createBuilder(session: Session): Builder {
   if (makers.size === 0) install()
   const refuse = (name: string) =>
     `glsl.${name}: there is no such function; ${didYouMean(name, Object.keys(glsl), operationLists, meantByFunctions)}`
-  const glsl = lazyObject(refusing(refuse), {
+  const glsl = lazyObject(throwingPrototype(refuse), {
     names: listed,
     make: (name) => makers.get(name)!(session, glsl),
   }) as Builder

@@ -1,7 +1,7 @@
 // The methods of expressions: components, operations, noises, and what p5.Vector and glsl-autodiff have.
 import { describe } from '../../errors/describe.js'
 import { WarpError } from '../../errors/errors.js'
-import { didYouMean, refusing } from '../../errors/nearest.js'
+import { didYouMean, throwingPrototype } from '../../errors/nearest.js'
 import { Place } from '../../options/place.js'
 import { madeOf, meantByMethods, methodsOf, operationLists, sameAs } from './aliases.js'
 import { gatherNumbers } from './by-component.js'
@@ -38,7 +38,7 @@ export function installMethods() {
     define(alias, function (...others) {
       return make(methodsOf(this), ...others)
     })
-  Object.setPrototypeOf(methods, refusing(unknownMethod))
+  Object.setPrototypeOf(methods, throwingPrototype(unknownMethod))
   Object.setPrototypeOf(Expression.prototype, methods)
 }
 
