@@ -1,5 +1,5 @@
 // Calls an offset function, once, and keeps what it did: everything else is written or run from there.
-import { operationNumber } from '../core/expression/operations.js'
+import { operationNamed } from '../core/expression/operations.js'
 import { type Expression, toExpression } from '../core/expression/expression.js'
 import type { Session } from '../core/expression/session.js'
 import { type InputName, inputSizes } from '../core/inputs/inputs.js'
@@ -71,8 +71,8 @@ export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): 
 }
 
 function askJacobian(session: Session, offset: Expression, position: Expression) {
-  const operation = operationNumber('jacobian')
-  session.output('jacobian', session.call(operation, 'jacobian', [offset, position]), 'jacobian')
+  const jacobian = session.call(operationNamed('jacobian'), [offset, position])
+  session.output('jacobian', jacobian, 'jacobian')
 }
 
 function checkOffset(session: Session, method: string, offset: unknown): Expression {
