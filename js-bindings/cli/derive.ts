@@ -1,7 +1,7 @@
 // `npx warpjet derive`: a function of shader text with its derivatives.
 import { writeFile } from 'node:fs/promises'
 import { differentiate } from '../glsl-source/differentiate.js'
-import { targetKind } from '../core/module/kept-module.js'
+import { targetKind } from '../core/module/serialized-module.js'
 import { areOneFile, writing } from './files.js'
 import { readArguments } from './usage.js'
 import { choiceOf, given, glslFlags, readText } from './warp-file.js'

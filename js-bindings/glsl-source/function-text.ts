@@ -1,5 +1,5 @@
 // What each language writes around statements that the compiler wrote: a whole function, and the size of an image.
-import type { Target } from '../core/module/kept-module.js'
+import type { Target } from '../core/module/serialized-module.js'
 import type { Named } from './listing.js'
 
 export interface FunctionParts {

@@ -1,6 +1,6 @@
 // One call of a method of meshes: what enters the wasm, and what leaves it.
 import { WarpError } from '../errors/errors.js'
-import { anyNumber, firstWrong, inWords } from '../options/numbers.js'
+import { anyNumber, firstWrong, describeNumber } from '../options/numbers.js'
 import type { ByteArray, FloatArray, IndexArray } from '../wasm/mesh-tables.js'
 import {
   type Mesh,
@@ -37,7 +37,7 @@ export class Job {
     const wrong = firstWrong(numbers, anyNumber)
     if (wrong >= 0)
       throw new WarpError(
-        `${this.method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${inWords(numbers[wrong])}.`,
+        `${this.method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}, must be a finite number, but is ${describeNumber(numbers[wrong])}.`,
       )
     this.expect(this.mesh.setFloats(name, numbers))
   }

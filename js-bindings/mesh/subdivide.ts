@@ -100,7 +100,7 @@ function uniformly(options: LevelsOptions) {
 function adaptively(options: AdaptiveOptions) {
   const { warp, tolerance, angle, maxTriangles, ...given } = adaptiveOptions.read(options, place)
   const { declared } = (warp as Partial<CpuWarp>)[warpProgram] ?? {}
-  const uniforms = snapshotUniforms(place.method, declared, given.uniforms)
+  const uniforms = snapshotUniforms(place, declared, given.uniforms)
   return (job: Job) => {
     const varies = asksForVariation(warp)
     if (varies) job.act('addVariation')

@@ -244,7 +244,7 @@ describe('compileWarp', () => {
     assert.throws(
       () => compileWarp(bumpy, { surfaceVariation: 'yes' }),
       new WarpError(
-        'compileWarp: the option "surfaceVariation" must be true or false, but is the text "yes".',
+        'compileWarp: expected true or false for the option "surfaceVariation", got the text "yes".',
       ),
     )
   })

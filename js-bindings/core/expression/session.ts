@@ -3,7 +3,7 @@
 import { type Core, type Session as CoreSession, core as instance } from '../../wasm/core.js'
 import { WarpError, describe } from '../../errors/errors.js'
 import { Expression } from './expression.js'
-import type { KeptModule, Target } from '../module/kept-module.js'
+import type { SerializedModule, Target } from '../module/serialized-module.js'
 import { Place } from '../../options/place.js'
 import type { Operation } from './operations.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
@@ -19,7 +19,7 @@ export interface Recorded {
   /** How many of its arguments, the first ones, it has derivatives by. */
   variables: number
   results: number
-  module: KeptModule
+  module: SerializedModule
 }
 
 /** How a run is recorded. */
@@ -31,8 +31,8 @@ export interface Recording {
 }
 
 export class Session {
-  /** The inputs that are no floats of the host, by their number. */
-  private readonly others = new Map<number, ReadAsFloats>()
+  /** Maps the number of an input that is not a float in the host → how it is read as floats. */
+  private readonly conversions = new Map<number, ReadAsFloats>()
   /** Maps the shader's name of an image → the sampling that its host passes. */
   readonly samplings = new Map<string, HostSampling>()
   /** Maps the shader's name of an input of a warp → the input that it is. */
@@ -118,7 +118,7 @@ export class Session {
   /** A variable of the host that has another type than floats. */
   inputOf(read: ReadAsFloats, shape: Shape, method: string): Expression {
     const input = this.input(read.texts[this.target], shape, method)
-    this.others.set(this.numberOf(input), read)
+    this.conversions.set(this.numberOf(input), read)
     return input
   }
 
@@ -312,11 +312,11 @@ export class Session {
   }
 
   /** All that was built, as plain words. */
-  finish(): KeptModule {
+  finish(): SerializedModule {
     const words = this.open('finish').finish()
     if (!words.length) this.refuse()
     this.unused.noteAll()
-    return Object.assign(words as KeptModule, { others: this.others })
+    return Object.assign(words as SerializedModule, { conversions: this.conversions })
   }
 }
 
