@@ -1,6 +1,6 @@
 // Calls an offset function, once, and records it as a module, from which shader code and CPU programs are made.
 import { type Expression, toExpression } from '../core/expression/expression.js'
-import { operationNumber } from '../core/expression/operations.js'
+import { operationNamed } from '../core/expression/operations.js'
 import type { Session } from '../core/expression/session.js'
 import { type InputName, inputSizes } from '../core/inputs/inputs.js'
 import { type SerializedModule, resultsOf } from '../core/module/serialized-module.js'
@@ -72,8 +72,8 @@ export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): 
 
 /** Adds the Jacobian of the offset to the results. */
 function addJacobian(session: Session, offset: Expression, position: Expression) {
-  const operation = operationNumber('jacobian')
-  session.output('jacobian', session.call(operation, 'jacobian', [offset, position]), 'jacobian')
+  const jacobian = session.call(operationNamed('jacobian'), [offset, position])
+  session.output('jacobian', jacobian, 'jacobian')
 }
 
 function readOffset(session: Session, place: Place, offset: unknown): Expression {

@@ -5,6 +5,7 @@ import { WarpError, describe } from '../../errors/errors.js'
 import { Expression } from './expression.js'
 import type { SerializedModule, Target } from '../module/serialized-module.js'
 import { Place } from '../../options/place.js'
+import type { Operation } from './operations.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
 import { callerOutside } from '../../errors/source-lines.js'
 import { type HostFunction, partialsOf } from './partials.js'
@@ -145,17 +146,21 @@ export class Session {
     this.unused.follow(copy, method, result)
   }
 
-  /** An operation by its number; a method's first operand is what it is called on. */
-  call(operation: number, method: string, operands: readonly Expression[], isMethod = false) {
-    const at = this.at(method)
-    const few = operands.length <= 3 ? operands.length : 0
-    const handle = (i: number) => (i < few ? operands[i]!.handle : 0)
+  /** Applies an operation; a method's first operand is what it is called on. */
+  call(operation: Operation, operands: readonly Expression[], isMethod = false): Expression {
+    const { name, number, isCondition } = operation
+    const at = this.at(name)
+    // Up to three operands are arguments of the call; more are pushed before it.
+    const count = operands.length <= 3 ? operands.length : 0
+    const a = count > 0 ? operands[0]!.handle : 0
+    const b = count > 1 ? operands[1]!.handle : 0
+    const c = count > 2 ? operands[2]!.handle : 0
     for (;;) {
-      if (few < operands.length) this.push(operands)
-      else if (this.unused.size) operands.forEach((operand) => this.unused.use(operand))
-      const result = this.core._call(at, operation, +isMethod, few, handle(0), handle(1), handle(2))
+      if (count < operands.length) this.push(operands)
+      else if (this.unused.size > 0) for (const operand of operands) this.unused.use(operand)
+      const result = this.core._call(at, number, +isMethod, count, a, b, c)
       if (result !== needsPartials) {
-        if (conditions.has(method)) {
+        if (isCondition) {
           this.unused.watch(result)
           this.conditions.add(result)
         }
@@ -314,8 +319,6 @@ export class Session {
     return Object.assign(words as SerializedModule, { conversions: this.conversions })
   }
 }
-
-const conditions = new Set(['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'not'])
 
 /** The name of a result must be a text; whether it will do, a language says. */
 export function resultName(name: unknown, method: string): string {
