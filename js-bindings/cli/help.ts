@@ -1,5 +1,5 @@
 // What --help says.
-import { usualTriangles } from '../wasm/mesh-tables.js'
+import { defaultTriangles } from '../wasm/mesh-tables.js'
 
 export const help = `warpjet warps 3D models with a function of their vertices.
 
@@ -51,7 +51,7 @@ Moves every vertex of the model as the shader would, turns normals and tangents,
                             counts before what warp.js exports
   --subdivide <tolerance>   first gives the model more triangles where the warp bends it: the result is nowhere farther
                             than this from the smooth shape, in units of the model
-  --max-triangles <n>       with --subdivide: never makes more than so many (default ${usualTriangles})
+  --max-triangles <n>       with --subdivide: never makes more than so many (default ${defaultTriangles})
   -q, --quiet               tells nothing on the way`,
 
   derive: `npx warpjet derive <file> [options]

@@ -9,7 +9,7 @@ import type { OffsetFunction } from '../core/types/types.js'
 import { isExpression } from '../errors/describe.js'
 import { describe, describeShape } from '../errors/errors.js'
 import type { Place } from '../options/place.js'
-import { turnedResults, warpOperands, warpResults } from '../wasm/tables.js'
+import { variantCount, warpOperands, warpResults } from '../wasm/tables.js'
 import { warpInputs } from './warp-inputs.js'
 import type { Settings } from './warp-options.js'
 
@@ -41,7 +41,7 @@ export function resultNumber(
 
 /** Returns the number of the variant of a result that takes into account how normal and uv vary over the surface. */
 export const onSurface = (result: number) =>
-  result < warpResults.normal ? result : result + turnedResults
+  result < warpResults.normal ? result : result + variantCount
 
 export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): RecordedWarp {
   const { place, target, names, normals, surfaceVariation, isAccepted, debug } = settings

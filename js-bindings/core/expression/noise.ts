@@ -3,7 +3,7 @@ import { describe, describeShape } from '../../errors/describe.js'
 import { kind, oneOf, wholeNumber } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
 import { type KindsOf, type ValuesOf, object } from '../../options/schema.js'
-import { mostOctaves, mostSeed, noises } from '../../wasm/tables.js'
+import { maxOctaves, maxSeed, noises } from '../../wasm/tables.js'
 import type { BaseNoise, CurlOptions, FractalOptions, NoiseOptions } from '../types/noise.js'
 import type { Operand } from '../types/types.js'
 import { Expression, toExpression } from './expression.js'
@@ -29,11 +29,11 @@ const factor = (standard: number) =>
   )
 
 const seeded = {
-  seed: wholeNumber({ min: -mostSeed, max: mostSeed, default: 0 }),
+  seed: wholeNumber({ min: -maxSeed, max: maxSeed, default: 0 }),
 } satisfies KindsOf<NoiseOptions>
 const made = { noise: oneOf(bases, 'noise'), ...seeded } satisfies KindsOf<CurlOptions>
 const fractal = {
-  octaves: wholeNumber({ min: 1, max: mostOctaves, default: 5 }),
+  octaves: wholeNumber({ min: 1, max: maxOctaves, default: 5 }),
   lacunarity: factor(2),
   gain: factor(0.5),
   ...made,
