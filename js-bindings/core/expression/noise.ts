@@ -1,4 +1,4 @@
-// `glsl.noise` and its kin. The functions themselves are in src/noise; here their options are read.
+// `glsl.noise` and the other noises: reads their options. src/noise implements them.
 import { describe, describeShape } from '../../errors/describe.js'
 import { kind, oneOf, wholeNumber } from '../../options/kinds.js'
 import { Place } from '../../options/place.js'
@@ -11,16 +11,16 @@ import type { Session } from './session.js'
 
 type NoiseKind = keyof typeof noises
 
-/** In the order of their numbers in the wasm. */
+/** The noises, in the order of their numbers in the wasm. */
 export const noiseKinds = Object.keys(noises) as readonly NoiseKind[]
 
-/** Noises that others may be made of. */
+/** Noises from which others can be composed. */
 const bases = noiseKinds.filter((name): name is BaseNoise => noises[name] === 'base')
 
 const isNumber = (value: unknown) => value instanceof Expression || typeof value === 'number'
 
 const factorName = 'a number above 0, or an expression of one number,'
-/** The factor from one octave to the next. */
+/** The kind of a factor from one octave to the next. */
 const factor = (standard: number) =>
   kind<Expression | number, Operand>(
     factorName,

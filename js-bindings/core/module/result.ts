@@ -1,6 +1,7 @@
 // The options and results of all compilers.
-import { type Recording, Session } from '../expression/session.js'
+import { Session } from '../expression/session.js'
 import { type TypeName, type Variable, typeOf } from '../expression/shapes.js'
+import type { Recording } from '../expression/wasm-session.js'
 import type { Target } from './serialized-module.js'
 
 /** The cost of shader code. */

@@ -1,8 +1,8 @@
 // The types of aliases, which js-bindings/core/expression/aliases.ts defines.
-import type { sameAs } from '../expression/aliases.js'
+import type { aliases } from '../expression/aliases.js'
 import type { Operand, Scalar, Vec2, Vector } from './expressions.js'
 
-type Names = typeof sameAs
+type Names = typeof aliases
 
 /** The aliases of the given methods. */
 export type AliasesOf<Methods> = {
