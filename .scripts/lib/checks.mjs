@@ -122,6 +122,16 @@ export const checks = [
     title: 'Types',
     work: () => node(binary('typescript-7/bin/tsc'), '--project', 'tsconfig.json'),
   },
+  {
+    group: 'lint',
+    title: 'Lint',
+    work: () => node(binary('oxlint/bin/oxlint'), '--deny-warnings'),
+  },
+  {
+    group: 'knip',
+    title: 'Unused files, exports and packages',
+    work: () => node(binary('knip/bin/knip.js'), '--no-progress'),
+  },
   { group: 'reference', title: 'Types and reference of operations', work: checkReference },
   { group: 'cpp', title: 'C++ tests and fuzz corpus', work: () => cpp('native') },
   { group: 'cpp', title: 'The same under ASan and UBSan', work: () => cpp('sanitize') },
