@@ -5,7 +5,7 @@ export const shaderNames = {
   position: 'warpjetPosition',
   normal: 'warpjetNormal',
   tangent: 'warpjetTangent',
-  jacobian: 'warpjetSlope',
+  jacobian: 'warpjetJacobian',
   /** 1, or -1 where the warp mirrors all of space. */
   orientation: 'warpjetOrientation',
   millis: 'warpjetMillis',

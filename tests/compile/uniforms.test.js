@@ -128,7 +128,7 @@ describe('on the CPU', () => {
   })
 
   test('every method takes it', () => {
-    const warp = compileWarp(({ glsl, position, uniforms }) => position.mult(uniforms.grow), {
+    const warp = compileWarp(({ position, uniforms }) => position.mult(uniforms.grow), {
       uniforms: { grow: 1 },
     })
     const mesh = { positions: [1, 0, 0, 0, 1, 0, 0, 0, 2], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] }

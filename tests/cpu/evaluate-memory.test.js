@@ -48,7 +48,7 @@ const numbers = (count) => Float32Array.from({ length: count }, (_, i) => Math.s
 const arrays = (vertices) => ({ positions: numbers(3 * vertices), normals: numbers(3 * vertices) })
 
 describe('evaluate into arrays of the caller makes no object, however many vertices there are', () => {
-  let x = 0.25
+  const x = 0.25
   const cases = {
     'a uniform that is given': [compileWarp(wave), { millis: 5 }],
     'a vector that is given': [

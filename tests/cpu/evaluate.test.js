@@ -2,7 +2,6 @@
 // against an oracle, beside those of the GPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { evaluationMemoryInUse } from '../../dist/memory.js'
 import { WarpError, compileWarp } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
 import { moments } from '../support/browser/compare.js'
