@@ -1,4 +1,4 @@
-// Bad input gets one clear sentence, and the next warp works as if nothing had happened.
+// Each mistake throws one clear sentence, and the next warp works as if nothing had happened.
 import assert from 'node:assert/strict'
 import { afterEach, test } from 'node:test'
 import { inspect } from 'node:util'
@@ -20,7 +20,7 @@ function refuses(work, pattern) {
 
 const offset = (callback) => () => compileWarp(callback)
 
-test('what the offset function returns', () => {
+test('wrong results of the offset function', () => {
   refuses(
     offset(() => undefined),
     /must return a vec3.*undefined/,
@@ -51,7 +51,7 @@ test('what the offset function returns', () => {
   )
 })
 
-test('operators of JavaScript', () => {
+test("JavaScript's operators", () => {
   refuses(
     offset(({ position }) => position.x() * 2),
     /own \+ - \* \/ .* do not work on expressions/,
@@ -62,12 +62,12 @@ test('operators of JavaScript', () => {
   )
 })
 
-test('expressions in texts', () => {
-  // For messages of others, but no shader reads it.
+test('expressions converted to strings', () => {
+  // The string is for messages of other libraries; a shader rejects it.
   compile((glsl) => {
     const x = glsl.param('x')
     assert.equal(`${x}`, 'an expression of warpjet')
-    // As Node's console does.
+    // Node's console calls it.
     assert.equal(inspect(x), 'an expression of warpjet')
     assert.equal(inspect([glsl.vec2Param('v').y]), '[ an expression of warpjet ]')
     refuses(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
@@ -95,7 +95,7 @@ test('expressions of another copy of warpjet', async () => {
   )
 })
 
-test('what is no offset function', () => {
+test('values that are not offset functions', () => {
   refuses(() => compileWarp(), /expected a function, got undefined/)
   refuses(() => compileWarp('x'), /expected a function, got the text "x"\.$/)
   refuses(
@@ -189,7 +189,7 @@ test('constants without a finite result', () => {
   )
 })
 
-test('what a division by zero, and sizes inside of a composition, say', () => {
+test('divisions by zero, and sizes inside of a composition', () => {
   refuses(
     offset(({ position }) => position.div(0)),
     /div: it divides by zero/,
@@ -236,7 +236,7 @@ test('options', () => {
   )
 })
 
-test('results asked for by .output(…) outside of gen', () => {
+test('results requested by .output(…) outside of gen', () => {
   const asks = (warp) =>
     offset(({ glsl, millis, position }) => {
       const slope = glsl.fn({
@@ -542,10 +542,13 @@ test('numbers for evaluate', () => {
     () => evaluate({ v: [1], x: 1 }),
     /expected an array of 2 finite numbers for "v", got an array of 1/,
   )
-  refuses(() => evaluate({ v: [1, 2], x: '1' }), /expected a finite number for "x", got the text "1"/)
+  refuses(
+    () => evaluate({ v: [1, 2], x: '1' }),
+    /expected a finite number for "x", got the text "1"/,
+  )
 })
 
-test('constants that only a derivative brings together', () => {
+test('constants that only a derivative combines', () => {
   refuses(
     () =>
       compile((glsl) => {
@@ -556,7 +559,7 @@ test('constants that only a derivative brings together', () => {
   )
 })
 
-test('a loop that never ends stops with a sentence', { timeout: 60_000 }, () => {
+test('an endless loop throws a sentence', { timeout: 60_000 }, () => {
   refuses(
     offset(({ millis }) => {
       for (let v = millis; ;) v = v.sin().add(1)

@@ -486,7 +486,10 @@ test('arguments that are not source, and wrong options', () => {
     () => glslOffset('vec3 offset(int uv) { return vec3(1.); }'),
     /uv of offset: expected a vec2, .* got an int/,
   )
-  assert.throws(() => differentiate('int f(float p) { return 1; }'), /f returns an int; expected a float or a vector/)
+  assert.throws(
+    () => differentiate('int f(float p) { return 1; }'),
+    /f returns an int; expected a float or a vector/,
+  )
   assert.ok(
     differentiate(
       'uniform float result, outcome, derivatives; float f(float x) { return x * result * outcome * derivatives; }',

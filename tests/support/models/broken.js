@@ -9,7 +9,7 @@ import { readGlb, writeGlb } from '../glb.js'
 const { cube } = shapes
 const encode = (text) => new TextEncoder().encode(text)
 
-/** A GLB whose document is bent. */
+/** Makes a GLB with a modified document. */
 function bent(file, change) {
   const { json, chunks } = readGlb(file)
   const binary = chunks[1]?.bytes
