@@ -73,7 +73,7 @@ test('expressions in texts', () => {
     refuses(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
     refuses(
       () => glsl.fn({ name: 'f', arity: 1, source: `float f(float a) { return a * ${x}; }` }),
-      /^fn: the option "source" of f has an expression in its text; make it an argument/,
+      /^fn: the option "source" of f contains an expression; make it an argument/,
     )
     refuses(() => x + '', /do not work on expressions/)
     return { result: x }
@@ -84,7 +84,7 @@ test('expressions of another copy of warpjet', async () => {
   const other = await import('../../dist/warpjet.min.js')
   let foreign
   other.compileWarp(({ position }) => (foreign = position))
-  const sentence = /was made by another copy of warpjet; this page loads two, so take all/
+  const sentence = /was made by another copy of warpjet; this page loads two copies, so load all/
   refuses(
     offset(() => foreign),
     sentence,
@@ -492,7 +492,7 @@ test('functions of the shader', () => {
   )
   refuses(
     of({ ...a, source: { wgsl: '' } }),
-    /expected a text of GLSL for the target glsl300, or an object \{ glsl: … \} with one, for the option "source" of a/,
+    /expected GLSL source for the target glsl300, or an object \{ glsl: … \} with it, for the option "source" of a/,
   )
   refuses(
     of({ ...a, derivatives: [] }),
@@ -542,7 +542,7 @@ test('numbers for evaluate', () => {
     () => evaluate({ v: [1], x: 1 }),
     /expected an array of 2 finite numbers for "v", got an array of 1/,
   )
-  refuses(() => evaluate({ v: [1, 2], x: '1' }), /expected a number for "x", got the text "1"/)
+  refuses(() => evaluate({ v: [1, 2], x: '1' }), /expected a finite number for "x", got the text "1"/)
 })
 
 test('constants that only a derivative brings together', () => {

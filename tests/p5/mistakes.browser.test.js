@@ -44,7 +44,7 @@ const offsets = {
   5: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the number 5.',
   'glsl.vec3(position.sine(), 0, 0)': 'sine: an expression has no such method; did you mean sin?',
   'position.rotateY(1)':
-    'rotateY: a turn is a matrix, and gives where a vertex goes; write glsl.rotateY(angle).mult(v).sub(v).',
+    'rotateY: a rotation is a matrix, and its product with a vertex is the new position, not the offset; write glsl.rotateY(angle).mult(v).sub(v).',
   'glsl.vec3(position.y.squareRoot(), 0, 0)':
     'squareRoot: an expression has no such method; did you mean sqrt?',
   'position.multply(2)': 'multply: an expression has no such method; did you mean multiply?',
@@ -339,7 +339,7 @@ test('an unused condition warns, with the line', async () => {
 }`,
   )
   await leavePage(page)
-  const note = `A condition decides nothing (line): JavaScript's if, ?:, && and ! take every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
+  const note = `A condition is not used (line): JavaScript's if, ?:, && and ! treat every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
   assert.deepEqual(messages.map(withoutLine), [note, note])
   const numbers = messages.map((text) => +/line (\d+)\)/.exec(text)[1])
   assert.equal(numbers[1] - numbers[0], 3)
