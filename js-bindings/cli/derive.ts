@@ -1,7 +1,7 @@
 // `npx warpjet derive`: prints a function of GLSL with its derivatives.
 import { writeFile } from 'node:fs/promises'
 import { differentiate } from '../glsl-source/differentiate.js'
-import { targetKind } from '../core/module/kept-module.js'
+import { targetKind } from '../core/module/serialized-module.js'
 import { areOneFile, withWriteErrors } from './files.js'
 import { readArguments } from './usage.js'
 import { choiceOf, glslFlags, readText, removeUndefined } from './warp-file.js'

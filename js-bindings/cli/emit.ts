@@ -2,7 +2,7 @@
 import { writeFile } from 'node:fs/promises'
 import { compileWarp } from '../compile/compile-warp.js'
 import type { Declared } from '../core/module/result.js'
-import { targetKind } from '../core/module/kept-module.js'
+import { targetKind } from '../core/module/serialized-module.js'
 import { areOneFile, withWriteErrors } from './files.js'
 import { readArguments } from './usage.js'
 import { withFileInErrors, glslFlags, choiceOf, readWarp } from './warp-file.js'

@@ -1,4 +1,4 @@
-// What a warp is called in the shaders of a host: all of it begins with warpjet, so that it meets nobody else's names.
+// The names of a warp's variables in the shaders of a host. All begin with warpjet, so that they collide with no others.
 
 export const shaderNames = {
   offset: 'warpjetOffset',

@@ -1,5 +1,5 @@
 // Writes code that the compiler does not generate, in each language: whole functions, and the size of an image.
-import type { Target } from '../core/module/kept-module.js'
+import type { Target } from '../core/module/serialized-module.js'
 import type { Named } from './listing.js'
 
 export interface FunctionParts {

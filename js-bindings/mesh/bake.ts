@@ -62,17 +62,17 @@ export function bakeWarp(
 ): unknown {
   const baked = bake(given, warp, options)
   if (!isGeometry(given)) return baked
-  const isMirrored = isMirroredBy(warp, uniformsOf(place.method, options))
+  const isMirrored = isMirroredBy(warp, uniformsOf(place, options))
   return movedGeometry(given, baked, isMirrored, (mesh) => bake(mesh, warp, options))
 }
 
 /** Returns whether the warp mirrors all of space; false for a warp made by hand, which doesn't have this information. */
 const isMirroredBy = (warp: Evaluates, uniforms: Uniforms | undefined) =>
-  warp[warpProgram]?.isMirrored(place.method, uniforms) ?? false
+  warp[warpProgram]?.isMirrored(place, uniforms) ?? false
 
 function bake(mesh: MeshOrGeometry, warp: Evaluates, options?: EvaluationOptions): Mesh {
   bakedWarp.read(warp, place.part('the warp'))
-  const uniforms = uniformsOf(place.method, options)
+  const uniforms = uniformsOf(place, options)
   const { copy, variation } = withJob(place.method, (job) => {
     putMesh(job, mesh)
     job.act('addNormals')

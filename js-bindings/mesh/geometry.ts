@@ -120,7 +120,8 @@ function moveTargets(
   ] as const)
     made.morphAttributes[attribute] = targets.map((target, i) => {
       const numbers = sum(target[name], isRelative ? baked[name] : undefined, -1)
-      const { name: called } = (position?.[i] ?? normal?.[i]) as { name?: string }
+      const { name: called } =
+        ((position?.[i] ?? normal?.[i]) as { name?: string } | undefined) ?? {}
       return Object.assign(new Numbers(numbers, 3), called && { name: called })
     })
 }

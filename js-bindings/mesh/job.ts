@@ -1,6 +1,6 @@
 // Passes the arrays of one call to the mesh wasm module and back.
 import { WarpError } from '../errors/errors.js'
-import { anyNumber, firstWrong, inWords } from '../options/numbers.js'
+import { anyNumber, firstWrong, describeNumber } from '../options/numbers.js'
 import type { ByteArray, FloatArray, IndexArray } from '../wasm/mesh-tables.js'
 import {
   type Mesh,
@@ -37,7 +37,7 @@ export class Job {
     const wrong = firstWrong(numbers, anyNumber)
     if (wrong >= 0)
       throw new WarpError(
-        `${this.method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}: expected a finite number, got ${inWords(numbers[wrong])}.`,
+        `${this.method}: ${name}[${wrong}], of vertex ${Math.floor(wrong / size)}: expected a finite number, got ${describeNumber(numbers[wrong])}.`,
       )
     this.expect(this.mesh.setFloats(name, numbers))
   }

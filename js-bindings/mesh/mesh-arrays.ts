@@ -1,6 +1,6 @@
 // Meshes as flat arrays: their types, and how they are checked and copied into a job and out of it.
 import { describe } from '../errors/errors.js'
-import { finiteFloat, firstWrong, inWords } from '../options/numbers.js'
+import { finiteFloat, firstWrong, describeNumber } from '../options/numbers.js'
 import { isList } from '../options/guards.js'
 import { kind, record, text } from '../options/kinds.js'
 import { Place } from '../options/place.js'
@@ -126,7 +126,7 @@ function putMaterial(job: Job, given: unknown, place: Place) {
   if (color.length !== 4 || firstWrong(color, finiteFloat) >= 0)
     throw part('baseColor').expected(
       'four finite numbers, red, green, blue and alpha,',
-      `[${Array.from(color).slice(0, 5).map(inWords).join(', ')}]`,
+      `[${Array.from(color).slice(0, 5).map(describeNumber).join(', ')}]`,
     )
   job.setBaseColor(color)
   if (baseColorTexture === undefined) return

@@ -108,7 +108,7 @@ function refineUniformly(options: LevelsOptions) {
 function refineAdaptively(options: AdaptiveOptions) {
   const { warp, tolerance, angle, maxTriangles, ...given } = adaptiveOptions.read(options, place)
   const { declared } = (warp as Partial<CpuWarp>)[warpProgram] ?? {}
-  const uniforms = snapshotUniforms(place.method, declared, given.uniforms)
+  const uniforms = snapshotUniforms(place, declared, given.uniforms)
   return (job: Job) => {
     const varies = readsVariation(warp)
     if (varies) job.act('addVariation')

@@ -3,7 +3,8 @@ import { HostWarp, type OffsetFunction, type UniformOverrides } from '../compile
 import { isExpression } from '../errors/describe.js'
 import { WarpError, describe } from '../errors/errors.js'
 import { asOwn, operatorsKey, readOperators } from '../errors/operators.js'
-import { checkCallback } from '../options/options.js'
+import { callback } from '../options/kinds.js'
+import { Place } from '../options/place.js'
 import { bakeIntoGeometry } from './geometry/bake.js'
 import { withGuards } from './page/guards.js'
 import { namesFor } from './hooks/hooks.js'
@@ -25,6 +26,8 @@ import { applyStrokeShaders } from './strokes.js'
 import { targetOf } from './hooks/styles.js'
 import { type WarpUniforms, p5, setInputs, setUniforms, valuesOf } from './sketch-uniforms.js'
 import { prepareBuffers } from './variation/variation-buffers.js'
+
+const place = new Place('createWarp')
 
 /**
  * Applies the warp to the shapes drawn next: to fills, and to strokes as the option `stroke` says. The argument overrides values of
@@ -117,7 +120,7 @@ function offsetFor(
   userOffset: OffsetFunction,
   { returns, scope }: WarpSettings,
 ): OffsetFunction {
-  checkCallback('createWarp', userOffset)
+  callback.read(userOffset, place)
   if (scope && !(operatorsKey in globalThis))
     throw new WarpError(
       'createWarp: the option "scope" is for functions with operators; add the script warpjet.operators.min.js, or import \'warpjet/operators\'.',
@@ -138,7 +141,7 @@ function offsetFor(
 function warpFor(canvas: Canvas, offset: OffsetFunction, settings: WarpSettings): HostWarp {
   const { style } = styleFor(canvas)
   checkShader(settings, style, rendererOf(canvas)!)
-  return new HostWarp('createWarp', offset, {
+  return new HostWarp(place, offset, {
     host: p5,
     uniforms: settings.uniforms,
     target: targetOf(rendererOf(canvas)!),

@@ -15,7 +15,8 @@ import {
   scalarOrArray,
 } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { own } from '../options/options.js'
+import { own } from '../options/guards.js'
+import { Place } from '../options/place.js'
 import { type Canvas, type Shader, type Uniform, sketchOf } from './host.js'
 import { samplingOf } from './sampling.js'
 import { glslType } from './hooks/styles.js'
@@ -38,6 +39,8 @@ interface Input {
   uniform: string
   read: (canvas: Canvas) => number | number[]
 }
+
+const place = new Place('The function that createWarp returned')
 
 const inputs: Record<string, Input> = {
   millis: {
@@ -112,7 +115,7 @@ export function valuesOf(
   const ofUniforms = [...uniforms.declared].flatMap(([name, { numbers, image }]) => {
     if (image) return []
     const replaced = Object.hasOwn(overrides, name) && uniforms.numbersFor(name, overrides[name])
-    const read = () => scalarOrArray(replaced || numbers('The function that createWarp returned'))
+    const read = () => scalarOrArray(replaced || numbers(place))
     return [[name, read] as const]
   })
   const properties = [...ofInputs, ...ofUniforms].map(([name, read]) => [
@@ -187,7 +190,7 @@ function setDeclared(
 }
 
 function p5Image(name: string, value: unknown) {
-  const image = imageFor(`The warp's uniform "${name}"`, value)
+  const image = imageFor(place.uniform(name), value)
   if ('nodeType' in image)
     throw new WarpError(
       `The warp's uniform "${name}": expected an image of p5, got an element of the page.`,

@@ -348,10 +348,10 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     assert.match(stdout, /^\/\/ uniforms: (vec3 center, vec2 follow|vec2 follow, vec3 center)\n/)
     await refuses(
       ['bake', 'model.glb', 'uniforms.js', '-q', '-o', 'bad.glb', '--set', 'center=1'],
-      /"center" is a vec3 and takes an array of 3 numbers, but a float came/,
+      /expected an array of 3 finite numbers for the uniform "center", got the number 1/,
     )
     write('wrong.js', 'export const uniforms = { a: "red" }\nexport default () => undefined')
-    await refuses(['emit', 'wrong.js'], /the uniform "a" must be .* but is the text "red"/)
+    await refuses(['emit', 'wrong.js'], /expected .* for the uniform "a", got the text "red"/)
   })
 
   test('--subdivide makes more triangles, up to --max-triangles', async () => {

@@ -349,12 +349,13 @@ test('integers of a sketch are exact, or rejected with a message', () => {
   const warp = (n) => compileWarp(glslOffset(source), { normals: false, uniforms: { n } })
   near(warp(2 ** 24).evaluateAt([0, 0, 0]).position, [216, 2 ** 24, 0])
   near(warp(-7).evaluateAt([0, 0, 0]).position, [-7, -7, 0])
-  const tooLarge = /"n" is read as a whole number, at most 16777216, but is 20000001\.$/
+  const tooLarge =
+    /expected a number from -16777216 to 16777216 for the uniform "n", got 20000001; the shader reads it as a whole number\.$/
   assert.throws(() => warp(20000001), tooLarge)
   const small = warp(1)
   assert.throws(
     () => small.evaluateAt([0, 0, 0], { uniforms: { n: 20000001 } }),
-    /^WarpError: evaluateAt: the uniform "n" is read .* 20000001\.$/,
+    /^WarpError: evaluateAt: expected a number from -16777216 .* for the uniform "n", got 20000001; /,
   )
   let now = 1
   const changing = warp(() => now)

@@ -56,7 +56,7 @@ describe('generated models', () => {
         const mesh = await loadMesh(file, { resolve: (uri) => files[uri] })
         assertTriangles(trianglesIn(mesh), triangles, tolerance)
         assert.ok(mesh.normals.every(Number.isFinite))
-        const byThree = await readByThree(name, file, files)
+        const byThree = await readByThree(name, file)
         if (byThree) assertTriangles(trianglesIn(mesh), byThree, tolerance && 2 * tolerance)
         await assertValid(exportGLB(mesh))
       })

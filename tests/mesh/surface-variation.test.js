@@ -14,7 +14,7 @@ const { sin, cos, PI } = Math
 /** As an offset function, and in double. */
 const warps = {
   'bumps along the normal': {
-    warp: ({ glsl, position, normal }) => {
+    warp: ({ position, normal }) => {
       const wave = (x, frequency, phase) => x.mult(frequency).add(phase).sin()
       const [x, y, z] = [position.x(), position.y(), position.z()]
       const height = wave(x, 3, 1)
@@ -41,7 +41,7 @@ const warps = {
     offset: ([, , z], [a, b, c]) => [0.2 * b * z, 0.1 * sin(2 * a), 0.3 * a * c],
   },
   'bumps by uv': {
-    warp: ({ glsl, normal, uv }) =>
+    warp: ({ normal, uv }) =>
       normal.mult(
         uv
           .x()
@@ -244,7 +244,7 @@ describe('compileWarp', () => {
     assert.throws(
       () => compileWarp(bumpy, { surfaceVariation: 'yes' }),
       new WarpError(
-        'compileWarp: the option "surfaceVariation" must be true or false, but is the text "yes".',
+        'compileWarp: expected true or false for the option "surfaceVariation", got the text "yes".',
       ),
     )
   })

@@ -156,7 +156,7 @@ const calls = {
     'createWarp: expected true or false for the option "stroke", got the text "red".',
   [`createWarp(still, { returns: 'normal' })`]: `createWarp: expected 'offset' or 'position' for the option "returns", got the text "normal".`,
   [`createWarp(still, { uniforms: { amount: 'big' } })`]:
-    'createWarp: the uniform "amount" must be a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that gives one of them, but is the text "big".',
+    'createWarp: expected a number, true or false, an array of 2, 3, 4, 9 or 16 numbers, a vector or colour of p5 or three.js, an image, or a function that returns one of them, for the uniform "amount", got the text "big".',
   'createWarp(warpjet.compilWarp)':
     'warpjet.compilWarp: there is no such function; did you mean compileWarp?',
   'createWarp(warpjet.twist)':

@@ -251,11 +251,12 @@ void main() {
       const cases = {
         'createWarp(warp)': /reads "heights", .* "uniform highp sampler2D heights;"/,
         'distort({ heights: 5 })':
-          /uniform "heights" must be an image, such as one of loadImage or createGraphics, but is the number 5/,
-        'inUniforms({ heights: 5 })': /uniform "heights" must be an image, .* but is the number 5/,
-        'distort({ heights: null })': /uniform "heights" must be an image, .* but is null/,
-        'distort({ heights: "a.png" })': /must be an image, .* but is the text "a.png"/,
-        'distort({ heights: Promise.resolve() })': /must be an image, .* but is a promise/,
+          /expected an image, such as one of loadImage or createGraphics, for the uniform "heights", got the number 5/,
+        'inUniforms({ heights: 5 })':
+          /expected an image, .* for the uniform "heights", got the number 5/,
+        'distort({ heights: null })': /expected an image, .* for the uniform "heights", got null/,
+        'distort({ heights: "a.png" })': /expected an image, .* got the text "a.png"/,
+        'distort({ heights: Promise.resolve() })': /expected an image, .* got a promise/,
       }
       const { page, messages } = await runSketch(
         browser,

@@ -167,9 +167,10 @@ for (const [version, p5] of p5InThisRun)
         /^createWarp: the offset reads uniforms\.amount, which nothing declares/,
       'createWarp(offset, { uniforms: { amont: 1, at: [1, 2] } })':
         /declares no "amount"; there are amont, at\./,
-      'createWarp(offset, { uniforms: 3 })': /"uniforms" must be an object, .* is the number 3/,
+      'createWarp(offset, { uniforms: 3 })':
+        /expected an object, .* for the option "uniforms", got the number 3/,
       'createWarp(offset, { uniforms: { amount: "a" } })':
-        /^createWarp: the uniform "amount" must be a number, .* but is the text "a"/,
+        /^createWarp: expected a number, .* for the uniform "amount", got the text "a"/,
       'createWarp(offset, { uniforms: { mouse: [1, 2] } })': /"mouse" has the name of an input/,
       'createWarp(offset, { uniforms: { amount: 1, at: [1, 2] }, defs: "uniform float x, amount;" })':
         /"amount" is in both options "uniforms" and "defs"/,
@@ -177,16 +178,18 @@ for (const [version, p5] of p5InThisRun)
         /reads "amount" by glsl\.param; .* is read as uniforms\.amount/,
       'createWarp(3, { uniforms: { amount: 1 } })': /expected a function, got the number 3/,
       'distort({ amont: 2 })': /no uniform "amont"; there are amount, at, unread\./,
-      'distort({ amount: [1, 2] })': /"amount" is a float and takes a number, but a vec2 came/,
+      'distort({ amount: [1, 2] })':
+        /expected a finite number for the uniform "amount", got an array of 2/,
       'distort({ amount: undefined })':
-        /"amount" is a float and takes a number, but undefined came/,
-      'distort({ amount: NaN })': /"amount" must be a finite number, but is NaN/,
-      'distort({ at: 3 })': /"at" is a vec2 and takes an array of 2 numbers, but a float came/,
-      'distort({ unread: "x" })': /"unread" is a float and takes a number, but the text "x" came/,
+        /expected a finite number for the uniform "amount", got undefined/,
+      'distort({ amount: NaN })': /for the uniform "amount", got NaN/,
+      'distort({ at: 3 })':
+        /expected an array of 2 finite numbers for the uniform "at", got the number 3/,
+      'distort({ unread: "x" })': /for the uniform "unread", got the text "x"/,
       'plain({ amount: 2 })':
         /no uniform "amount"; createWarp's option "uniforms" must declare it: \{ uniforms: \{ amount: 0\.5 \} \}/,
       'now = [1, 2, 3]; try { distort() } finally { now = [1, 2] }':
-        /"at" was a vec2 when the warp was made, but its function now gives a vec3/,
+        /for the uniform "at", got an array of 3; its function must always return what it returned at first/,
     }
     const { page, messages } = await runSketch(
       browser,

@@ -1,5 +1,5 @@
 // The sketches of deformers as plain functions of numbers; see gallery.js.
-import { add, normalize } from '../support/browser/matrix.js'
+import { add } from '../support/browser/matrix.js'
 import { deformers } from './deformers.js'
 
 const { cos, max, sin } = Math

@@ -113,7 +113,7 @@ export const operations = onSmallMesh({
   // At the poles neither angle has a derivative.
   'spherical coordinates': {
     warp({ glsl, position, millis }) {
-      const [x, y, z] = [position.x(), position.y(), position.z()]
+      const [x, y] = [position.x(), position.y()]
       const polar = position.normalize().z().clamp(-1, 1).acos()
       const azimuth = y.atan(x).add(millis.div(1000))
       const swell = polar.mult(2).sin().mult(0.2).mult(azimuth.mult(3).cos())

@@ -206,7 +206,7 @@ try {
       new Error('The GPU has given up on this picture: reload the page, and choose a smaller row.'),
     )
   })
-  run(picture)
+  void run(picture)
 } catch (error) {
   const still = { src: '../posters/airplane-twist.webp', alt: 'The airplane at rest, twisted' }
   find('.hand').replaceWith(make('img', still))

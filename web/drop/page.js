@@ -272,7 +272,7 @@ function listen() {
     })
     input.addEventListener('change', () => {
       if (model && warp) countFolded()
-      refineAgain()
+      void refineAgain()
     })
   }
   for (const name of ['normals', 'wires', 'box']) toggle(name).addEventListener('change', redraw)
@@ -306,11 +306,11 @@ try {
   find('canvas').addEventListener('webglcontextlost', () =>
     complain(new Error('The GPU has given up on this picture: reload the page.')),
   )
-  chooseWarp()
-  chooseSample('bunny').then(() =>
+  void chooseWarp()
+  void chooseSample('bunny').then(() =>
     setPlaying(!matchMedia('(prefers-reduced-motion: reduce)').matches),
   )
-  run()
+  void run()
 } catch (error) {
   const still = { src: '../posters/bunny.webp', alt: 'A bunny at rest, twisted and flattened' }
   find('.hand').replaceWith(make('img', still))

@@ -39,7 +39,7 @@ export function makeChecks(uniforms, frame) {
     select.value = radius ?? checked[0].radius ?? 1
     select.addEventListener('change', () => {
       radius = select.value
-      fill(place, { warps })
+      void fill(place, { warps })
     })
     const label = make('label', { className: 'chooser' }, 'On a sphere of ', select)
     const points = spherePoints(Number(select.value))

@@ -88,14 +88,14 @@ function run() {
   tell({ doing: 'Building…' })
   output.print()
   blocked = undefined
-  stage.run(whole(sketch), {
+  void stage.run(whole(sketch), {
     clock: time.start(),
     files,
     view: normals.checked ? 'normals' : 'picture',
     values: sliders.moved(),
     mayLoad: network.checked,
   })
-  keepInAddress(sketch)
+  void keepInAddress(sketch)
 }
 
 /** So that a reload, or a copy of the address, has the sketch as it is. */
@@ -248,11 +248,11 @@ async function follow() {
       chosen: chosen.filter((each) => Object.hasOwn(scripts, each)),
     })
   } catch (error) {
-    if (!editor.sketch().text) choices.begin()
+    if (!editor.sketch().text) void choices.begin()
     complain(error)
   }
 }
 addEventListener('hashchange', follow)
-follow()
+void follow()
 
 keepForOffline(new URL('../', location.href))

@@ -45,7 +45,7 @@ function globalsFor({ chosen }) {
       typeof value === 'function' ? [0, 0] : value,
     ])
     const moved =
-      returns === 'position' ? (inputs) => inputs.glsl.sub(offset(inputs), inputs.position) : offset
+      returns === 'position' ? (inputs) => inputs.glsl.sub(plain(inputs), inputs.position) : plain
     try {
       library.compileWarp(moved, { uniforms: Object.fromEntries(values), surfaceVariation: true })
     } catch {

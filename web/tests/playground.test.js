@@ -1,6 +1,5 @@
 // The parts of the playground that need no browser.
 import assert from 'node:assert/strict'
-import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { converted } from '../playground/convert.js'
 import { guarded } from '../playground/guard.js'
