@@ -4,10 +4,10 @@
  */
 import * as library from './global.js'
 import { didYouMean, refusing } from './errors/nearest.js'
-import { located } from './p5/page/places.js'
+import { withSketchLine } from './p5/page/places.js'
 import { registerGlobally } from './p5/page/register.js'
-import { addScript, elsewhereNames } from './p5/page/scripts.js'
-import { tellWhatIsUncaught } from './p5/page/uncaught.js'
+import { addScript, namesInOtherScripts } from './p5/page/scripts.js'
+import { explainUncaughtErrors } from './p5/page/uncaught.js'
 
 const globals = globalThis as {
   warpjet?: Partial<typeof library>
@@ -29,7 +29,7 @@ function start() {
   globals.warpjet = Object.setPrototypeOf({ ...library }, refusing(elsewhere)) as typeof library
   // glsl-autodiff's global, so that sketches written for it run unchanged.
   globals.AutoDiff ??= { gen: library.gen }
-  if (typeof document === 'object') tellWhatIsUncaught()
+  if (typeof document === 'object') explainUncaughtErrors()
   if (registerGlobally() || typeof document === 'undefined') return
   if (document.readyState === 'complete') setTimeout(missP5)
   else addEventListener('load', missP5)
@@ -37,9 +37,9 @@ function start() {
 
 /** With the sketch's line. */
 function elsewhere(name: string): string {
-  return located(() => {
+  return withSketchLine(() => {
     const script = addScript(name)
-    const names = [...Object.keys(globals.warpjet!), ...elsewhereNames]
+    const names = [...Object.keys(globals.warpjet!), ...namesInOtherScripts]
     throw new library.WarpError(
       `warpjet.${name}: ${script ? `no script of this page has it; ${script}.` : `there is no such function; ${didYouMean(name, names, `there are ${names.join(', ')}.`)}`}`,
     )

@@ -46,7 +46,7 @@ class Emitter {
   }
 
  private:
-  // A loop may compute before it what a sum within it has as a term.
+  // A loop may compute a term of a sum in its body before the loop, which splits the product.
   bool hasProducts() const { return options_.vectors && !graph_.has(foldOp); }
   bool computes(NodeId id) const { return graph_.isOperation(id) || graph_.isCall(id); }
 
@@ -59,7 +59,7 @@ class Emitter {
     return roots;
   }
 
-  // How often each node is read.
+  // Counts how often each node is read.
   std::vector<std::uint32_t> countUses() const {
     std::vector<std::uint32_t> uses(graph_.size());
     for (const NodeId id : roots()) ++uses[index(id)];
@@ -69,7 +69,7 @@ class Emitter {
     return uses;
   }
 
-  // How many derivatives each call of a function of ours has to give.
+  // Finds the order of derivatives that each call of our own functions must return.
   void findOrders() {
     for (const NodeId id : nodes_) {
       if (graph_.isResult(id)) writer_.need(graph_.operand(id, 0), graph_.resultNumber(id));
@@ -131,8 +131,8 @@ class Emitter {
     result_.code = assemble(writer.code());
   }
 
-  // Results are declared outside of a block that holds the temporaries, so that two texts can be
-  // spliced into one function, and no temporary can meet a variable of the host.
+  // Results are declared outside of a block that holds the temporaries, so that two pieces of code
+  // can be spliced into one function and no temporary can clash with a variable of the host.
   std::string assemble(const std::string& statements) const {
     std::string code;
     std::string_view group;

@@ -2,9 +2,9 @@
 
 namespace warpjet {
 
-// The GLSL ES 1.00 specification, sections 3.6 and 8, and its extensions in WebGL. WebGL 1 cannot
-// ask an image for its size, so that it is a variable of the host like others. Texels are read at
-// their centres, where not even a linear filter mixes neighbours.
+// The GLSL ES 1.00 specification, sections 3.6 and 8, and its extensions in WebGL. WebGL 1 can't
+// query the size of an image, so the size is a variable of the host. Texels are read at their
+// centers, where not even a linear filter mixes neighbors.
 constinit const Dialect glsl100{
     .name = "glsl100",
     .language = ops::Language::Glsl100,

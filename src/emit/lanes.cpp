@@ -40,7 +40,7 @@ Lanes Packs::operandsOf(const Lanes& lanes, int i) const {
   return operands;
 }
 
-// Of three operands all that may be numbers are, or none.
+// If an operation has three operands, either all that may be scalars are scalars, or none is.
 bool Packs::takesNumber(const Lanes& lanes, int i) const {
   const ops::SomeOperands numbers = spellingOf(lanes).numbers;
   if ((numbers >> i & 1) == 0) return false;
@@ -59,7 +59,7 @@ bool Packs::isHope(const Lanes& lanes) const {
   return true;
 }
 
-// Whether the lanes are one operation, which vectors have.
+// True if all lanes are the same operation, and it can be applied to vectors.
 bool Packs::isOperation(const Lanes& lanes) const {
   const Op op = graph_.node(lanes[0]).op;
   if (!graph_.isOperation(lanes[0])) return false;
@@ -98,7 +98,7 @@ bool Packs::isPart(const Lanes& lanes) const {
                                     [&](NodeId id) { return placeOf(id) / 4 == vector; });
 }
 
-// Terms are met from the last one to the first.
+// Terms are visited from last to first.
 std::optional<Packs::Factors> Packs::factorsOf(NodeId sum) const {
   Factors factors;
   for (NodeId rest = sum, term = noNode; term != rest;) {
@@ -160,7 +160,7 @@ std::optional<Packs::Turn> Packs::turnOf(const Lanes& lanes) const {
     NodeId& known = isSine ? matrix.sine : matrix.cosine;
     if (!isNamedSineOrCosine(wave) || (known != noNode && known != wave)) return {};
     known = wave;
-    // The cosine stands in the column of its row, the sine in the other one.
+    // The cosine belongs in the column with its row's index, the sine in the other column.
     const int row = k / 2, column = (row == 1) == isSine ? 0 : 1, place = 2 * column + row;
     if (factors[place] != noNode) return {};
     factors[place] = factor;
@@ -181,7 +181,7 @@ const MatrixProduct* Packs::productOf(const Lanes& lanes) const {
   return found == products_.end() ? nullptr : &*found;
 }
 
-// A sine or cosine that has a name.
+// A sine or cosine with a variable of its own.
 bool Packs::isNamedSineOrCosine(NodeId id) const {
   return isStatement(id) && (graph_.is(id, ops::find("sin")) || graph_.is(id, ops::find("cos")));
 }
@@ -209,7 +209,7 @@ Packs::Written Packs::written(const Lanes& lanes, As as, int levels) const {
   int row = rowStart + (lanes.count - 1) * separator;
   for (const NodeId id : lanes)
     row += as == As::Operand ? lengths_.whereRead(id, levels) : lengths_.ofOperation(id, levels);
-  // Found because it pays.
+  // Matrix products are only recorded if they pay off.
   if (isInPlace && productOf(lanes)) return {Form::Operation, 0};
   if (levels > 0 && isInPlace) {
     if (const auto turn = turnOf(lanes)) {

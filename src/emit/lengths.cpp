@@ -32,7 +32,7 @@ void Lengths::measure(std::span<const NodeId> nodes) {
   }
 }
 
-// Counted, then put where those of the nodes before end.
+// Counting sort: count the readers, then place each after those of the preceding nodes.
 void Lengths::gatherUsers(std::span<const NodeId> nodes) {
   userEnds_.assign(graph_.size() + 2, 0);
   const auto forEachRead = [&](auto visit) {
@@ -47,7 +47,7 @@ void Lengths::gatherUsers(std::span<const NodeId> nodes) {
   forEachRead([&](NodeId id, std::uint32_t read) { users_[userEnds_[read + 1]++] = id; });
 }
 
-// At most as many levels of calls as texts have that are measured.
+// The recursion is no deeper than the nesting of measured expressions.
 void Lengths::changeReaders(NodeId id, int difference) {
   if (users_.empty()) return;
   const std::uint32_t end = userEnds_[index(id) + 1];

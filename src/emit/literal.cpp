@@ -13,7 +13,7 @@ struct Decimal {
   int exponent;
 };
 
-// Nine digits tell any two float32 apart; the largest one needs ten not to be rounded up.
+// Nine digits distinguish all float32 values; the largest one needs ten not to be rounded up.
 constexpr int mostDigits = 10;
 
 // 10^0 to 10^63; the smallest float32, 1e-45, with ten digits needs 10^54.
@@ -27,9 +27,9 @@ double scaled(double x, int exponent) {
   return exponent < 0 ? x / powersOfTen[-exponent] : x * powersOfTen[exponent];
 }
 
-// The shortest decimal close enough to a positive `value` to read back as it: nearer than half the
-// gap to the next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are
-// right to 1e-14 of it, so the margin leaves no doubt; inside it there is just one more digit.
+// The shortest decimal that reads back as the positive `value`: closer than half the gap to the
+// next float32 on that side. Half a gap is more than 1e-8 of the value and doubles are accurate to
+// 1e-14 of it, so the margin covers their error; within the margin one more digit is used.
 Decimal shortest(float value) {
   constexpr double margin = 1e-5;
   const double exact = value;
@@ -39,7 +39,7 @@ Decimal shortest(float value) {
   const int magnitude = static_cast<int>(std::floor(std::log10(value)));
 
   Decimal decimal{};
-  // Trailing zeros are dropped later, so six digits find all the shorter decimals too.
+  // Trailing zeros are dropped later, so starting at six digits finds the shorter decimals, too.
   for (int digits = 6; digits <= mostDigits; ++digits) {
     decimal.exponent = magnitude - digits + 1;
     decimal.digits = std::llround(scaled(exact, -decimal.exponent));

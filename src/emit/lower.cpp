@@ -39,7 +39,7 @@ constexpr Formula formulaOf() {
   }
 }
 
-// Null where every language has the operation, or what lacks it refuses it.
+// Null if every language has the operation, or if languages without it reject it.
 constexpr auto formulas =
     ops::numbered<ops::count>([](auto... row) { return std::array{formulaOf<row>()...}; });
 

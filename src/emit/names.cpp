@@ -10,7 +10,7 @@ namespace warpjet {
 
 namespace {
 
-// The functions that our statements call in a language, such as `sin($0)`, as a list of words.
+// The functions of a language that our statements call, such as `sin($0)`, as a list of words.
 constexpr auto listCalled(ops::Language language) {
   std::array<char, 2048> list{};
   std::size_t size = 0;
@@ -18,7 +18,7 @@ constexpr auto listCalled(ops::Language language) {
     for (const char c : name) list[size++] = c;
     list[size++] = ' ';
   };
-  for (const std::string_view name : {"dot", "cross"}) add(name);  // of sums, by the writer
+  for (const std::string_view name : {"dot", "cross"}) add(name);  // called by the writer for sums
   const auto addCalled = [&](std::string_view text) {
     const std::size_t bracket = text.find('(');
     const std::string_view name = text.substr(0, bracket);

@@ -9,7 +9,7 @@ namespace {
 using As = Packs::As;
 using Form = Packs::Form;
 
-// Packs the statements of one body, which have numbers from `first` on.
+// Packs the statements of one body, which are numbered from `first`.
 class Packer {
  public:
   Packer(const Graph& graph, Packs& packs, Statements& body, std::uint32_t first,
@@ -46,16 +46,17 @@ class Packer {
   }
 
  private:
-  // Of a statement beside what it computes: `  float t12 = ;` and its line's end, or `  vec3 …`.
+  // The length of a statement without its expression: `  float t12 = ;` and the line's end, or `
+  // vec3 …`.
   static constexpr int frame = 15;
-  // Who reads more than a few is looked for no further.
+  // Only this many readers of a statement are searched.
   static constexpr std::size_t mostReaders = 8;
 
-  // What cannot be packed is beyond.
+  // At least `count_` for statements that can't be packed here.
   std::uint32_t numberOf(NodeId id) const { return packs_.numberOf(id) - first_; }
 
-  // What a statement reads is on a lower level than it. Lanes share theirs, so nothing that is
-  // packed waits for itself.
+  // Operands of a statement are on lower levels than the statement, and all lanes are on the same
+  // level, so a pack never depends on itself.
   bool pack(const Lanes& lanes) {
     if (lanes.count < 2 || !packs_.isHope(lanes)) return false;
     std::uint32_t highest = 0;
@@ -79,7 +80,7 @@ class Packer {
                        [&](std::uint32_t reader) { return levels_[reader] > level; });
   }
 
-  // Pairs that are turned by the angle whose cosine this is.
+  // Packs pairs that are rotated by the angle whose cosine this is.
   void packTurnsBy(std::uint32_t cosine) {
     const NodeId id = body_.all[cosine].node;
     if (id == noNode || !graph_.is(id, ops::find("cos"))) return;
@@ -93,7 +94,7 @@ class Packer {
     }
   }
 
-  // What an operation on vectors reads that could be a vector.
+  // Packs those operands of a vector operation that could be vectors.
   void packParts(const Lanes& lanes, As as) {
     if (lanes.count < 2 || (as == As::Operand && pack(lanes))) return;
     if (packs_.written(lanes, as).form != Form::Operation || packs_.productOf(lanes)) return;
@@ -102,7 +103,7 @@ class Packer {
       packParts(packs_.operandsOf(lanes, i), As::Operand);
   }
 
-  // Of the statements that read the first lane, those that one for each other lane resembles.
+  // Packs a reader of the first lane with the most similar reader of each other lane.
   void packReaders(const Lanes& lanes) {
     for (const std::uint32_t reader : readersOf(lanes[0])) {
       Lanes found;
@@ -130,22 +131,22 @@ class Packer {
     if (best != noNode) lanes.add(best);
   }
 
-  // Some of them, if they are many.
+  // The first `mostReaders` readers.
   std::span<const std::uint32_t> readersOf(NodeId id) const { return someReadersOf(numberOf(id)); }
   std::span<const std::uint32_t> someReadersOf(std::uint32_t i) const {
     const auto all = readers_.of(i);
     return all.first(std::min(all.size(), mostReaders));
   }
 
-  // Characters saved by one statement of this length in place of one for each lane.
+  // The characters saved by one statement of this length in place of one per lane.
   int gainOf(const Lanes& lanes, int length) const {
     int gain = -frame - length;
     for (const NodeId id : lanes) gain += frame + packs_.lengthOfStatement(id);
     return gain;
   }
 
-  // Statements of one pack, and a result that is just that, become one. Those of lower levels come
-  // first, so that each reads only earlier ones.
+  // Merges the statements of a pack, and an assignment of exactly that pack to a result, into one
+  // statement. Statements are ordered by level, so that each reads only earlier ones.
   void merge(bool hasPacks) {
     std::vector<std::uint32_t> firstOf(count_ + 1, none), nextOf(count_), order;
     for (std::uint32_t i = count_; i-- > 0;) {
@@ -160,7 +161,8 @@ class Packer {
       if (found != none && isLoss(packs_[found])) packs_.dissolve(found);
     }
     bool isShorter = hasPacks;
-    // What the end of a loop's step reads has no reader here.
+    // The end of a loop's step reads values too, but isn't in `readers_`; so bodies of loops are
+    // left out.
     for (std::uint32_t i = 0; i < count_ && first_ == 0; ++i) {
       if (!standsBeside(body_.all[i], readers_.of(i))) continue;
       packs_.removeStatement(body_.all[i].node);
@@ -213,8 +215,8 @@ class Packer {
     merged.add(statement, reads);
   }
 
-  // Whether a number is read as that beside a vector, by one statement and once, as in `v * t1`:
-  // then it is written there.
+  // True if a scalar is read by a single statement, once, as the scalar operand of a vector
+  // operation, as in `v * t1`: then it is written inline.
   bool standsBeside(const Statement& statement, std::span<const std::uint32_t> readers) const {
     const NodeId id = statement.node;
     if (id == noNode || statement.output || packs_.packOf(id) != none || readers.empty())
@@ -247,7 +249,7 @@ class Packer {
 
   bool isNamed(NodeId id) const { return graph_.isLeaf(id) || packs_.isStatement(id); }
 
-  // Whether an operation's operands nest fewer than so many operations.
+  // True if the operands nest fewer than `levels` operations.
   bool areShallow(NodeId id, int levels) const {
     if (levels == 0) return false;
     for (int i = 0; i < graph_.arity(id); ++i) {
@@ -258,15 +260,15 @@ class Packer {
     return true;
   }
 
-  // Whether a statement assigns these lanes to a result.
+  // True if a statement does nothing but assign these lanes to a result.
   bool isJust(const Lanes& lanes, const Statement& statement) const {
     return statement.node == noNode &&
            std::equal(lanes.begin(), lanes.end(), statement.output->components.begin(),
                       statement.output->components.end());
   }
 
-  // What hoped for others in vain. A single number is read with `.x` behind it, where packs and
-  // vectors need no `vec3( )`.
+  // True for a pack that doesn't pay off because the packs it counted on were not made. Reading a
+  // single lane costs a `.x`; packs and vectors that read all lanes save a `vec3( )`.
   bool isLoss(const Lanes& lanes) const {
     int gain = gainOf(lanes, packs_.written(lanes, As::Statement).length);
     for (const NodeId id : lanes) {
@@ -280,7 +282,7 @@ class Packer {
     return gain <= 0;
   }
 
-  int mostBeside_;  // operations, one within another
+  int mostBeside_;  // nested operations
   const Graph& graph_;
   Packs& packs_;
   Statements& body_;

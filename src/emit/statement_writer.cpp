@@ -64,7 +64,7 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   ++temporaryCount_;
 }
 
-// Variables live on behind the loop, where they are the outcome.
+// The variables are declared before the loop, so that the outcomes can be read after it.
 [[gnu::noinline, gnu::cold]] void StatementWriter::writeLoop(std::uint32_t loop) {
   const std::vector<State>& states = plan_.loops->statesOf(loop);
   const std::string_view type = plan_.dialect.typeName(ops::Type::Float, oneNumber);
@@ -94,7 +94,7 @@ void StatementWriter::nameMatrix(const Packs::Matrix& matrix) {
   temporaryCount_ += states.size();
 }
 
-// All at once: what is read from a variable that is assigned too is kept before.
+// Parallel assignment: a variable that is both assigned and read is copied first.
 void StatementWriter::assignStates(std::span<const State> states) {
   std::vector<std::string> sources;
   for (const auto& [local, start, next] : states) {
@@ -147,7 +147,7 @@ void StatementWriter::assign(const Output& output) {
   code_ += ";\n";
 }
 
-// Of all nodes that a statement has in it, each once.
+// Writes the comments of all nodes in a statement, each once.
 [[gnu::noinline, gnu::cold]] void StatementWriter::writeComments(std::span<const NodeId> roots) {
   if (plan_.comments.ranges.empty()) return;
   std::vector<NodeId> nodes(roots.begin(), roots.end());

@@ -15,7 +15,7 @@ namespace warpjet {
 
 namespace {
 
-// Whether a text defines or calls a function of that name.
+// True if the source defines or calls a function of that name.
 bool hasCall(std::string_view text, std::string_view name) {
   const auto words = identifiers(text);
   return std::any_of(words.begin(), words.end(),
@@ -78,7 +78,7 @@ class TextWriter {
                        [&](const Naming& naming) { return isNewName(naming.number); });
   }
 
-  // What the host calls it now must not be what another input is called.
+  // The host's new name must not be the name of another input.
   bool isNewName(std::uint32_t input) {
     if (inputs_[input] == graph_.input(input).label) return true;
     const Label label = readLabel(inputs_[input]);
@@ -93,7 +93,7 @@ class TextWriter {
     return true;
   }
 
-  // Those of ours have no sources.
+  // Our own functions have no sources.
   bool checkFunctions() {
     for (std::uint32_t i = 0; i < graph_.functionCount(); ++i) {
       const Function& function = graph_.function(i);
@@ -135,7 +135,7 @@ class TextWriter {
     return true;
   }
 
-  // Of whole numbers, a language may have less than others.
+  // Languages differ in their integer operations.
   bool checkOperations() {
     for (const Output& output : outputs_) {
       const std::string_view missing = refused(graph_, output.components, dialect_.language);
@@ -147,7 +147,8 @@ class TextWriter {
     return true;
   }
 
-  // In operations that the language has; what it lacks is lowered in a copy.
+  // Writes the module in operations of the language; missing ones are lowered in a copy of the
+  // graph.
   Text compose() {
     Library library = module_.library.fresh();
     Text text;
@@ -188,8 +189,8 @@ class TextWriter {
     isFull_ = (&graph != &graph_ && graph.full()) || library.isFull();
   }
 
-  // A result named like a variable or function that the text reads would hide it, and a variable
-  // cannot have the name of a function.
+  // A result with the name of a variable or function that the code reads would shadow it, and a
+  // variable can't have the name of a function.
   bool hidesWhatIsRead(const Text& text) {
     const auto refusesResult = [&](std::string_view name, std::string_view read) {
       if (!outputNames_.contains(name)) return false;
@@ -224,7 +225,7 @@ class TextWriter {
   const Graph& graph_;
   const Dialect& dialect_;
   const TextOptions& options_;
-  std::vector<std::string> inputs_;  // by number, the host's text
+  std::vector<std::string> inputs_;  // by number, the host's expression
   std::vector<Output> outputs_;
   std::set<std::string, std::less<>> outputNames_;
   bool isFull_ = false;

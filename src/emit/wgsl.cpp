@@ -41,7 +41,8 @@ constinit const Dialect wgsl{
         "texture_depth_2d texture_depth_2d_array texture_depth_cube texture_depth_cube_array "
         "texture_depth_multisampled_2d texture_external texture_multisampled_2d "
         "texture_storage_1d texture_storage_2d texture_storage_2d_array texture_storage_3d ",
-    // And what the declarations of a host say, as in `var<storage, read_write>`.
+    // Includes the access modes and address spaces of declarations, as in `var<storage,
+    // read_write>`.
     .functions =
         " read write read_write storage uniform workgroup private function "
         "abs acos acosh all any arrayLength asin asinh atan atan2 atanh ceil clamp cos cosh "

@@ -1,4 +1,4 @@
-// How the writer writes vectors.
+// The part of Writer that writes vectors.
 #include <algorithm>
 #include <utility>
 
@@ -15,7 +15,7 @@ void Writer::writeLanes(std::string& text, const Lanes& lanes, Packs::As as,
   writeRow(text, vectorOf(lanes.count), all, as);
 }
 
-// One number is that of all components, and parts of a vector are written as that.
+// Equal components are written as one number, and adjacent components of a vector as a swizzle.
 void Writer::writeRow(std::string& text, Shape shape, std::span<const NodeId> all, Packs::As as) {
   std::string values;
   std::span<const NodeId> rest = all;
@@ -58,7 +58,7 @@ void Writer::writeOperation(std::string& text, const Lanes& lanes, ops::Preceden
   if (parenthesized) text += ')';
 }
 
-// As the first one is written, but for what follows the last point.
+// Writes the first lane, then replaces what follows its last point.
 void Writer::writePart(std::string& text, const Lanes& lanes) {
   open(text, lanes[0], ops::Precedence::Primary);
   text.pop_back();
@@ -91,7 +91,7 @@ std::uint32_t Writer::find(const Packs::Matrix& matrix) const {
   return i;
 }
 
-// One of a body around this one counts here if it has its name already.
+// A matrix of an enclosing body counts here only if it has a name already.
 void Writer::countMatrix(const Packs::Matrix& matrix, std::size_t first) {
   lastMatrixOf_.resize(graph_.size(), none);
   const std::uint32_t found = find(matrix);
@@ -129,7 +129,7 @@ void Writer::writeMatrix(std::string& text, const Packs::Matrix& matrix) {
   fill(text, dialect_.construction, {dialect_.typeName(ops::Type::Float, matrixOf(2, 2)), entries});
 }
 
-// The names are the same in all languages; see names.cpp.
+// dot and cross have the same names in all languages; see names.cpp.
 void Writer::writeProduct(std::string& text, std::string_view name, const Packs::Factors& factors) {
   text += name;
   writePart(text, factors.a);
@@ -138,7 +138,7 @@ void Writer::writeProduct(std::string& text, std::string_view name, const Packs:
   text += ')';
 }
 
-// Each sum is squared, so it is read twice and has a statement: nothing around it binds tighter.
+// Each sum is squared, hence read twice, hence a statement of its own: no parentheses are needed.
 void Writer::writeProduct(std::string& text, const MatrixProduct& product) {
   std::string entries;
   for (const auto& [factor, isMinus] : product.entries) {

@@ -1,5 +1,5 @@
-// A graph node that reads like a number, so that C++ formulas build graphs: `cos(x) * 2.0`.
-// The rows of the table and the warp are written with it.
+// A graph node that behaves like a number, so that C++ formulas build graphs: `cos(x) * 2.0`. The
+// rows of the operation table and the warp formulas are written with it.
 #pragma once
 
 #include <concepts>
@@ -141,7 +141,7 @@ Expression ifElse(Expression condition, Yes yes, No no) {
   return build(ops::find("ifElse"), condition, yes, no);
 }
 
-// A term of a derivative, or 0 where the condition does not hold and the factor may be infinite.
+// A term of a derivative; 0 where the condition is false and the factor may be infinite.
 inline Expression countedWhere(Expression condition, Expression factor, Expression term) {
   const bool always = condition.graph->range(condition.id).low != 0;
   return always || !canBeInfinite(factor) ? term : ifElse(condition, term, 0.0);

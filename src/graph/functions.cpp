@@ -1,5 +1,5 @@
-// What a graph has once a name: inputs, functions and their calls. Apart from graph.cpp, so that it
-// can be compiled for size.
+// The named parts of a graph: inputs, functions and their calls. Separate from graph.cpp so that
+// this file can be compiled for size.
 #include <utility>
 
 #include "graph/graph.hpp"

@@ -12,10 +12,10 @@ namespace warpjet {
 
 namespace {
 
-// Small, since most warps are, and every one has a table to clear; it doubles where it has to.
+// Small, since most warps are small and each has a table to clear; it doubles when needed.
 constexpr std::size_t initialTableSize = 256;
 
-// Tables of bytes by operation: they are read for each operand of each node.
+// Lookup tables of one byte per operation, read for each operand of each node.
 constexpr auto resultTypes = [] {
   std::array<ops::Type, arities.size()> all{};
   all.fill(ops::Type::Float);
@@ -30,7 +30,7 @@ constexpr auto isCommutative = [] {
   return all;
 }();
 
-// x + y and y + x have the same hash.
+// Commutative operations hash equally in both orders: x + y and y + x.
 std::size_t hash(const Node& node) {
   // Multiply and xor-shift, as in Steele and Vigna's splitmix64.
   const auto [x, y, z] = node.operands;
@@ -51,15 +51,15 @@ To bitCast(From from) {
   return to;
 }
 
-// By operation, whether `known` may have a value of it: most operands are none, and are seen so by
-// one byte.
+// True for operations for which `known` may return a value. Most operands are not known, and one
+// byte rules them out.
 constexpr auto mayBeKnown = [] {
   std::array<bool, arities.size()> all{};
   for (const Op op : {constantOp, ops::find("bool"), ops::find("int")}) all[index(op)] = true;
   return all;
 }();
 
-// A constant as a shader reads it.
+// A constant rounded as a shader reads it.
 double asFloat32(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 bool fitsFloat32(double value) {
@@ -151,7 +151,7 @@ NodeId Graph::component(std::uint32_t input, int component) {
 
 ops::Type Graph::type(NodeId id) const { return resultTypes[index(node(id).op)]; }
 
-// Seldom needed, and so kept out of `apply`.
+// Rarely needed, hence kept out of `apply`.
 [[gnu::noinline]] NodeId Graph::convert(NodeId id, ops::Type wanted) {
   if (type(id) == wanted) return id;
   if (type(id) == ops::Type::Int) {

@@ -26,7 +26,7 @@ int MultiIndices::derived(int number, int variable) {
 }
 
 int MultiIndices::countUpTo(int variables, int order) {
-  int count = 1;  // the binomial coefficient (variables + order) over order
+  int count = 1;  // binomial coefficient of (variables + order) over order
   for (int i = 1; i <= order; ++i) count = count * (variables + i) / i;
   return count;
 }

@@ -1,4 +1,4 @@
-// What the nodes of a graph can be.
+// Intervals that contain all values of a node.
 #include <cmath>
 #include <limits>
 
@@ -11,7 +11,7 @@ namespace {
 constexpr Op Mult = ops::find("mult"), Gt = ops::find("gt"), Sqrt = ops::find("sqrt"),
              IfElse = ops::find("ifElse");
 
-// Above zero, as float32 knows it.
+// The smallest float32 above zero.
 constexpr double leastPositive = std::numeric_limits<float>::denorm_min();
 
 }  // namespace
@@ -38,7 +38,7 @@ Interval Graph::findRange(NodeId id, double inputSize, const std::vector<Interva
   for (int i = 0; i < arity(id); ++i) x[i] = ranges[index(operand(id, i))];
   if (op == Mult && operand(id, 0) == operand(id, 1)) return square(x[0]);
 
-  // x > 0 ? y : …, where y divides by x or by its root: neither is zero then.
+  // x > 0 ? y : …, where y divides by x or by its root: the divisor isn't zero in that branch.
   const NodeId condition = operand(id, 0), yes = operand(id, 1);
   if (op == IfElse && is(condition, Gt) && isConstant(operand(condition, 1), 0) &&
       isOperation(yes)) {

@@ -9,7 +9,7 @@ namespace warpjet {
 
 namespace {
 
-// Apart, since most operations are not replaced.
+// Out of line, since most operations are not replaced.
 [[gnu::noinline]] std::optional<NodeId> replace(Graph& graph, Op op,
                                                 const Operands<NodeId>& operands,
                                                 std::uint32_t candidates) {
@@ -23,7 +23,7 @@ namespace {
 }  // namespace
 
 std::optional<NodeId> simplify(Graph& graph, Op op, Operands<NodeId>& operands) {
-  // A constant comes last in a sum or product, as artists write it.
+  // The constant of a sum or product comes last, as people write it.
   if (graph.isConstant(operands[0]) && ops::has(op, ops::Trait::Commutative))
     std::swap(operands[0], operands[1]);
 

@@ -12,19 +12,19 @@ using patterns::Identity, patterns::Item, patterns::Kind, patterns::Pattern;
 constexpr Op Neg = ops::find("neg"), Add = ops::find("add"), Sub = ops::find("sub"),
              Mult = ops::find("mult"), Sin = ops::find("sin"), Cos = ops::find("cos");
 
-// A node, or what is 0 - it.
+// A node, or its negation.
 struct Term {
   NodeId node;
   bool isNegative;
 };
 
-// In the place of a factor that is missing: 1.
+// Stands for a missing factor, which is 1.
 constexpr NodeId missing = noNode;
 
-// Goals are solved in the order in which they come up, so that what fails soonest is tried first:
-// whether one factor of each product is the cosine or sine, and only then what the others are. A
-// goal that can be solved in two ways is solved in the first; if that fails in the end, all begins
-// anew, with the last such choice made otherwise.
+// Goals are solved in the order in which they arise, so that the likeliest to fail is tried first:
+// whether one factor of each product is the cosine or sine, and only then what the other factors
+// are. A goal with two solutions tries the first; if the match fails later, it restarts from the
+// beginning with the last such choice reversed.
 class TurnMatcher {
  public:
   TurnMatcher(Graph& graph, const Pattern& sum) : graph_(graph), sum_(sum.items.data()) {}
@@ -58,7 +58,7 @@ class TurnMatcher {
     choice_ = 0;
     goalCount_ = 0;
     if (choose()) std::swap(first, second);
-    // A minus of the first is one of all.
+    // A minus of the first term is factored out of the sum.
     isNegative_ = first.isNegative;
     addTerms(sum_, {first.node, false}, {second.node, second.isNegative != isNegative_});
     for (std::size_t i = 0; i < goalCount_; ++i) {
@@ -105,7 +105,8 @@ class TurnMatcher {
     return true;
   }
 
-  // k * …; it may have a minus on the second side if it is a constant, which goes to the rest.
+  // k * …; k may differ by a minus on the second side if it is a constant; the minus moves to the
+  // rest.
   bool solveFactor(const Item* item, Term term) {
     const Item *factor = item + 1, *rest = item + 2;
     if (!graph_.is(term.node, Mult) || !choose()) {
@@ -120,7 +121,7 @@ class TurnMatcher {
     return !isOpposite || isSame(bindings_[factor->number], {found.node, true});
   }
 
-  // … * cos(u) or … * sin(u); the minus goes to what is multiplied by it.
+  // … * cos(u) or … * sin(u); a minus moves to the other factor.
   bool solveWave(const Item* item, Term term) {
     const Item *other = item + 1, *wave = other + other->size;
     if (isWave(wave, term.node)) {
@@ -139,7 +140,7 @@ class TurnMatcher {
 
   bool isWave(const Item* wave, NodeId id) const { return graph_.is(id, wave->op()); }
 
-  // False if the variable stands for another term. A constant has its minus in it.
+  // Returns false if the variable is bound to another term. A constant includes its minus.
   bool bind(const Item* variable, Term term) {
     if (!variable->isVariable()) return false;
     const std::uint32_t bit = std::uint32_t{1} << variable->number;
@@ -176,7 +177,7 @@ class TurnMatcher {
   std::array<Goal, 24> goals_;
 };
 
-// Of one angle, one in each product.
+// True if the products have a sine and a cosine of the same angle, one each.
 bool haveSineAndCosine(const Graph& graph, NodeId first, NodeId second) {
   for (int i = 0; i < 4; ++i) {
     const NodeId x = graph.operand(first, i / 2), y = graph.operand(second, i % 2);
@@ -189,7 +190,7 @@ bool haveSineAndCosine(const Graph& graph, NodeId first, NodeId second) {
 
 }  // namespace
 
-// Most sums are none of these: out of the way of those, which a warp has thousands of.
+// Cold and out of line: a warp has thousands of sums, and most of them are not rotations.
 [[gnu::noinline, gnu::cold]] std::optional<NodeId> turnedBack(Graph& graph, Op op, NodeId first,
                                                               NodeId second) {
   const bool isNegative = graph.is(first, Neg);

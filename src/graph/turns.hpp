@@ -1,11 +1,12 @@
-// What is turned back.
+// Rotations that cancel.
 //
-// A point (x, y) that is turned by an angle u is (x cos u - y sin u, x sin u + y cos u). The normal
-// of a twist turns it back, since the slope of a turned point is that point across, and turned:
+// Rotating a point (x, y) by an angle u gives (x cos u - y sin u, x sin u + y cos u). The normal of
+// a twist rotates it back, since the derivative of a rotated point is the perpendicular point,
+// rotated:
 //
 //   (x cos u - y sin u) cos u + (x sin u + y cos u) sin u = x
 //
-// where sin² u + cos² u = 1 is the case of the point (1, 0).
+// For the point (1, 0) this is sin² u + cos² u = 1.
 #pragma once
 
 #include <array>
@@ -21,7 +22,7 @@ namespace patterns {
 inline constexpr Pattern k{Kind::Factor, 'k'}, u{Kind::Anything, 'u'};
 
 // These match sums and differences in any order and with any signs; the factors x, y and k may be
-// missing. k may have a minus on one side, if it is a constant.
+// missing. A constant k may have a minus on one side.
 inline constexpr std::array turns{
     Identity{k * (x * cos(u) - y * sin(u)) * cos(u) + k * (x * sin(u) + y * cos(u)) * sin(u), x* k,
              ifNumber(rounding)},
@@ -30,8 +31,8 @@ inline constexpr std::array turns{
 
 }  // namespace patterns
 
-// What the sum or difference of two products is, if one of them turns back what the other turned;
-// looks at two factors of each, and at two of theirs.
+// Returns the value of the sum or difference of two products if one of them undoes the rotation in
+// the other; examines two factors of each product, and two of theirs.
 std::optional<NodeId> turnedBack(Graph& graph, Op op, NodeId first, NodeId second);
 
 }  // namespace warpjet

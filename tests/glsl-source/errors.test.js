@@ -1,4 +1,4 @@
-// Bad text of every kind: one sentence, with line, column and a caret.
+// Invalid source of every kind: the message has line, column and a caret.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { WarpError, compileWarp } from 'warpjet'
@@ -7,9 +7,9 @@ import { differentiate, glslOffset } from 'warpjet/glsl'
 const body = (text) => `vec3 offset(vec3 p) {\n  ${text}\n}`
 const nested = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
 
-/** Texts, each with the line that is wrong and a piece of the sentence. */
+/** [source, line of the mistake, part of the message]. */
 const wrong = [
-  // where a text ends too early
+  // the source ends too early
   ['vec3 offset(vec3 p) {', 1, 'this { has no }'],
   ['vec3 offset(vec3 p', 1, 'a ) is missing'],
   ['vec3 offset', 1, 'missing'],
@@ -120,7 +120,7 @@ const wrong = [
     3,
     'there is no constructor of sampler2D[2]',
   ],
-  // how large
+  // sizes
   [
     'struct A { float a[4096]; };\nstruct B { A a[16]; };\n' + body('B b[4096]; return p;'),
     4,
@@ -247,7 +247,7 @@ const wrong = [
   ['uniform float u;\nconst float x = u;', 2, '"x" is const, but'],
   ['float f() { return 1.; }\nfloat x = f();', 2, 'give "x" its value in a function'],
   ['#version 300 es\nuniform float u;\nfloat x = u;', 3, 'give "x" its value in a function'],
-  // what is assigned to
+  // assignments
   [body('const float x = 1.; x = 2.; return p;'), 2, '"x" is a constant and cannot be changed'],
   ['const float x = 1.;\n' + body('x += 2.; return p;'), 3, 'is a constant'],
   ['uniform float x;\n' + body('x++; return p;'), 3, 'is given by the host and cannot be changed'],
@@ -259,7 +259,7 @@ const wrong = [
   ['uniform float x = 1.;\n' + body('return p;'), 1, 'leave = out'],
   ['void f(out float x) { x = 1.; }\n' + body('f(1.); return p;'), 3, 'is a value'],
   [body('true = false; return p;'), 2, 'is a value'],
-  // what runs
+  // control flow
   ['vec3 offset(vec3 p) { return offset(p); }', 1, 'calls itself'],
   [
     'float b(float x);\nfloat a(float x) { return b(x); }\nfloat b(float x) { return a(x); }\n' +
@@ -336,7 +336,7 @@ const wrong = [
   [body('int i = 0x; return p;'), 2, 'no whole number'],
   [body('"text"; return p;'), 2, 'no text in quotes'],
   ['#include "noise.glsl"', 1, 'in the place of an #include'],
-  // how deep
+  // nesting depth
   [body(`return ${nested('(', 'p', ')', 100_000)};`), 2, 'nested more than 128 deep'],
   [body(`return ${'-'.repeat(50_001)}p;`.replaceAll('--', '- -')), 2, 'nested more than 128 deep'],
   [body(nested('{', '', '}', 50_000)), 2, 'nested more than 128 deep'],
@@ -401,7 +401,7 @@ const wrong = [
   ],
 ]
 
-test('there are at least 100 of them', () => assert.ok(wrong.length >= 100, `${wrong.length}`))
+test('there are at least 100 cases', () => assert.ok(wrong.length >= 100, `${wrong.length}`))
 
 for (const [source, line, piece] of wrong)
   test(`line ${line}: ${piece}`, () => {
@@ -420,22 +420,22 @@ for (const [source, line, piece] of wrong)
     )
   })
 
-test('#line moves the number that is told, and the line that is shown stays', () => {
+test('#line changes the reported line number, but not the line that is shown', () => {
   assert.throws(
     () => glslOffset('#line 70\nfloat x = y;'),
     /line 70, column 11: "y" is not declared\.\n {2}float x = y;\n {12}\^/,
   )
 })
 
-test('what is no text, and wrong options', () => {
+test('arguments that are not source, and wrong options', () => {
   const good = 'vec3 offset(vec3 p) { return p; }'
   assert.throws(
     () => glslOffset(5),
-    /^WarpError: glslOffset: expected a text of GLSL for the source, got the number 5/,
+    /^WarpError: glslOffset: expected a string of GLSL for the source, got the number 5/,
   )
   assert.throws(
     () => glslOffset('shaders/waves.glsl'),
-    /expected a text of GLSL .* is the name of a file, so read that first/,
+    /expected a string of GLSL .* is the name of a file; read the file first/,
   )
   assert.throws(() => glslOffset(''), /the source has no function/)
   assert.throws(
@@ -451,18 +451,21 @@ test('what is no text, and wrong options', () => {
     /expected a whole number from 1 to 4096 for the option "maxIterations"/,
   )
   assert.throws(() => glslOffset(good, { depth: 1 }), /there is no option "depth"/)
-  assert.throws(() => glslOffset('float offset(vec3 p) { return 1.; }'), /must give a vec3/)
+  assert.throws(
+    () => glslOffset('float offset(vec3 p) { return 1.; }'),
+    /expected a function that returns a vec3, .* got one that returns a float/,
+  )
   assert.throws(
     () => glslOffset('vec3 offset(float speed) { return vec3(speed); }'),
-    /nothing gives the parameter speed/,
+    /the parameter speed of offset has no value/,
   )
   assert.throws(
     () => glslOffset('vec3 offset(vec3 position, float time) { return position; }'),
-    /nothing gives the parameter time of offset its value; call it millis\.$/,
+    /the parameter time of offset has no value; call it millis\.$/,
   )
   assert.throws(
     () => glslOffset('vec3 offset(vec3 uv) { return uv; }'),
-    /uv of offset is a vec3, but uv is a vec2/,
+    /uv of offset: expected a vec2, .* got a vec3/,
   )
   assert.throws(() => glslOffset('vec3 offset(out vec3 p) { p = vec3(1.); return p; }'), /is out/)
   assert.throws(
@@ -470,7 +473,10 @@ test('what is no text, and wrong options', () => {
     /expected a parameter of f, one of p, for the option "by", got the text "q"/,
   )
   assert.throws(() => differentiate('float f(vec4 p) { return p.x; }'), /five numbers/)
-  assert.throws(() => differentiate('float f(int i) { return 1.; }'), /only a float or a vector/)
+  assert.throws(
+    () => differentiate('float f(int i) { return 1.; }'),
+    /expected a float or a vector/,
+  )
   assert.throws(() => differentiate('int f(out float x) { return 1; }'), /x of f is out/)
   assert.throws(
     () => differentiate('float f(float x, out int i) { while (x < 1.) x++; return x; }'),
@@ -478,9 +484,9 @@ test('what is no text, and wrong options', () => {
   )
   assert.throws(
     () => glslOffset('vec3 offset(int uv) { return vec3(1.); }'),
-    /uv of offset is an int, but uv is a vec2/,
+    /uv of offset: expected a vec2, .* got an int/,
   )
-  assert.throws(() => differentiate('int f(float p) { return 1; }'), /f gives an int; only a float/)
+  assert.throws(() => differentiate('int f(float p) { return 1; }'), /f returns an int; expected a float or a vector/)
   assert.ok(
     differentiate(
       'uniform float result, outcome, derivatives; float f(float x) { return x * result * outcome * derivatives; }',
@@ -497,11 +503,11 @@ test('what is no text, and wrong options', () => {
         glslOffset('uniform vec2 amount; vec3 offset(vec3 p) { return vec3(amount, 0.); }'),
         { uniforms: { amount: 1 } },
       ),
-    /amount is a vec2 in the text, but a single number/,
+    /amount: expected a vec2, .* got a single number/,
   )
 })
 
-test('random bytes and random tokens end in a sentence or a warp', () => {
+test('random bytes and random tokens end in a message or a warp', () => {
   let state = 12345
   const random = (n) => (state = (state * 1103515245 + 12345) % 2147483648) % n
   const pieces =

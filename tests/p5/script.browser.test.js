@@ -1,5 +1,4 @@
-// The single script on pages as people write them: where it is from, what else is there and in which order, and what a page
-// forbids.
+// The single script on real pages: its origin, other scripts and their order, and the page's policy.
 import assert from 'node:assert/strict'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { after, before, describe, test } from 'node:test'
@@ -28,7 +27,7 @@ after(async () => {
   await server.close()
 })
 
-/** A context in which hosts of others answer with `texts` by address, and with nothing else; `asked` is what was asked of them. */
+/** Returns a context in which other hosts answer only with `texts`, by address; `asked` lists the requests. */
 async function withHosts(texts) {
   const context = await browser.newContext()
   const asked = []
@@ -42,7 +41,7 @@ async function withHosts(texts) {
   return { context, asked }
 }
 
-/** What a sketch with this script gets from loadWarpModel: how many vertices, or what was wrong. */
+/** Loads a model in a sketch with this script → the number of vertices, or the message. */
 async function loadedBy(context, src) {
   const { page, messages } = await runSketch(
     context,
@@ -81,7 +80,7 @@ describe('a script from a CDN', () => {
       assert.deepEqual([...new Set(asked)], [src, ownMesh])
     })
 
-  test('runs its companion only as it was published', async () => {
+  test('runs its companion only if it is the published one', async () => {
     const src = `${cdn}/npm/warpjet`
     const { context } = await withHosts({
       [src]: dist('p5.warpjet.min.js'),
@@ -90,13 +89,10 @@ describe('a script from a CDN', () => {
     const { result, isForeign } = await loadedBy(context, src)
     await context.close()
     assert.equal(isForeign, false)
-    assert.match(
-      result,
-      /^loadWarpModel: it needs https:\S+mesh\.min\.js, which cannot be loaded; /,
-    )
+    assert.match(result, /^loadWarpModel: cannot load https:\S+mesh\.min\.js; /)
   })
 
-  test('under its own name, takes what lies beside it', async () => {
+  test('under its own name, uses the file next to it', async () => {
     const folder = `${cdn}/npm/warpjet@0.1/dist`
     const { context, asked } = await withHosts({
       [`${folder}/p5.warpjet.min.js`]: dist('p5.warpjet.min.js'),
@@ -119,8 +115,8 @@ test('a copy under another name loads the companion of its version', async () =>
   assert.deepEqual([...new Set(asked)], [ownMesh])
 })
 
-describe('one script with all, one without the CPU', () => {
-  /** Draws with createWarp, and says what evaluateAt gives of the same offset. */
+describe('one script with everything, one without the CPU', () => {
+  /** Draws with createWarp, and returns the result of evaluateAt for the same offset. */
   async function evaluated(src) {
     const { page, messages } = await runSketch(
       browser,
@@ -174,7 +170,7 @@ describe('the order of scripts', () => {
         assert.deepEqual(messages, [])
       })
 
-      test(`p5 ${name} may come when the page has loaded: ${file}`, async () => {
+      test(`p5 ${name} may come after the page has loaded: ${file}`, async () => {
         const { page, messages } = await runSketch(browser, server, [script], later(file))
         assert.equal(await page.evaluate('window.kind'), 'function')
         await leavePage(page)
@@ -185,7 +181,7 @@ describe('the order of scripts', () => {
       })
     }
 
-  test('a page without p5 is told so', async () => {
+  test('a page without p5 gets a warning', async () => {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -200,7 +196,7 @@ describe('the order of scripts', () => {
     )
   })
 
-  test('a second script keeps what the first one has, deformers too', async () => {
+  test('a second script keeps the first one, with additions such as deformers', async () => {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -219,7 +215,7 @@ describe('the order of scripts', () => {
     assert.deepEqual(messages, [])
   })
 
-  test('a second one of another version is named', async () => {
+  test('a second script of another version warns', async () => {
     mkdirSync(path('/.build/script-test'), { recursive: true })
     const other = dist('p5.warpjet.min.js').replaceAll(`\`${version}\``, '`9.8.7`')
     writeFileSync(path('/.build/script-test/p5.warpjet.min.js'), other)
@@ -237,7 +233,7 @@ describe('the order of scripts', () => {
 })
 
 describe('a page whose policy is script-src self', () => {
-  /** The messages of what needs WebAssembly, under such a policy. */
+  /** Returns the messages of calls that need WebAssembly, under such a policy. */
   async function refusals(policy) {
     const html = `<!doctype html>
       <meta http-equiv="Content-Security-Policy" content="script-src 'self' ${policy}">
@@ -277,8 +273,9 @@ describe('a page whose policy is script-src self', () => {
     assert.deepEqual(messages, [])
   })
 
-  // The only page whose machine code is forbidden while the compiler runs: under a policy from the start neither does.
-  test('and comes after the start: the interpreter goes on, with the bits of machine code', async () => {
+  // Sets the policy on a page whose compiler is already running, so that only machine code is forbidden; a policy from the start
+  // would forbid both.
+  test('a policy set after the start: the interpreter takes over, with the same bits as machine code', async () => {
     const { page, messages } = await openPage(browser, server.page('<!doctype html>'))
     const found = await page.evaluate(async () => {
       const { compileWarp } = await import('/dist/warpjet.min.js')
@@ -337,7 +334,7 @@ describe('a page whose policy is script-src self', () => {
 })
 
 describe('a page that was opened as a file', () => {
-  /** What loadWarpModel says there. */
+  /** Returns the message of loadWarpModel on such a page. */
   async function problem(context, src, model) {
     mkdirSync(path('/.build/script-test'), { recursive: true })
     writeFileSync(
@@ -358,7 +355,7 @@ describe('a page that was opened as a file', () => {
     return result
   }
 
-  test('is told to be served', async () => {
+  test('gets the advice to serve it', async () => {
     const { context } = await withHosts({
       [`${cdn}/npm/warpjet`]: dist('p5.warpjet.min.js'),
       [ownMesh]: dist('mesh.min.js'),

@@ -79,7 +79,7 @@ function install() {
   for (const [name, shape] of Object.entries(params)) add(name, parameter(name, shape))
   // For front ends, which record functions in sessions of their own: no list has it.
   add('of', () => createBuilder as BuilderFunction, false)
-  for (const each of getOperations().values()) add(each.name, operation(each), each.isListed)
+  for (const each of getOperations().values()) add(each.name, functionOf(each), each.isListed)
   for (const kind of noiseKinds)
     add(
       kind,
@@ -118,12 +118,13 @@ const parameter =
     return session.input(label, shape, name)
   }
 
-const operation =
-  ({ number, name, place }: Operation): Maker =>
+const functionOf =
+  (operation: Operation): Maker =>
   (session) =>
   (...given) => {
+    const { name, place } = operation
     const operands = given.map((operand, i) => toExpression(session, operand, place, i + 1))
-    return session.call(number, name, gatherNumbers(session, name, operands))
+    return session.call(operation, gatherNumbers(session, name, operands))
   }
 
 /** A function that is made of operations, as a method of its first operand is. */

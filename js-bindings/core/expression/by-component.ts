@@ -2,7 +2,7 @@
 import { WarpError } from '../../errors/errors.js'
 import { describeShape } from '../../errors/describe.js'
 import type { Expression } from './expression.js'
-import { operationNumber } from './operations.js'
+import { operationNamed } from './operations.js'
 import type { Session } from './session.js'
 
 /** Maps an operation to the number of operands that follow the numbers. */
@@ -27,6 +27,7 @@ const isChained = (name: string) => /^(?:add|sub|mult|div)$/.test(name)
  * number of them than the vector has.
  */
 export function gatherNumbers(session: Session, name: string, operands: Expression[]) {
+  if (operands.length < 3) return operands
   const after = following[name]
   if (after === undefined || operands.length < 3 + after) return operands
   const [columns, rows] = session.shapeOf(operands[0]!)
@@ -34,8 +35,7 @@ export function gatherNumbers(session: Session, name: string, operands: Expressi
   const isNumber = (each: Expression) => session.shapeOf(each).join() === '1,1'
   if (columns > 1 || rows < 2 || !numbers.every(isNumber)) return operands
   if (numbers.length === rows) {
-    const constructor = `vec${rows}`
-    const vector = session.call(operationNumber(constructor), constructor, numbers)
+    const vector = session.call(operationNamed(`vec${rows}`), numbers)
     return [operands[0]!, vector, ...operands.slice(1 + rows)]
   }
   if (!isChained(name)) return operands

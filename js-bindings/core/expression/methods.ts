@@ -7,13 +7,13 @@ import { madeOf, meantByMethods, methodsOf, operationLists, sameAs } from './ali
 import { gatherNumbers } from './by-component.js'
 import { Expression, toExpression } from './expression.js'
 import { callNoise, noiseKinds } from './noise.js'
-import { type Operation, getOperations, operationNumber } from './operations.js'
+import { type Operation, getOperations, operationNamed } from './operations.js'
 import type { Session } from './session.js'
 import { isVec2, partsOf, rotated } from './vector-methods.js'
 
 /**
- * What every expression inherits. It begins as an object without a prototype, which is a mere dictionary to an engine: a
- * thousand swizzles take a twentieth of what they take where `Expression.prototype` gets them one by one.
+ * What every expression inherits. It begins as an object without a prototype, which is a mere dictionary to an engine, since
+ * `Expression.prototype` takes far longer to get hundreds of properties one by one.
  */
 const methods = Object.create(null) as object
 
@@ -21,7 +21,7 @@ const methods = Object.create(null) as object
 const sessionOf = (expression: Expression) => expression.session as Session
 
 export function installMethods() {
-  for (const [name, indices] of swizzles()) defineComponents(name, indices)
+  for (const letter of alphabets.join('')) defineSwizzle(letter)
   for (const operation of getOperations().values())
     if (operation.isMethod) defineOperation(operation)
   for (const kind of noiseKinds)
@@ -38,31 +38,33 @@ export function installMethods() {
     define(alias, function (...others) {
       return make(methodsOf(this), ...others)
     })
-  Object.setPrototypeOf(methods, refusing(unknownMethod))
+  Object.setPrototypeOf(methods, new Proxy(refusing(unknownMethod), lazySwizzles))
   Object.setPrototypeOf(Expression.prototype, methods)
 }
 
 /** Swizzles are not offered: any two letters are near to one. */
 function unknownMethod(name: string) {
-  const names = Object.getOwnPropertyNames(methods).filter(
-    (each) => !/^([xyzwrgba]{1,4}|[stpquv]{1,4})$/.test(each),
-  )
+  const names = Object.getOwnPropertyNames(methods).filter((each) => !indicesOf(each))
   return `${name}: an expression has no such method; ${didYouMean(name, [...names, 'x', 'y', 'z', 'w'], operationLists, meantByMethods)}`
 }
 
-function define(name: string, method: (this: Expression, ...operands: unknown[]) => unknown) {
+type Method = (this: Expression, ...operands: unknown[]) => unknown
+
+function define(name: string, method: Method) {
   const value = function (this: unknown, ...operands: unknown[]) {
-    if (this instanceof Expression) {
-      const result = method.apply(this, operands)
-      sessionOf(this).followCopy(this, name, result)
-      return result
-    }
-    throw new WarpError(`${name}: call it on an expression, as in x.${name}(…).`)
+    if (!(this instanceof Expression)) throw uncalled(name)
+    const result = method.apply(this, operands)
+    sessionOf(this).followCopy(this, name, result)
+    return result
   }
   Object.defineProperty(methods, name, { value, configurable: true, writable: true })
 }
 
-function defineOperation({ name, number, place }: Operation) {
+const uncalled = (name: string) =>
+  new WarpError(`${name}: call it on an expression, as in x.${name}(…).`)
+
+function defineOperation(operation: Operation) {
+  const { name, place } = operation
   const isTurn = /^rotate[XYZ]$/.test(name)
   define(name, function (...given) {
     const session = sessionOf(this)
@@ -74,7 +76,7 @@ function defineOperation({ name, number, place }: Operation) {
     const operands: Expression[] = [this]
     for (const operand of given)
       operands.push(toExpression(session, operand, place, operands.length))
-    return session.call(number, name, gatherNumbers(session, name, operands), true)
+    return session.call(operation, gatherNumbers(session, name, operands), true)
   })
 }
 
@@ -91,44 +93,55 @@ const others = {
   outputDeriv(this: Expression, name: unknown, input: unknown) {
     const session = sessionOf(this)
     const by = toExpression(session, input, outputDeriv, 2)
-    session.ask(
-      name,
-      session.call(operationNumber('derivative'), 'outputDeriv', [this, by]),
-      'outputDeriv',
-    )
+    session.ask(name, session.call(operationNamed('derivative'), [this, by]), 'outputDeriv')
   },
 }
 
-/** All selections of components: `x`, `xy`, `zyx`, `rgba`, `st`, `uv`, with their indices. */
-function* swizzles(): Generator<[name: string, indices: number[]]> {
-  for (const letters of ['xyzw', 'rgba', 'stpq', 'uv']) {
-    let names: [string, number[]][] = [['', []]]
-    for (let length = 1; length <= 4; length++) {
-      names = names.flatMap(([name, indices]) =>
-        [...letters].map((letter, i): [string, number[]] => [name + letter, [...indices, i]]),
-      )
-      yield* names
-    }
-  }
+/** The letters of components: as coordinates, as colors and as texture coordinates. */
+const alphabets = ['xyzw', 'rgba', 'stpq', 'uv']
+
+/** The indices of the components that a swizzle selects, as of `zyx` or `rg`; `undefined` for another name. */
+function indicesOf(name: string): number[] | undefined {
+  const letters = [...name]
+  const alphabet = alphabets.find((each) => letters.every((letter) => each.includes(letter)))
+  return alphabet && letters.length <= 4
+    ? letters.map((letter) => alphabet.indexOf(letter))
+    : undefined
 }
 
-/** `v.y` is the component, and so is `v.y()`. */
-function defineComponents(name: string, indices: readonly number[]) {
-  Object.defineProperty(methods, name, {
+/** Defines a swizzle: `v.y` is the component, and so is `v.y()`. Returns whether the name is that of a swizzle. */
+function defineSwizzle(name: PropertyKey): boolean {
+  const indices = typeof name === 'string' && name ? indicesOf(name) : undefined
+  if (!indices) return false
+  const swizzle = name as string
+  Object.defineProperty(methods, swizzle, {
     configurable: true,
     get(this: unknown) {
       if (this instanceof Expression)
-        return callable(name, sessionOf(this).swizzle(name, this, indices))
+        return callable(swizzle, sessionOf(this).swizzle(swizzle, this, indices))
       return () => {
-        throw new WarpError(`${name}: call it on an expression, as in v.${name}().`)
+        throw new WarpError(`${swizzle}: call it on an expression, as in v.${swizzle}().`)
       }
     },
     set(this: unknown) {
       throw new WarpError(
-        `${name}: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).`,
+        `${swizzle}: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).`,
       )
     },
   })
+  return true
+}
+
+/**
+ * The end of the prototype chain. There are 1,050 swizzles, of which a warp reads a few: each longer one is defined when
+ * it is first looked up, which takes 3 ms from the first warp of a page.
+ */
+const lazySwizzles: ProxyHandler<object> = {
+  get: (target, name, receiver) =>
+    Reflect.get(defineSwizzle(name) ? methods : target, name, receiver) as unknown,
+  set: (target, name, value, receiver) =>
+    Reflect.set(defineSwizzle(name) ? methods : target, name, value, receiver),
+  has: (target, name) => defineSwizzle(name) || Reflect.has(target, name),
 }
 
 export function rejectMore(name: string, others: readonly unknown[]) {

@@ -10,6 +10,8 @@ export interface Operation {
   isMethod: boolean
   /** `false` for what only shader text calls. */
   isListed: boolean
+  /** Whether its result is a condition: that of a comparison, or of logic. */
+  isCondition: boolean
   /** Its calls, for messages. */
   place: Place
 }
@@ -26,10 +28,13 @@ function readOperations() {
     instance.operationNames().map((name, number) => {
       const isMethod = (flags[number]! & 1) !== 0
       const isListed = (flags[number]! & 2) !== 0
-      return [name, { name, number, isMethod, isListed, place: new Place(name) }]
+      const isCondition = conditions.has(name)
+      return [name, { name, number, isMethod, isListed, isCondition, place: new Place(name) }]
     }),
   )
 }
 
-/** The number of the operation of that name. */
-export const operationNumber = (name: string): number => getOperations().get(name)!.number
+/** The operation of that name, which must exist. */
+export const operationNamed = (name: string): Operation => getOperations().get(name)!
+
+const conditions = new Set(['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'not'])

@@ -3,8 +3,9 @@
 import { type Core, type Session as CoreSession, core as instance } from '../../wasm/core.js'
 import { WarpError, describe } from '../../errors/errors.js'
 import { Expression } from './expression.js'
-import type { KeptModule, Target } from '../module/kept-module.js'
+import type { SerializedModule, Target } from '../module/serialized-module.js'
 import { Place } from '../../options/place.js'
+import type { Operation } from './operations.js'
 import type { ReadAsFloats, Shape } from './shapes.js'
 import { callerOutside } from '../../errors/source-lines.js'
 import { type HostFunction, partialsOf } from './partials.js'
@@ -18,7 +19,7 @@ export interface Recorded {
   /** How many of its arguments, the first ones, it has derivatives by. */
   variables: number
   results: number
-  module: KeptModule
+  module: SerializedModule
 }
 
 /** How a run is recorded. */
@@ -30,8 +31,8 @@ export interface Recording {
 }
 
 export class Session {
-  /** The inputs that are no floats of the host, by their number. */
-  private readonly others = new Map<number, ReadAsFloats>()
+  /** Maps the number of an input that is not a float in the host → how it is read as floats. */
+  private readonly conversions = new Map<number, ReadAsFloats>()
   /** Maps the shader's name of an image → the sampling that its host passes. */
   readonly samplings = new Map<string, HostSampling>()
   /** Maps the shader's name of an input of a warp → the input that it is. */
@@ -117,7 +118,7 @@ export class Session {
   /** A variable of the host that has another type than floats. */
   inputOf(read: ReadAsFloats, shape: Shape, method: string): Expression {
     const input = this.input(read.texts[this.target], shape, method)
-    this.others.set(this.numberOf(input), read)
+    this.conversions.set(this.numberOf(input), read)
     return input
   }
 
@@ -145,17 +146,21 @@ export class Session {
     this.unused.follow(copy, method, result)
   }
 
-  /** An operation by its number; a method's first operand is what it is called on. */
-  call(operation: number, method: string, operands: readonly Expression[], isMethod = false) {
-    const at = this.at(method)
-    const few = operands.length <= 3 ? operands.length : 0
-    const handle = (i: number) => (i < few ? operands[i]!.handle : 0)
+  /** Applies an operation; a method's first operand is what it is called on. */
+  call(operation: Operation, operands: readonly Expression[], isMethod = false): Expression {
+    const { name, number, isCondition } = operation
+    const at = this.at(name)
+    // Up to three operands are arguments of the call; more are pushed before it.
+    const count = operands.length <= 3 ? operands.length : 0
+    const a = count > 0 ? operands[0]!.handle : 0
+    const b = count > 1 ? operands[1]!.handle : 0
+    const c = count > 2 ? operands[2]!.handle : 0
     for (;;) {
-      if (few < operands.length) this.push(operands)
-      else if (this.unused.size) operands.forEach((operand) => this.unused.use(operand))
-      const result = this.core._call(at, operation, +isMethod, few, handle(0), handle(1), handle(2))
+      if (count < operands.length) this.push(operands)
+      else if (this.unused.size > 0) for (const operand of operands) this.unused.use(operand)
+      const result = this.core._call(at, number, +isMethod, count, a, b, c)
       if (result !== needsPartials) {
-        if (conditions.has(method)) {
+        if (isCondition) {
           this.unused.watch(result)
           this.conditions.add(result)
         }
@@ -307,15 +312,13 @@ export class Session {
   }
 
   /** All that was built, as plain words. */
-  finish(): KeptModule {
+  finish(): SerializedModule {
     const words = this.open('finish').finish()
     if (!words.length) this.refuse()
     this.unused.noteAll()
-    return Object.assign(words as KeptModule, { others: this.others })
+    return Object.assign(words as SerializedModule, { conversions: this.conversions })
   }
 }
-
-const conditions = new Set(['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'not'])
 
 /** The name of a result must be a text; whether it will do, a language says. */
 export function resultName(name: unknown, method: string): string {

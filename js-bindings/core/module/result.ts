@@ -1,6 +1,6 @@
 // What every session takes and gives.
 import { Session, type Recording } from '../expression/session.js'
-import type { Target } from './kept-module.js'
+import type { Target } from './serialized-module.js'
 import { type TypeName, type Variable, typeOf } from '../expression/shapes.js'
 
 /** How much work a result is. */

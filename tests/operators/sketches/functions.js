@@ -68,7 +68,7 @@ export const sketches = {
       v.mult(0.2)
       return v
     })`,
-    notes: /^v\.mult\(0\.2\) changes nothing: .* v = v\.mult\(2\)/,
+    notes: /^v\.mult\(0\.2\) has no effect: .* v = v\.mult\(2\)/,
   },
   'a vector of p5 whose parts are set': {
     setup: `wave = createWarp(({ position }) => {
