@@ -5,7 +5,7 @@ import { WarpError, compileWarp } from 'warpjet'
 import { differentiate, glslOffset } from 'warpjet/glsl'
 
 const body = (text) => `vec3 offset(vec3 p) {\n  ${text}\n}`
-const nested = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
+const nest = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
 
 /** [source, line of the mistake, part of the message]. */
 const wrong = [
@@ -337,10 +337,10 @@ const wrong = [
   [body('"text"; return p;'), 2, 'no text in quotes'],
   ['#include "noise.glsl"', 1, 'in the place of an #include'],
   // nesting depth
-  [body(`return ${nested('(', 'p', ')', 100_000)};`), 2, 'nested more than 128 deep'],
+  [body(`return ${nest('(', 'p', ')', 100_000)};`), 2, 'nested more than 128 deep'],
   [body(`return ${'-'.repeat(50_001)}p;`.replaceAll('--', '- -')), 2, 'nested more than 128 deep'],
-  [body(nested('{', '', '}', 50_000)), 2, 'nested more than 128 deep'],
-  [body(`return ${nested('sin(', 'p', ')', 30_000)};`), 2, 'nested more than 128 deep'],
+  [body(nest('{', '', '}', 50_000)), 2, 'nested more than 128 deep'],
+  [body(`return ${nest('sin(', 'p', ')', 30_000)};`), 2, 'nested more than 128 deep'],
   [body(`return ${'p.x > 0. ? p : '.repeat(20_000)}p;`), 2, 'nested'],
   [body(`p.x = ${'p.x = '.repeat(20_000)}1.;`), 2, 'nested more than 128 deep'],
   [body(`${'if (p.x > 0.) '.repeat(20_000)} return p;`), 2, 'nested more than 128 deep'],
@@ -351,7 +351,7 @@ const wrong = [
   ['#if 1\n#else\n#else\n#endif', 3, 'stands after #else'],
   ['#if (1\n#endif', 1, 'a ) is missing'],
   ['#if 1 / 0\n#endif', 1, 'divides by zero'],
-  [`#if ${nested('(', '1', ')', 5000)}\n#endif`, 1, 'nested more than 200 deep'],
+  [`#if ${nest('(', '1', ')', 5000)}\n#endif`, 1, 'nested more than 200 deep'],
   ['#define', 1, '#define needs a name'],
   ['#define F(1) 2', 1, 'must be names in ( )'],
   ['#define F(x, x) x', 1, '"x" is a parameter of "F" already'],

@@ -188,13 +188,13 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
     const expected =
       renderer === 'WEBGL' ? { ...offsets, ...calls } : { ...offsets, ...calls, ...onWebGPU }
     // Skips cases that are null.
-    const tried = (all) => Object.keys(all).filter((code) => expected[code])
+    const codesWithMessage = (all) => Object.keys(all).filter((code) => expected[code])
     const works = [
-      ...tried(offsets).map(
+      ...codesWithMessage(offsets).map(
         (code) =>
           `createWarp((inputs) => { const { glsl, position, millis } = inputs; ${inBraces(code)} })`,
       ),
-      ...tried(calls),
+      ...codesWithMessage(calls),
     ]
     const { page, messages } = await runSketch(
       browsers[renderer],
@@ -202,14 +202,14 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       [...scripts, '/dist/p5.warpjet.min.js'],
       `let warp, flat
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
-const trying = (work) => { try { work(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
+const errorOf = (work) => { try { work(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
 const works = [
 ${works.map((work) => `() => ${work},`).join('\n')}
 ]
 ${setupOf(renderer)} createCanvas(100, 100, ${renderer})
   flat = createGraphics(10, 10)
   warp = createWarp(still)
-  window.said = works.map(trying)
+  window.said = works.map(errorOf)
   // The guarded functions are restored.
   window.after = [sin(0), Math.max(1, 2), constrain(5, 0, 1)]
   noLoop()
@@ -228,7 +228,9 @@ ${setupOf(renderer)} createCanvas(100, 100, ${renderer})
     assert.deepEqual(left, [0, 2, 1])
     const lines = source.split('\n')
     const first = lines.findIndex((line) => line.startsWith('const works')) + 1
-    const sentences = [...tried(offsets), ...tried(calls)].map((code) => expected[code])
+    const sentences = [...codesWithMessage(offsets), ...codesWithMessage(calls)].map(
+      (code) => expected[code],
+    )
     const number = /, line (\d+)\)$/
     const shift = number.exec(said[0][1])[1] - first
     said.forEach(([name, message], i) => {
