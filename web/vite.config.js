@@ -30,7 +30,6 @@ export default {
   optimizeDeps: {
     include: [
       'codemirror',
-      '@codemirror/autocomplete',
       '@codemirror/commands',
       '@codemirror/lang-javascript',
       '@codemirror/language',

@@ -1,4 +1,5 @@
 // web/docs/identities.md: what warpjet simplifies, a row of src/graph/identities.hpp a row.
+import { Stop } from '../lib/terminal.mjs'
 
 const headings = {
   'Minus and not': ['neg', 'not'],
@@ -27,7 +28,7 @@ export function identitiesText({ identities, turns }) {
   const listed = Object.values(headings).flat()
   const missing = identities.filter(({ operation }) => !listed.includes(operation))
   if (missing.length)
-    throw new Error(`.scripts/reference/identities.mjs lacks ${missing[0].operation}.`)
+    throw new Stop(`.scripts/reference/identities.mjs needs a heading for ${missing[0].operation}.`)
   return page(groups, turns)
 }
 

@@ -1,5 +1,6 @@
 // web/docs/plots-vectors.md: operations on vectors and matrices, derivatives, and noise, each with its formula, that of its
 // derivative, a plot of both along one number where it says something, and a line that runs.
+import { Stop } from '../lib/terminal.mjs'
 import { noiseFormulas } from './noise-formulas.mjs'
 import { lineText } from './plots.mjs'
 import { vectorFormulas } from './vector-formulas.mjs'
@@ -56,14 +57,12 @@ function formulaText({ form, value, derivative, where = {} }) {
 
 function vectorSection(title, meaning) {
   const formula = vectorFormulas[title]
-  if (!formula) throw new Error(`.scripts/reference/vector-formulas.mjs lacks ${title}.`)
   const { kink, call, from = -3, to = 3 } = formula
   const says = [sentence(meaning), kink].filter(Boolean).join(' ')
   return `### ${title}\n\n${says}\n\n${formulaText(formula)}\n\n${lineText(call, from, to)}`
 }
 
 function derivativeSection({ name, meaning }) {
-  if (!derivatives[name]) throw new Error(`.scripts/reference/plots-vectors.mjs lacks ${name}.`)
   const { plot, line } = derivatives[name]
   const formula = vectorFormulas[name]
   const says = formula ? `${formulaText(formula)} ${formula.kink}` : derivatives[name].says
@@ -84,14 +83,25 @@ ${line.replaceAll(/^/gm, '  ')}
 }
 
 function noiseSection(name) {
-  if (!noiseFormulas[name]) throw new Error(`.scripts/reference/noise-formulas.mjs lacks ${name}.`)
   const { value, derivative, letters, kink, call, from = 0, to = 6 } = noiseFormulas[name]
   const says = `${code(`${name}(p)`)} is ${code(value)}. Derivative: ${code(derivative)}. ${letters}.`
   return `### ${name}\n\n${[says, kink].filter(Boolean).join(' ')}\n\n${lineText(call, from, to)}`
 }
 
+/** Throws if a name has no row in the table of that file. */
+function checkRows(file, table, names) {
+  const missing = names.filter((name) => !(name in table))
+  if (missing.length)
+    throw new Stop(`.scripts/reference/${file} needs a row for ${missing.join(', ')}.`)
+}
+
 export function plotsVectorsText({ operations, noises }) {
   const ofGroup = (heading) => operations.filter((operation) => operation.heading === heading)
+  const namesOf = (list) => list.map(({ name }) => name)
+  const onVectors = [...ofGroup('Vectors'), ...ofGroup('Matrices')]
+  checkRows('vector-formulas.mjs', vectorFormulas, namesOf(onVectors))
+  checkRows('plots-vectors.mjs', derivatives, namesOf(ofGroup('Derivatives')))
+  checkRows('noise-formulas.mjs', noiseFormulas, namesOf(noises))
   const sections = (heading) =>
     ofGroup(heading).map(({ name, meaning }) => vectorSection(name, meaning))
   const more = Object.entries(products).map(([title, meaning]) => vectorSection(title, meaning))

@@ -15,7 +15,9 @@ import {
   shaderNames,
 } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
-import { checkOptions } from '../options/options.js'
+import { anything } from '../options/kinds.js'
+import { Place } from '../options/place.js'
+import { object } from '../options/schema.js'
 import { refreshMesh } from './mesh.js'
 import {
   type ShaderParts,
@@ -29,6 +31,8 @@ import { settableValues } from './settable-values.js'
 import { babylon } from './values.js'
 
 const method = 'BabylonWarp'
+const place = new Place(method)
+const schema = object({ uniforms: anything<object>() })
 const pluginName = 'Warpjet'
 
 export interface BabylonWarpOptions<Uniforms extends UniformValues = UniformValues> {
@@ -66,10 +70,10 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}> extends Mate
       throw new WarpError(
         `${method}: the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,
       )
-    checkOptions(method, options, ['uniforms'])
-    const warp = new HostWarp(method, offset as OffsetFunction, {
+    const { uniforms } = schema.read(options, place)
+    const warp = new HostWarp(place, offset as OffsetFunction, {
       host: babylon,
-      uniforms: options.uniforms,
+      uniforms,
       names,
       tangents: true,
     })

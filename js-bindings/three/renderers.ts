@@ -1,19 +1,20 @@
-// What three.js draws with: WebGLRenderer, and WebGPURenderer once 'warpjet/three/webgpu' is imported, which brings what it needs.
-import type { Material, Mesh } from 'three'
+// Connects `warp` to both renderers: WebGLRenderer, and WebGPURenderer once 'warpjet/three/webgpu' is imported.
+import type { Material, Mesh, Object3D } from 'three'
 import { WarpError } from '../errors/errors.js'
 import { noteReplaced } from '../errors/notes.js'
 import type { ThreeWarp } from './three-warp.js'
 import { nameOf } from './describe.js'
 import { type Woven, checkMaterial, weaveInto } from './material.js'
-import type { WarpSpace } from './settings.js'
 
-/** How WebGPURenderer has a warp: as a node. */
+/** The functions of 'warpjet/three/webgpu' that `warp` calls. */
 export interface Nodes {
-  check: (method: string, material: Material) => void
-  /** What it cannot do with an object in a space, for a sentence. */
-  obstacle: (space: WarpSpace, object: Mesh) => string | undefined
-  /** Puts the node into `made`, a material for this warp alone unless it is shared. */
-  weave: (given: Material, warp: ThreeWarp, made?: Material) => Woven
+  check: (method: string, material: Material, object?: Mesh) => void
+  /** Draws an object warped, with whichever material; call the result to end that. */
+  carryObject: (object: Object3D, warp: ThreeWarp) => () => void
+  /** Draws all objects that have the material warped; call the result to end that. */
+  carryMaterial: (material: Material, warp: ThreeWarp) => () => void
+  /** Tests whether a renderer is of the three.js whose methods are replaced. */
+  isOurs: (renderer: unknown) => boolean
 }
 
 let nodes: Nodes | undefined
@@ -24,29 +25,36 @@ export const provideNodes = (given: Nodes) => void (nodes = given)
 const isOfNodes = (material: unknown) =>
   (material as { isNodeMaterial?: boolean } | undefined)?.isNodeMaterial === true
 
-export function checkForAll(method: string, material: unknown): asserts material is Material {
-  if (nodes && isOfNodes(material)) nodes.check(method, material as Material)
+export function checkForAll(
+  method: string,
+  material: unknown,
+  object?: Mesh,
+): asserts material is Material {
+  if (nodes && isOfNodes(material)) nodes.check(method, material as Material, object)
   else checkMaterial(method, material)
 }
 
-/** For each renderer that there is; which of them draws it turns out when it does. */
+/** Weaves a material for WebGLRenderer. WebGPURenderer needs the material only if it is shared: it finds the warp by the object. */
 export function weaveForAll(given: Material, warp: ThreeWarp): Woven {
-  if (nodes && isOfNodes(given)) return nodes.weave(given, warp)
-  const woven = weaveInto(given, warp)
-  const node = nodes?.weave(given, warp, woven.material)
+  const ofNodes = nodes && isOfNodes(given)
+  const woven = ofNodes ? { material: given, restore() {} } : weaveInto(given, warp)
+  const release = warp.settings.isShared && nodes ? nodes.carryMaterial(given, warp) : undefined
   return {
     material: woven.material,
     restore() {
-      if (warp.settings.isShared) node?.restore()
+      release?.()
       woven.restore()
     },
   }
 }
 
-/** Of an object that is warped now: throws when a renderer comes that would draw it as it was, or otherwise, and says once if
- * its material is another than at first. */
+/** Draws an object warped with WebGPURenderer, if that is imported; call the result to end that. */
+export const carryByNodes = (object: Object3D, warp: ThreeWarp): (() => void) =>
+  nodes?.carryObject(object, warp) ?? (() => {})
+
+/** Makes the `onBeforeRender` of a warped object. It throws for a renderer that cannot draw it warped. */
 export function refusing(
-  { method, space }: { method: string; space: WarpSpace },
+  { method }: { method: string },
   object: Mesh,
   isReplaced: () => boolean,
 ): Mesh['onBeforeRender'] {
@@ -54,15 +62,18 @@ export function refusing(
   const present = nodes
   let isNoted = false
   return function (this: Mesh, renderer, ...others) {
-    if (!isNoted && isReplaced()) {
+    if ('isWebGPURenderer' in renderer) {
+      if (!present)
+        throw new WarpError(
+          `${method}: ${nameOf(object)} is drawn by WebGPURenderer; import 'warpjet/three/webgpu' once, before it is warped.`,
+        )
+      if (!present.isOurs(renderer))
+        throw new WarpError(
+          `${method}: ${nameOf(object)} is drawn by a renderer of another copy of three.js than 'warpjet/three/webgpu' imports; let both resolve to one 'three/webgpu'.`,
+        )
+    } else if (!isNoted && isReplaced()) {
       isNoted = true
       noteReplaced(method, nameOf(object))
-    }
-    if ('isWebGPURenderer' in renderer) {
-      const problem = present
-        ? present.obstacle(space, object)
-        : "the object is drawn by WebGPURenderer; import 'warpjet/three/webgpu' once, before it is warped"
-      if (problem) throw new WarpError(`${method}: ${problem}.`)
     }
     onBeforeRender.call(this, renderer, ...others)
   }

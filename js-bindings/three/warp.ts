@@ -26,7 +26,7 @@ import {
 import type { Warpable } from './pose.js'
 import { type Raycast, raycastOf } from './rays.js'
 import { remembered } from './remembered.js'
-import { checkForAll, refusing, weaveForAll } from './renderers.js'
+import { carryByNodes, checkForAll, refusing, weaveForAll } from './renderers.js'
 import { type Settings, type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
 import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 
@@ -90,7 +90,7 @@ function partsOf({ method }: Settings, object: Object3D): Warpable[] {
       )
     if (!geometry.attributes?.position)
       throw new WarpError(`${method}: the geometry of ${nameOf(part)} has no attribute "position".`)
-    for (const each of [material].flat()) checkForAll(method, each)
+    for (const each of [material].flat()) checkForAll(method, each, part as Mesh)
     parts.push(part as Warpable)
   })
   if (parts.length) return parts
@@ -165,6 +165,7 @@ function putOn(warp: ThreeWarp, object: Warpable, materials: Map<Material, Woven
     ...values({ computeBoundingSphere() {}, computeBoundingBox() {} }),
     ...((object as BatchedMesh).isBatchedMesh && values(inBatch(warp, object as BatchedMesh))),
   })
+  const release = carryByNodes(object, warp)
   warpedNow.add(object)
   return {
     object,
@@ -172,6 +173,7 @@ function putOn(warp: ThreeWarp, object: Warpable, materials: Map<Material, Woven
     bounds: () => extent().box.clone(),
     restore() {
       putBack()
+      release()
       // Another material, put on meanwhile, stays.
       if (object.material === after) object.material = before
       shadows.customDepthMaterial.dispose()

@@ -113,7 +113,7 @@ test('what is missing on the CPU is named', () => {
   const warp = compileWarp(wave, { ...perFrame, uniforms: { speed: 0.01 } })
   assert.throws(
     () => warp.evaluateAt([0, 0, 0]),
-    /^WarpError: evaluateAt: the warp reads "millis"; give it a value, as in \{ millis: 0 \}\.$/,
+    /^WarpError: evaluateAt: the warp reads "millis"; pass a value, as in \{ millis: 0 \}\.$/,
   )
   assert.throws(() => warp.evaluateAt([0, 0, 0], { uniforms: { milis: 1 } }), /no uniform "milis"/)
 })

@@ -17,13 +17,7 @@ import { orphans, warpsInThisRun as warps } from '../warps/index.js'
 import { launchBrowser } from '../support/browser/browser.js'
 import { assertBaked, compareBaked } from '../support/browser/baked.js'
 import { compare, moments } from '../support/browser/compare.js'
-import {
-  arraysOf,
-  denseMesh,
-  interleaved,
-  stride,
-  vertices,
-} from '../support/browser/dense-mesh.js'
+import { arraysOf, denseMesh, interleave, stride, vertices } from '../support/browser/dense-mesh.js'
 import { warpVertex } from '../support/browser/oracle.js'
 import { asAccurateAsCanBe, withAccurateSine } from '../support/browser/accurate.js'
 import { openPipeline, vertexShader } from '../support/browser/transform-feedback.js'
@@ -91,7 +85,7 @@ describe('positions and normals are right:', () => {
       // The text of `gen` that two sketches splice into their own shaders is no warp.
       if (!compiled.evaluate) return
       const baked = draws.map((uniforms) =>
-        interleaved(compiled.evaluate(arraysOf(mesh, compiled.attributes), { uniforms })),
+        interleave(compiled.evaluate(arraysOf(mesh, compiled.attributes), { uniforms })),
       )
       assertOnCpu(warp, baked, expected, points)
       const worst = compareBaked(warp, mesh, draws, baked, { builtIn, exact }, expected)

@@ -60,12 +60,18 @@ describe('emit', () => {
 
   test('what is refused', () => {
     const warp = compileWarp(({ glsl, position }) => position.mult(glsl.param('aPlace')))
-    refuses(() => warp.emit('hlsl'), /"target" must be one of glsl300, glsl100, wgsl/)
+    refuses(
+      () => warp.emit('hlsl'),
+      /emit: expected 'glsl300', 'glsl100' or 'wgsl' for the target, got the text "hlsl"/,
+    )
     refuses(() => warp.emit('wgsl', { name: {} }), /emit: there is no option "name"/)
-    refuses(() => warp.emit('wgsl', { names: { place: 'p' } }), /emit names: .* no option "place"/)
+    refuses(
+      () => warp.emit('wgsl', { names: { place: 'p' } }),
+      /emit: there is no option "place" in the option "names"/,
+    )
     refuses(
       () => warp.emit('wgsl', { outputs: { offset: 3 } }),
-      /expected a text for the name of a result, got the number/,
+      /expected the name of a shader variable for the option "outputs\.offset", got the number 3/,
     )
     refuses(() => warp.emit('wgsl', { names: { position: 'fn' } }), /"fn" is a word of WGSL/)
     refuses(

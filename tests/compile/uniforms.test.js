@@ -128,7 +128,7 @@ describe('on the CPU', () => {
   })
 
   test('every method takes it', () => {
-    const warp = compileWarp(({ glsl, position, uniforms }) => position.mult(uniforms.grow), {
+    const warp = compileWarp(({ position, uniforms }) => position.mult(uniforms.grow), {
       uniforms: { grow: 1 },
     })
     const mesh = { positions: [1, 0, 0, 0, 1, 0, 0, 0, 2], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1] }
@@ -198,25 +198,31 @@ describe('on the CPU', () => {
 describe('one sentence says what is wrong:', () => {
   test('with the option', () => {
     const option = (uniforms) => () => compileWarp(({ position }) => position, { uniforms })
-    refuses(option(3), /option "uniforms" must be an object, such as \{ amount: .*the number 3/)
-    refuses(option([1, 2]), /must be an object, .* but is an array of 2/)
-    refuses(option(null), /must be an object, .* but is null/)
+    refuses(
+      option(3),
+      /expected an object, such as \{ amount: .*for the option "uniforms", got the number 3/,
+    )
+    refuses(option([1, 2]), /expected an object, .* got an array of 2/)
+    refuses(option(null), /expected an object, .* got null/)
   })
 
   test('with a value', () => {
     const cases = [
-      ['red', /"value" must be a number, .* but is the text "red"/],
-      [undefined, /"value" must be a number, .* but is undefined/],
-      [[1], /but is an array of 1/],
-      [[1, 2, 3, 4, 5], /must be .* an array of 2, 3, 4, 9 or 16 numbers, .* but is an array of 5/],
-      [{ a: 1 }, /but is an object/],
-      [() => undefined, /a function that gives one of them, but its function gives undefined/],
-      [async () => 1, /but its function gives a promise/],
-      [NaN, /"value" must be a finite number, but is NaN/],
-      [[1, Infinity], /must have finite numbers, but has Infinity among them/],
-      [[1, 'a', 2], /must have finite numbers, but has the text "a" among them/],
-      [[1, , 2], /must have finite numbers, but has undefined among them/],
-      [() => [0, NaN], /must have finite numbers, but has NaN among them/],
+      ['red', /expected a number, .* for the uniform "value", got the text "red"/],
+      [undefined, /expected a number, .* for the uniform "value", got undefined/],
+      [[1], /got an array of 1\./],
+      [[1, 2, 3, 4, 5], /expected .* an array of 2, 3, 4, 9 or 16 numbers, .* got an array of 5/],
+      [{ a: 1 }, /got an object\./],
+      [
+        () => undefined,
+        /a function that returns one of them, .* got a function that returns undefined/,
+      ],
+      [async () => 1, /got a function that returns a promise/],
+      [NaN, /expected a finite number for the uniform "value", got NaN/],
+      [[1, Infinity], /expected an array of 2 finite numbers .* got one with Infinity/],
+      [[1, 'a', 2], /expected an array of 3 finite numbers .* got one with the text "a"/],
+      [[1, , 2], /got one with undefined/],
+      [() => [0, NaN], /got one with NaN/],
     ]
     for (const [value, message] of cases) refuses(() => declare(value), message)
   })
@@ -256,15 +262,18 @@ describe('one sentence says what is wrong:', () => {
       uniforms: { center: [0, 0, 0], amount: 1, unread: [1, 2] },
     })
     const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
-    refuses(call({ amount: [1, 2] }), /"amount" is a float and takes a number, but a vec2 came/)
-    refuses(call({ amount: 'a' }), /takes a number, but the text "a" came/)
-    refuses(call({ amount: () => 3 }), /takes a number, but a function came/)
+    refuses(
+      call({ amount: [1, 2] }),
+      /expected a finite number for the uniform "amount", got an array of 2/,
+    )
+    refuses(call({ amount: 'a' }), /expected a finite number .* got the text "a"/)
+    refuses(call({ amount: () => 3 }), /expected a finite number .* got a function/)
     refuses(
       call({ center: 3 }),
-      /"center" is a vec3 and takes an array of 3 numbers, but a float came/,
+      /expected an array of 3 finite numbers for the uniform "center", got the number 3/,
     )
-    refuses(call({ center: [1, NaN, 2] }), /"center" must have finite numbers, but has NaN/)
-    refuses(call({ unread: 1 }), /"unread" is a vec2 and takes an array of 2 numbers/)
+    refuses(call({ center: [1, NaN, 2] }), /for the uniform "center", got one with NaN/)
+    refuses(call({ unread: 1 }), /expected an array of 2 finite numbers for the uniform "unread"/)
     refuses(call({ centre: [1, 2, 3] }), /no uniform "centre"; there are .*center, amount, unread/)
   })
 
@@ -272,11 +281,11 @@ describe('one sentence says what is wrong:', () => {
     const offset = ({ glsl }) => glsl.vec3(glsl.param('toString'), glsl.param('constructor'), 0)
     const warp = compileWarp(offset)
     const call = (uniforms) => () => warp.evaluateAt(origin, { uniforms })
-    refuses(call(), /the warp reads "toString"; give it a value/)
-    refuses(call({ toString: 1 }), /the warp reads "constructor"; give it a value/)
+    refuses(call(), /the warp reads "toString"; pass a value/)
+    refuses(call({ toString: 1 }), /the warp reads "constructor"; pass a value/)
     assert.deepEqual(call({ toString: 1, constructor: 2 })().position, [1, 2, 0])
     const { evaluate } = compile((glsl) => ({ y: glsl.param('toString').mult(2) }))
-    refuses(() => evaluate({}), /^evaluate: expected a number for "toString", got undefined/)
+    refuses(() => evaluate({}), /^evaluate: expected a finite number for "toString", got undefined/)
     assert.deepEqual(evaluate({ toString: 2 }), { y: 4 })
   })
 
@@ -298,11 +307,14 @@ describe('one sentence says what is wrong:', () => {
     now = [1, 2]
     refuses(
       () => warp.evaluateAt(origin),
-      /^evaluateAt: the uniform "value" was a float when the warp was made, but its function now gives a vec2; it must stay what it was/,
+      /^evaluateAt: expected a finite number for the uniform "value", got an array of 2; its function must always return what it returned at first\./,
     )
     now = undefined
-    refuses(() => warp.bounds({ min: origin, max: origin }), /now gives undefined/)
+    refuses(
+      () => warp.bounds({ min: origin, max: origin }),
+      /^bounds: .* got undefined; its function must always return/,
+    )
     now = NaN
-    refuses(() => warp.evaluateAt(origin), /"value" must be a finite number, but is NaN/)
+    refuses(() => warp.evaluateAt(origin), /for the uniform "value", got NaN/)
   })
 })

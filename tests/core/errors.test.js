@@ -73,7 +73,7 @@ test('expressions in texts', () => {
     refuses(() => glsl.param(`${x}`), /param: "an expression of warpjet" cannot be read/)
     refuses(
       () => glsl.fn({ name: 'f', arity: 1, source: `float f(float a) { return a * ${x}; }` }),
-      /^fn: the option "source" of f has an expression in its text; make it an argument/,
+      /^fn: the option "source" of f contains an expression; make it an argument/,
     )
     refuses(() => x + '', /do not work on expressions/)
     return { result: x }
@@ -84,7 +84,7 @@ test('expressions of another copy of warpjet', async () => {
   const other = await import('../../dist/warpjet.min.js')
   let foreign
   other.compileWarp(({ position }) => (foreign = position))
-  const sentence = /was made by another copy of warpjet; this page loads two, so take all/
+  const sentence = /was made by another copy of warpjet; this page loads two copies, so load all/
   refuses(
     offset(() => foreign),
     sentence,
@@ -104,7 +104,7 @@ test('what is no offset function', () => {
   )
   refuses(() => compile(7), /compile: expected a function, got the number 7/)
   refuses(() => gen({}), /gen: expected a function, got an empty object/)
-  refuses(() => gen(async () => {}), /gen: the function must be a plain one/)
+  refuses(() => gen(async () => {}), /gen: the function must be neither async nor a generator/)
   refuses(() => compile(async () => ({})), /compile: the function must return an object of named/)
 })
 
@@ -217,13 +217,19 @@ test('expressions of another warp', () => {
 test('options', () => {
   refuses(
     () => compileWarp(still, { target: 'hlsl' }),
-    /glsl300, glsl100, wgsl, but is the text "hlsl"/,
+    /expected 'glsl300', 'glsl100' or 'wgsl' for the option "target", got the text "hlsl"/,
   )
   refuses(() => compileWarp(still, { traget: 'glsl300' }), /no option "traget"/)
   refuses(() => compileWarp(still, 5), /expected an object of options, got/)
-  refuses(() => compileWarp(still, { normals: 'no' }), /"normals" must be true or false/)
+  refuses(
+    () => compileWarp(still, { normals: 'no' }),
+    /expected true or false for the option "normals", got the text "no"/,
+  )
   refuses(() => compileWarp(still, { names: { pos: 'p' } }), /no option "pos"/)
-  refuses(() => compileWarp(still, { names: { position: 5 } }), /names\.position: .* the number 5/)
+  refuses(
+    () => compileWarp(still, { names: { position: 5 } }),
+    /for the option "names\.position", got the number 5/,
+  )
   refuses(
     () => gen(() => {}, { maxDepthPerVariable: 0 }),
     /expected a number of at least 1 for the option "maxDepthPerVariable"/,
@@ -278,7 +284,7 @@ test('a class in the place of a function', () => {
   refuses(() => compileWarp(Map), isClass)
   refuses(
     () => compileWarp(still, { uniforms: { reach: Offset } }),
-    /^compileWarp: the uniform "reach" must be a number, .*, but is a class\./,
+    /^compileWarp: expected a number, .*, for the uniform "reach", got a class\./,
   )
   const slope = (glsl) =>
     glsl.fn({
@@ -305,7 +311,10 @@ test('names of results', () => {
   refuses(named({ position: 'vec3' }), /"vec3" cannot name a result/)
   refuses(named({ position: 'gl_Position' }), /"gl_Position" cannot name a result/)
   refuses(named({ position: 'a', normal: 'a' }), /two results named "a"/)
-  refuses(named({ position: 7 }), /expected a text for the name of a result, got the number 7/)
+  refuses(
+    named({ position: 7 }),
+    /expected the name of a shader variable for the option "outputs\.position", got the number 7/,
+  )
   refuses(named({ offset: 'position' }), /"position" has the name of a variable/)
   refuses(() => compile((glsl) => ({ 'a b': glsl.val(1) })), /"a b" cannot name a result/)
   refuses(() => compile(() => 5), /must return an object of named expressions/)
@@ -483,7 +492,7 @@ test('functions of the shader', () => {
   )
   refuses(
     of({ ...a, source: { wgsl: '' } }),
-    /expected a text of GLSL for the target glsl300, or an object \{ glsl: … \} with one, for the option "source" of a/,
+    /expected GLSL source for the target glsl300, or an object \{ glsl: … \} with it, for the option "source" of a/,
   )
   refuses(
     of({ ...a, derivatives: [] }),
@@ -525,12 +534,18 @@ test('functions of the shader', () => {
 test('numbers for evaluate', () => {
   const { evaluate } = compile((glsl) => ({ r: glsl.vec2Param('v').x().add(glsl.param('x')) }))
   assert.deepEqual(evaluate({ v: [1, 2], x: 3 }), { r: 4 })
-  refuses(() => evaluate(), /evaluate: expected an array of 2 numbers for "v", got undefined/)
+  refuses(
+    () => evaluate(),
+    /evaluate: expected an array of 2 finite numbers for "v", got undefined/,
+  )
   refuses(
     () => evaluate({ v: [1], x: 1 }),
-    /expected an array of 2 numbers for "v", got an array of 1/,
+    /expected an array of 2 finite numbers for "v", got an array of 1/,
   )
-  refuses(() => evaluate({ v: [1, 2], x: '1' }), /expected a number for "x", got the text "1"/)
+  refuses(
+    () => evaluate({ v: [1, 2], x: '1' }),
+    /expected a finite number for "x", got the text "1"/,
+  )
 })
 
 test('constants that only a derivative brings together', () => {

@@ -40,6 +40,19 @@ test('a component is a value that may also be called', () => {
   })
 })
 
+test('a swizzle that was never read can be looked up with in, and cannot be assigned', () => {
+  compile((glsl) => {
+    const v = glsl.vec3Param('v')
+    assert.ok('zxxz' in v)
+    assert.ok(!('zxxzz' in v))
+    assert.ok(!('xg' in v))
+    assert.throws(() => {
+      v.yzxy = v
+    }, new WarpError('yzxy: a component cannot be changed; make a new vector, as in glsl.vec3(x, y, z).'))
+    return { y: v.x }
+  })
+})
+
 test('a component may be a derivative, a result and an option', () => {
   const bump = (glsl) =>
     glsl.fn({

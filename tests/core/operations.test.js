@@ -44,6 +44,8 @@ function surface() {
     names.method = []
     for (let at = Object.getPrototypeOf(x); at !== Object.prototype; at = Object.getPrototypeOf(at))
       names.method.push(...Object.getOwnPropertyNames(at))
+    // Swizzles of several letters become properties when they are first looked up.
+    names.method.push(...swizzles.filter((name) => name.length > 1 && name in x))
     return { y: x }
   })
   const isOperation = (name) =>

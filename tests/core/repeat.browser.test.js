@@ -40,7 +40,7 @@ async function run(target, folds, points, change = (code) => code) {
     const second = `second${fold.seed}`
     return compile(
       (glsl) => {
-        const { [second]: unused, ...results } = foldCallback(fold)(glsl)
+        const { [second]: _, ...results } = foldCallback(fold)(glsl)
         return results
       },
       { target },

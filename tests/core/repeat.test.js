@@ -201,11 +201,11 @@ describe('refuses', () => {
     'a promise': [(g) => g.repeat(2, 0, async (s) => s), /promise|must return one state/],
     'another shape': [
       (g) => g.repeat(2, 0, () => g.vec3(1, 2, 3)),
-      /the state starts as a single number, but the function makes it a vec3; start with a vec3/,
+      /the state starts as a single number, but the function returns a vec3 for it; start with a vec3/,
     ],
     'another shape in a record': [
       (g) => g.repeat(2, { p: g.vec3(1), t: 0 }, ({ t }) => ({ p: t, t })).t,
-      /"p" starts as a vec3, but the function makes it a single number/,
+      /"p" starts as a vec3, but the function returns a single number for it/,
     ],
     'a part that is missing': [
       (g) => g.repeat(2, { a: 0, b: 0 }, ({ a }) => ({ a })).a,
@@ -213,7 +213,7 @@ describe('refuses', () => {
     ],
     'a part that is new': [
       (g) => g.repeat(2, { a: 0 }, ({ a }) => ({ a, c: a })).a,
-      /returns "c", but the state starts with a/,
+      /returns "c", but the start has a/,
     ],
     'one state for a record': [(g) => g.repeat(2, { a: 0 }, ({ a }) => a).a, /object with a/],
     'a state that got out': [

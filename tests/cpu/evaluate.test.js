@@ -2,7 +2,6 @@
 // against an oracle, beside those of the GPU.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { evaluationMemoryInUse } from '../../dist/memory.js'
 import { WarpError, compileWarp } from '../../dist/warpjet.js'
 import { glslOffset } from '../../dist/glsl.js'
 import { moments } from '../support/browser/compare.js'
@@ -313,11 +312,11 @@ describe('one sentence for', () => {
     )
     refuses(
       () => wave.evaluate({ positions: 3 }),
-      /expected a flat array of 3 numbers a vertex for positions, got the number 3/,
+      /expected a flat array of 3 numbers per vertex for positions, got the number 3/,
     )
     refuses(
       () => wave.evaluate({ positions: [1, 2] }),
-      /expected three numbers a vertex for positions, got 2 numbers/,
+      /expected 3 numbers per vertex for positions, got 2 numbers/,
     )
     refuses(
       () =>
@@ -332,7 +331,7 @@ describe('one sentence for', () => {
     )
     refuses(
       () => wave.evaluate({ positions, normals: [1] }),
-      /expected 3 numbers a vertex, 3 for these positions, for normals, got 1/,
+      /expected 3 numbers per vertex, 3 for these positions, for normals, got 1/,
     )
     refuses(
       () => wave.evaluate({ positions: [1, 2, 3, 4, NaN, 6] }, { uniforms }),
@@ -355,7 +354,7 @@ describe('one sentence for', () => {
   test('uniforms', () => {
     refuses(
       () => wave.evaluate({ positions }),
-      /the warp reads "millis"; give it a value in the uniforms, as in \{ "millis": 0 \}/,
+      /the warp reads "millis"; pass a value in the uniforms, as in \{ "millis": 0 \}/,
     )
     refuses(
       () => wave.evaluate({ positions }, { uniforms: { milis: 3 } }),
@@ -372,7 +371,7 @@ describe('one sentence for', () => {
     const follows = compileWarp(({ glsl, mouse }) => glsl.vec3(mouse, glsl.param('amount')))
     refuses(
       () => wave.evaluate({ positions, uniforms }),
-      /uniforms stand beside the mesh, not in it, as in evaluate\(mesh, \{ uniforms/,
+      /uniforms are an option, not a part of the mesh, as in evaluate\(mesh, \{ uniforms/,
     )
     refuses(
       () => wave.bounds({ min: [0, 0, 0], max: [1, 1, 1] }, { millis: 1 }),
@@ -393,12 +392,12 @@ describe('one sentence for', () => {
     const colored = compileWarp(({ color }) => color.rgb())
     refuses(
       () => colored.evaluate({ positions }),
-      /the warp reads the color of each vertex, but no "colors" came/,
+      /the warp reads the color of each vertex; pass "colors" too/,
     )
     const inflated = compileWarp(({ normal }) => normal.mult(2))
     refuses(
       () => inflated.evaluateAt(positions),
-      /evaluateAt: the warp reads the normal of each vertex, but no "normal" came/,
+      /evaluateAt: the warp reads the normal of each vertex; pass "normal" too/,
     )
   })
 
@@ -448,11 +447,11 @@ describe('one sentence for', () => {
   test('tangents without normals', () => {
     refuses(
       () => compileWarp(({ position }) => position, { normals: false, tangents: true }),
-      /compileWarp: tangents are turned with the normal; leave "normals: false" out/,
+      /compileWarp: tangents are transformed with the normal; remove "normals: false"/,
     )
     refuses(
       () => compileWarp(({ position }) => position, { tangents: 1 }),
-      /compileWarp: the option "tangents" must be true or false, but is the number 1/,
+      /compileWarp: expected true or false for the option "tangents", got the number 1/,
     )
   })
 })
@@ -548,7 +547,7 @@ describe('memory that inputs and results share', () => {
       })
     refused(
       { positions: same, normals: same },
-      /^evaluate: out\.positions and out\.normals must have memory of their own, but are the same array\.$/,
+      /^evaluate: out\.positions and out\.normals must not share memory, but are the same array\.$/,
     )
     refused({ normals: same, tangents: same }, /out\.normals and out\.tangents .* same array/)
     const buffer = new ArrayBuffer(4 * 80_000)

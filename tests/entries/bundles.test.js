@@ -178,7 +178,7 @@ test('a bundle for text alone has no evaluation, and says where it is', async ()
     assert.throws(() => warp[method]({ positions: [] }), {
       name: 'WarpError',
       message: new RegExp(
-        `^${method}: this compileWarp makes text only; .* script p5\\.warpjet\\.min\\.js, and of 'warpjet'\\.$`,
+        `^${method}: this compileWarp only writes shader code; .* script p5\\.warpjet\\.min\\.js, and of 'warpjet', also runs on the CPU\\.$`,
       ),
     })
 })

@@ -1,15 +1,15 @@
-// Bad text of every kind: one sentence, with line, column and a caret.
+// Invalid source of every kind: the message has line, column and a caret.
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { WarpError, compileWarp } from 'warpjet'
 import { differentiate, glslOffset } from 'warpjet/glsl'
 
 const body = (text) => `vec3 offset(vec3 p) {\n  ${text}\n}`
-const nested = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
+const nest = (open, inner, close, count) => open.repeat(count) + inner + close.repeat(count)
 
-/** Texts, each with the line that is wrong and a piece of the sentence. */
+/** [source, line of the mistake, part of the message]. */
 const wrong = [
-  // where a text ends too early
+  // the source ends too early
   ['vec3 offset(vec3 p) {', 1, 'this { has no }'],
   ['vec3 offset(vec3 p', 1, 'expected )'],
   ['vec3 offset', 1, 'expected ; after a declaration, got the end of the source'],
@@ -39,17 +39,17 @@ const wrong = [
     2,
     '"half" cannot be a name: GLSL reserves this word; use another name',
   ],
-  [
-    '#version 300 es\nfloat sample;',
-    2,
-    '"sample" cannot be a name: GLSL reserves this word',
-  ],
+  ['#version 300 es\nfloat sample;', 2, '"sample" cannot be a name: GLSL reserves this word'],
   ['#version 100\nfloat packed;', 2, 'GLSL reserves this word'],
   ['struct S { float input; };', 1, 'GLSL reserves this word'],
   [`float ${'a'.repeat(1025)};`, 1, 'it is longer than 1024 characters'],
   [`#version 100\nfloat ${'a'.repeat(257)};`, 2, 'it is longer than 256 characters'],
   ['void f(void a[2]) { }', 1, 'a parameter cannot be void'],
-  ['#version 300 es\nvoid f() { float a[2]; a, a; }', 2, 'a float[2] is not allowed in a comma expression'],
+  [
+    '#version 300 es\nvoid f() { float a[2]; a, a; }',
+    2,
+    'a float[2] is not allowed in a comma expression',
+  ],
   ['float a__b;', 1, 'names with two consecutive underscores are reserved'],
   ['float f(float webgl_x) { return 1.; }', 1, 'names that start with webgl_ are reserved'],
   [body('float gl_x = 1.; return p;'), 2, 'names that start with gl_'],
@@ -83,8 +83,16 @@ const wrong = [
   [body('return 1.0;'), 2, 'expected this function to return a vec3, got a float'],
   [body('return;'), 2, 'got nothing'],
   ['void f() { return 1.; }\n' + body('return p;'), 1, 'is void and returns nothing'],
-  [body('if (p.x) return p; return p;'), 2, 'expected a bool as the condition of this if, got a float'],
-  [body('return p.x > 1. ? p : p.x;'), 2, 'expected two values of the same type in ? :, got a vec3 and a float'],
+  [
+    body('if (p.x) return p; return p;'),
+    2,
+    'expected a bool as the condition of this if, got a float',
+  ],
+  [
+    body('return p.x > 1. ? p : p.x;'),
+    2,
+    'expected two values of the same type in ? :, got a vec3 and a float',
+  ],
   [body('return p.x ? p : p;'), 2, 'expected a bool before ?, got a float'],
   [body('bool b = p > p; return p;'), 2, '">" does not take'],
   [body('return !p;'), 2, '"!" does not take a vec3'],
@@ -104,7 +112,11 @@ const wrong = [
   [body('float a[int(p.x)]; return p;'), 2, 'the length of an array'],
   [body('float a[2][2]; return p;'), 2, 'arrays of arrays'],
   [body('float a[]; return p;'), 2, 'needs a length'],
-  [body('float a[3] = float[2](1., 2.); return p;'), 2, 'expected a float[3] as the value of "a", got a float[2]'],
+  [
+    body('float a[3] = float[2](1., 2.); return p;'),
+    2,
+    'expected a float[3] as the value of "a", got a float[2]',
+  ],
   [body('void v; return p;'), 2, 'cannot be void'],
   ['vec3 offset(void p) { return vec3(0.); }', 1, 'a parameter cannot be void'],
   [
@@ -120,7 +132,7 @@ const wrong = [
     3,
     'there is no constructor of sampler2D[2]',
   ],
-  // how large
+  // sizes
   [
     'struct A { float a[4096]; };\nstruct B { A a[16]; };\n' + body('B b[4096]; return p;'),
     4,
@@ -152,7 +164,11 @@ const wrong = [
     2,
     'already has a body for these parameters',
   ],
-  ['float f(float x);\nint f(float x) { return 1; }', 2, 'declared before with another result, a float'],
+  [
+    'float f(float x);\nint f(float x) { return 1; }',
+    2,
+    'declared before with another result, a float',
+  ],
   ['float f(float x);\n' + body('return vec3(f(p.x));'), 3, 'is declared, but has no body'],
   [
     'void f(const float x);\nvoid f(float x) { }',
@@ -187,7 +203,11 @@ const wrong = [
     1,
     '"invariant" is for outputs of a vertex shader, out or varying',
   ],
-  ['float a;\ninvariant a;', 2, 'expected gl_Position, or a variable declared above as out or varying, after invariant, got "a"'],
+  [
+    'float a;\ninvariant a;',
+    2,
+    'expected gl_Position, or a variable declared above as out or varying, after invariant, got "a"',
+  ],
   ['flat float a;', 1, '"flat" is for in and out; remove it'],
   ['highp bool a;', 1, 'a bool has no precision; remove "highp"'],
   ['attribute ivec3 a;', 1, '"attribute" is not allowed before an ivec3; use floats'],
@@ -195,7 +215,11 @@ const wrong = [
   ['varying float a = 1.;', 1, 'main sets the value of "a"; remove its initializer'],
   ['const float f() { return 1.; }', 1, '"const" is not allowed before a function; remove it'],
   [body('flat float a; return p;'), 2, '"flat" is not allowed before a variable of a function'],
-  [body('uniform float a; return p;'), 2, '"uniform" is not allowed before a variable of a function'],
+  [
+    body('uniform float a; return p;'),
+    2,
+    '"uniform" is not allowed before a variable of a function',
+  ],
   ['struct S { const float x; };', 1, '"const" is not allowed before a field of a structure'],
   ['void f(uniform float a) { }', 1, '"uniform" is not allowed before a parameter'],
   ['struct S { struct T { float x; } t; };', 1, 'declare it above'],
@@ -247,19 +271,27 @@ const wrong = [
   ['uniform float u;\nconst float x = u;', 2, '"x" is const, but'],
   ['float f() { return 1.; }\nfloat x = f();', 2, 'assign "x" in a function'],
   ['#version 300 es\nuniform float u;\nfloat x = u;', 3, 'assign "x" in a function'],
-  // what is assigned to
+  // assignments
   [body('const float x = 1.; x = 2.; return p;'), 2, '"x" is a constant and cannot be changed'],
   ['const float x = 1.;\n' + body('x += 2.; return p;'), 3, 'is a constant'],
   ['uniform float x;\n' + body('x++; return p;'), 3, 'is given by the host and cannot be changed'],
   ['vec3 offset(const vec3 p) { p.x = 1.; return p; }', 1, 'is a constant'],
-  [body('1. = p.x; return p;'), 2, 'expected a variable before =, got a value that cannot be changed'],
+  [
+    body('1. = p.x; return p;'),
+    2,
+    'expected a variable before =, got a value that cannot be changed',
+  ],
   [body('(p + p).x = 1.; return p;'), 2, 'got a value that cannot be changed'],
   [body('p.xx = p.xy; return p;'), 2, 'a component occurs twice'],
   [body('const float x; return p;'), 2, 'needs a value'],
   ['uniform float x = 1.;\n' + body('return p;'), 1, 'remove its initializer'],
-  ['void f(out float x) { x = 1.; }\n' + body('f(1.); return p;'), 3, 'got a value that cannot be changed'],
+  [
+    'void f(out float x) { x = 1.; }\n' + body('f(1.); return p;'),
+    3,
+    'got a value that cannot be changed',
+  ],
   [body('true = false; return p;'), 2, 'got a value that cannot be changed'],
-  // what runs
+  // control flow
   ['vec3 offset(vec3 p) { return offset(p); }', 1, 'calls itself'],
   [
     'float b(float x);\nfloat a(float x) { return b(x); }\nfloat b(float x) { return a(x); }\n' +
@@ -278,7 +310,11 @@ const wrong = [
   [body('break; return p;'), 2, 'outside of a loop'],
   [body('if (true) continue; return p;'), 2, 'outside of a loop'],
   [body('case 1: return p;'), 2, 'outside of a switch'],
-  [body('switch (p.x) { case 1: break; } return p;'), 2, 'expected an int or uint as the value of this switch, got a float'],
+  [
+    body('switch (p.x) { case 1: break; } return p;'),
+    2,
+    'expected an int or uint as the value of this switch, got a float',
+  ],
   [body('switch (1) { p.x = 1.; } return p;'), 2, 'expected a case before this, got "p"'],
   [body('switch (1) { case 1.: break; } return p;'), 2, 'expected a constant int after case'],
   [body('switch (1) { default: break; default: break; } return p;'), 2, 'already has a default'],
@@ -297,7 +333,11 @@ const wrong = [
     2,
     'there is no statement after this label; write break; there',
   ],
-  [body('int i = 1; switch (1) { case i: break; } return p;'), 2, 'expected a constant int after case'],
+  [
+    body('int i = 1; switch (1) { case i: break; } return p;'),
+    2,
+    'expected a constant int after case',
+  ],
   [body('while (float x = 1.) { } return p;'), 2, 'expected a bool as condition, got "x", a float'],
   [
     body('for (;;) { if (p.x > 1.) break; p.x += 1.; } return p;'),
@@ -336,11 +376,11 @@ const wrong = [
   [body('int i = 0x; return p;'), 2, 'is not a whole number'],
   [body('"text"; return p;'), 2, 'GLSL has no strings'],
   ['#include "noise.glsl"', 1, 'replace an #include with the source in the file'],
-  // how deep
-  [body(`return ${nested('(', 'p', ')', 100_000)};`), 2, 'nested more than 128 deep'],
+  // nesting depth
+  [body(`return ${nest('(', 'p', ')', 100_000)};`), 2, 'nested more than 128 deep'],
   [body(`return ${'-'.repeat(50_001)}p;`.replaceAll('--', '- -')), 2, 'nested more than 128 deep'],
-  [body(nested('{', '', '}', 50_000)), 2, 'nested more than 128 deep'],
-  [body(`return ${nested('sin(', 'p', ')', 30_000)};`), 2, 'nested more than 128 deep'],
+  [body(nest('{', '', '}', 50_000)), 2, 'nested more than 128 deep'],
+  [body(`return ${nest('sin(', 'p', ')', 30_000)};`), 2, 'nested more than 128 deep'],
   [body(`return ${'p.x > 0. ? p : '.repeat(20_000)}p;`), 2, 'nested'],
   [body(`p.x = ${'p.x = '.repeat(20_000)}1.;`), 2, 'nested more than 128 deep'],
   [body(`${'if (p.x > 0.) '.repeat(20_000)} return p;`), 2, 'nested more than 128 deep'],
@@ -351,7 +391,7 @@ const wrong = [
   ['#if 1\n#else\n#else\n#endif', 3, 'comes after #else'],
   ['#if (1\n#endif', 1, 'expected ) in this #if'],
   ['#if 1 / 0\n#endif', 1, 'divides by zero'],
-  [`#if ${nested('(', '1', ')', 5000)}\n#endif`, 1, 'nested more than 200 deep'],
+  [`#if ${nest('(', '1', ')', 5000)}\n#endif`, 1, 'nested more than 200 deep'],
   ['#define', 1, '#define needs a name'],
   ['#define F(1) 2', 1, 'must be names in ( )'],
   ['#define F(x, x) x', 1, '"x" is already a parameter of "F"'],
@@ -401,7 +441,7 @@ const wrong = [
   ],
 ]
 
-test('there are at least 100 of them', () => assert.ok(wrong.length >= 100, `${wrong.length}`))
+test('there are at least 100 cases', () => assert.ok(wrong.length >= 100, `${wrong.length}`))
 
 for (const [source, line, piece] of wrong)
   test(`line ${line}: ${piece}`, () => {
@@ -420,22 +460,22 @@ for (const [source, line, piece] of wrong)
     )
   })
 
-test('#line moves the number that is told, and the line that is shown stays', () => {
+test('#line changes the reported line number, but not the line that is shown', () => {
   assert.throws(
     () => glslOffset('#line 70\nfloat x = y;'),
     /line 70, column 11: "y" is not declared\.\n {2}float x = y;\n {12}\^/,
   )
 })
 
-test('what is no text, and wrong options', () => {
+test('arguments that are not source, and wrong options', () => {
   const good = 'vec3 offset(vec3 p) { return p; }'
   assert.throws(
     () => glslOffset(5),
-    /^WarpError: glslOffset: expected a text of GLSL for the source, got the number 5/,
+    /^WarpError: glslOffset: expected a string of GLSL for the source, got the number 5/,
   )
   assert.throws(
     () => glslOffset('shaders/waves.glsl'),
-    /expected a text of GLSL .* is the name of a file, so read that first/,
+    /expected a string of GLSL .* is the name of a file; read the file first/,
   )
   assert.throws(() => glslOffset(''), /the source has no function/)
   assert.throws(
@@ -451,18 +491,21 @@ test('what is no text, and wrong options', () => {
     /expected a whole number from 1 to 4096 for the option "maxIterations"/,
   )
   assert.throws(() => glslOffset(good, { depth: 1 }), /there is no option "depth"/)
-  assert.throws(() => glslOffset('float offset(vec3 p) { return 1.; }'), /must give a vec3/)
+  assert.throws(
+    () => glslOffset('float offset(vec3 p) { return 1.; }'),
+    /expected a function that returns a vec3, .* got one that returns a float/,
+  )
   assert.throws(
     () => glslOffset('vec3 offset(float speed) { return vec3(speed); }'),
-    /nothing gives the parameter speed/,
+    /the parameter speed of offset has no value/,
   )
   assert.throws(
     () => glslOffset('vec3 offset(vec3 position, float time) { return position; }'),
-    /nothing gives the parameter time of offset its value; call it millis\.$/,
+    /the parameter time of offset has no value; call it millis\.$/,
   )
   assert.throws(
     () => glslOffset('vec3 offset(vec3 uv) { return uv; }'),
-    /uv of offset is a vec3, but uv is a vec2/,
+    /uv of offset: expected a vec2, .* got a vec3/,
   )
   assert.throws(() => glslOffset('vec3 offset(out vec3 p) { p = vec3(1.); return p; }'), /is out/)
   assert.throws(
@@ -470,7 +513,10 @@ test('what is no text, and wrong options', () => {
     /expected a parameter of f, one of p, for the option "by", got the text "q"/,
   )
   assert.throws(() => differentiate('float f(vec4 p) { return p.x; }'), /five numbers/)
-  assert.throws(() => differentiate('float f(int i) { return 1.; }'), /only a float or a vector/)
+  assert.throws(
+    () => differentiate('float f(int i) { return 1.; }'),
+    /expected a float or a vector/,
+  )
   assert.throws(() => differentiate('int f(out float x) { return 1; }'), /x of f is out/)
   assert.throws(
     () => differentiate('float f(float x, out int i) { while (x < 1.) x++; return x; }'),
@@ -478,9 +524,12 @@ test('what is no text, and wrong options', () => {
   )
   assert.throws(
     () => glslOffset('vec3 offset(int uv) { return vec3(1.); }'),
-    /uv of offset is an int, but uv is a vec2/,
+    /uv of offset: expected a vec2, .* got an int/,
   )
-  assert.throws(() => differentiate('int f(float p) { return 1; }'), /f gives an int; only a float/)
+  assert.throws(
+    () => differentiate('int f(float p) { return 1; }'),
+    /f returns an int; expected a float or a vector/,
+  )
   assert.ok(
     differentiate(
       'uniform float result, outcome, derivatives; float f(float x) { return x * result * outcome * derivatives; }',
@@ -497,11 +546,11 @@ test('what is no text, and wrong options', () => {
         glslOffset('uniform vec2 amount; vec3 offset(vec3 p) { return vec3(amount, 0.); }'),
         { uniforms: { amount: 1 } },
       ),
-    /amount is a vec2 in the text, but a single number/,
+    /amount: expected a vec2, .* got a single number/,
   )
 })
 
-test('random bytes and random tokens end in a sentence or a warp', () => {
+test('random bytes and random tokens end in a message or a warp', () => {
   let state = 12345
   const random = (n) => (state = (state * 1103515245 + 12345) % 2147483648) % n
   const pieces =

@@ -50,7 +50,7 @@ test('a warp that compiles, but is too large to run', () => {
   const vertices = { positions: new Float32Array(30_000), normals: new Float32Array(30_000) }
   refuses(
     () => warp.evaluate(vertices),
-    /^There is not enough memory to run so large a warp on the CPU, which already takes [2-8] MB\.$/,
+    /^There is not enough memory to evaluate so large a warp on the CPU, which already takes [2-8] MB\.$/,
   )
 })
 

@@ -42,7 +42,7 @@ const fonts = {
 const recorders = ['recorder.js', 'three-recorder.js']
 /** In the frame of the playground; warpjet takes no file in a folder `dist` for the sketch, when it says where a mistake is. */
 const frameScripts = Object.fromEntries(
-  ['start', 'files', 'clock', 'kept', 'warps', 'warpjet', 'three'].map((name) => [
+  ['start', 'files', 'clock', 'record', 'warps', 'warpjet', 'three'].map((name) => [
     `playground/dist/${name}.js`,
     `web/playground/frame/${name}.js`,
   ]),

@@ -160,6 +160,6 @@ export async function startHero(place) {
   }
   new IntersectionObserver(([{ isIntersecting }]) => {
     isSeen = isIntersecting
-    run()
+    void run()
   }).observe(place)
 }

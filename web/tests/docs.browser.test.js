@@ -10,10 +10,9 @@ import { linkTo } from '../site/runnable.js'
 import { desktop, path } from '../../tests/support/browser/bench.js'
 import { launchBrowser, openPage } from '../../tests/support/browser/browser.js'
 import { coarse, keepFrames, rough } from '../../tests/support/browser/frames.js'
-import { canvasPixels, settled, shown, text } from '../../tests/support/browser/playground.js'
+import { canvasPixels, settled, text } from '../../tests/support/browser/playground.js'
 import { serveSite, withoutWorker } from '../../tests/support/browser/site.js'
 
-const patience = { timeout: 120_000 }
 const blocks = ['README.md', ...walk('web/docs', /\.md$/)].flatMap((file) => {
   const text = readFileSync(path(file), 'utf8')
   const runnable = blocksOf(text).filter(({ sketch }) => sketch)

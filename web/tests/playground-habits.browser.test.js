@@ -149,10 +149,7 @@ test('a picture that is dropped is the sketch’s to load, and goes into the pag
   await page.dispatchEvent('body', 'drop', { dataTransfer })
   await page.evaluate(() => window.again())
   await settled(page)
-  assert.equal(
-    await page.locator('.state').textContent(),
-    '“red.png” is there for the sketch to load',
-  )
+  assert.equal(await page.locator('.state').textContent(), 'The sketch can load “red.png” now')
   const textured = setup("image = await loadImage('red.png')")
     .replace('function setup', 'let image\nasync function setup')
     .replace("fill('#ff8040')", 'texture(image)')

@@ -89,7 +89,7 @@ describe('the playground', () => {
       [still('#00ff00', 'position.mlt(2)'), 5, /mlt/],
       [still('#00ff00', 'position + 1'), 5, /\+/],
       [still('#00ff00').replace('noStroke()', 'noStroke('), 4, /^SyntaxError: /, 5],
-      [still('#00ff00').replace('noStroke()', 'while (true) {}'), 4, /went on for five seconds/],
+      [still('#00ff00').replace('noStroke()', 'while (true) {}'), 4, /ran for five seconds/],
       [still('#00ff00').replace('warp()', 'wrap()'), 10, /^ReferenceError: wrap/],
       [
         still('#00ff00')

@@ -1,9 +1,8 @@
 // The parts of the playground that need no browser.
 import assert from 'node:assert/strict'
-import { readFileSync } from 'node:fs'
 import { describe, test } from 'node:test'
 import { converted } from '../playground/convert.js'
-import { guarded } from '../playground/guard.js'
+import { guardLoops } from '../playground/guard.js'
 import { insideScript } from '../playground/document.js'
 import { fragmentOf, holdsSketch, sketchOf } from '../playground/link.js'
 import { modulesAsData } from '../playground/modules.js'
@@ -94,7 +93,7 @@ describe('a loop in a sketch', () => {
         if (++this.count === 50) throw new Error('stopped')
       },
     }
-    new Function('playground', guarded({ text }))(playground)
+    new Function('playground', guardLoops({ text }))(playground)
     return playground.count
   }
 
@@ -118,10 +117,10 @@ describe('a loop in a sketch', () => {
 
   test('stays in its line, and where its text is read it stays as it is', () => {
     const text = 'while (a) {\n  b()\n}\nfor (;;) c()\n'
-    assert.equal(guarded({ text }).split('\n').length, text.split('\n').length)
+    assert.equal(guardLoops({ text }).split('\n').length, text.split('\n').length)
     for (const read of ['createWarp(() => { for (;;) {} })', 'while (', 'for (;;'])
-      assert.equal(guarded({ text: read }), read)
-    assert.equal(guarded({ text, chosen: ['operators'] }), text)
+      assert.equal(guardLoops({ text: read }), read)
+    assert.equal(guardLoops({ text, chosen: ['operators'] }), text)
   })
 })
 
@@ -233,7 +232,7 @@ describe('a message of a sketch’s frame', () => {
     const mesh = { positions: new Float32Array(6), normals: new Float32Array(6) }
     assert.equal(evaluatedOf(mesh, mesh), mesh)
     for (const wrong of [null, {}, { positions: mesh.positions }, { ...mesh, normals: [1] }])
-      assert.throws(() => evaluatedOf(wrong, mesh), /something else than the page asked for/)
+      assert.throws(() => evaluatedOf(wrong, mesh), /unexpected answer/)
     assert.throws(() => maskOf({ mask: new Uint8Array(3) }, 2), /something else/)
     const shape = { ...mesh, indices: new Uint32Array([0, 1, 0]), matrix: Array(16).fill(0) }
     assert.deepEqual(shapesOf([shape]), [shape])

@@ -163,7 +163,7 @@ export const broken = {
       const { attributes } = firstPrimitive(json).extensions.KHR_draco_mesh_compression
       attributes.TEXCOORD_0 = attributes.POSITION
     }),
-    reason: /has 3 numbers a vertex, not 2/,
+    reason: /expected 2 numbers per vertex, got 3/,
   },
   'a binary STL that is cut off': {
     file: stl.slice(0, -10),

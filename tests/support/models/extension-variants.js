@@ -21,7 +21,7 @@ const morphed = (weights, target) => (shape) => {
 const dense = (writer, offsets) => writer.accessor(offsets, 'VEC3')
 const sparsely = (writer, offsets) => {
   const place = sparse(writer, offsets, 'VEC3', 3, true)
-  const { bufferView, ...accessor } = writer.json.accessors[place]
+  const { bufferView: _, ...accessor } = writer.json.accessors[place]
   // Of the first element: zeros.
   offsets.fill(0, 0, 3)
   return writer.json.accessors.push({ ...accessor, min: [0, 0, 0], max: [0, 1.5, 0] }) - 1

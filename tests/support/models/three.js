@@ -14,7 +14,7 @@ globalThis.ProgressEvent ??= class {}
 const unread =
   /texture|Draco|external|fallback|UTF-16|mark|"solid"|none|specular|CR$|KHR meshopt|hidden/
 
-export async function readByThree(name, file, files = {}) {
+export async function readByThree(name, file) {
   if (unread.test(name)) return undefined
   const buffer = file.slice().buffer
   const text = () => new TextDecoder().decode(file)

@@ -1,20 +1,20 @@
 /**
- * Hooks of ours for a shader that may have hooks of the sketch's. p5's `modify` puts a hook, and all declarations, in the place of
- * those before; here, of a hook that both have, both run.
+ * Adds our hooks to a shader that may have hooks of the sketch. p5's `modify` replaces earlier hooks and declarations; where the sketch
+ * and we have the same hook, this module makes both run.
  */
 import type { Modifications, Shader } from '../host.js'
 
-/** When the sketch's hook runs: before ours, after it, or where ours calls it itself, by the name that `given` tells. */
-export type Turn = 'first' | 'last' | 'inside'
+/** When the sketch's hook runs: before ours, after it, or inside, where ours calls it by the name that `sketchHook` returns. */
+export type HookOrder = 'first' | 'last' | 'inside'
 
-/** What the sketch's hook is called then. */
-export const given = (name: string) => `warpjetGiven_${name.split(' ')[1]}`
+/** Returns the function name of the sketch's hook when both it and ours run. */
+export const sketchHook = (name: string) => `warpjetSketchHook_${name.split(' ')[1]}`
 
-/** For p5's `modify`; `turnOf` takes names such as `Vertex getObjectInputs`. */
-export function beside(
+/** Returns the argument of p5's `modify`. `orderOf` takes names such as `Vertex getObjectInputs`. */
+export function mergeHooks(
   { hooks, _renderer }: Shader,
   ours: Modifications,
-  turnOf: (name: string) => Turn,
+  orderOf: (name: string) => HookOrder,
 ): Modifications {
   const all: Modifications = {}
   for (const [name, text] of Object.entries(ours)) {
@@ -22,10 +22,10 @@ export function beside(
     const own = stage && hooks[stage][name]!
     if (!own) all[name] = text
     else if (_renderer?.device) {
-      const { hook, above } = bothInWgsl(stage, name, own, text as string, turnOf(name))
+      const { hook, above } = bothInWgsl(stage, name, own, text as string, orderOf(name))
       all[name] = hook
       all[`${stage}Declarations`] = `${all[`${stage}Declarations`] ?? ''}\n${above}`
-    } else all[name] = bothInGlsl(name, own, text as string, turnOf(name))
+    } else all[name] = bothInGlsl(name, own, text as string, orderOf(name))
   }
   for (const stage of ['vertex', 'fragment'] as const) {
     const above = `${stage}Declarations`
@@ -36,8 +36,8 @@ export function beside(
 
 const parts = (text: string) => /^\s*\(([^)]*)\)([^]*)$/.exec(text)!.slice(1) as [string, string]
 
-/** What the hook does, of what it is handed. */
-function calls(turn: Turn, own: string, our: string, value: string, more = '') {
+/** Returns the statements of a hook with the parameter `value` that callInOrder `own` and `our` in order. */
+function callInOrder(turn: HookOrder, own: string, our: string, value: string, more = '') {
   const call = (name: string, ...values: string[]) =>
     `${name}(${[...values.filter(Boolean), more].filter(Boolean).join(', ')})`
   const chain = { first: [own, our], last: [our, own], inside: [our] }[turn]
@@ -46,19 +46,22 @@ function calls(turn: Turn, own: string, our: string, value: string, more = '') {
     : chain.map((name) => `${call(name)};`).join(' ')
 }
 
-/** p5 writes type and name in front of it, and helpers that the sketch's hook may call above. `exactNormals` names the hook too. */
-function bothInGlsl(name: string, own: string, our: string, turn: Turn) {
+/**
+ * p5 writes the hook's type and name before this source, and above it the helpers that the sketch's hook may call. A hook of
+ * `exactNormals` contains its own name, which is replaced too.
+ */
+function bothInGlsl(name: string, own: string, our: string, turn: HookOrder) {
   const [type, word] = name.split(' ')
   const [parameter] = parts(our)
   const value = parameter.trim().split(' ').pop()!
-  const put = `warpjetPut_${word}`
+  const ourHook = `warpjetHook_${word}`
   return `(${parameter});
-${type} ${given(name)}${own.replaceAll(`HOOK_${word}`, given(name))}
-${type} ${put}${our}
-${type} HOOK_${word}(${parameter}) { ${calls(turn, given(name), put, value)} }`
+${type} ${sketchHook(name)}${own.replaceAll(`HOOK_${word}`, sketchHook(name))}
+${type} ${ourHook}${our}
+${type} HOOK_${word}(${parameter}) { ${callInOrder(turn, sketchHook(name), ourHook, value)} }`
 }
 
-/** What p5 hands to hooks beside what they say. */
+/** Parameters that p5 appends to those of the hooks, and the arguments that pass them on. */
 const extra = {
   vertex: ['instanceID: u32, _p5VertexId: u32', 'instanceID, _p5VertexId'],
   fragment: ['_p5FragPos: vec4<f32>', '_p5FragPos'],
@@ -69,11 +72,11 @@ function bothInWgsl(
   name: string,
   own: string,
   our: string,
-  turn: Turn,
+  turn: HookOrder,
 ) {
   const [type, word] = name.split(' ')
   const [parameters, values] = extra[stage]
-  const put = `warpjetPut_${word}`
+  const ourHook = `warpjetHook_${word}`
   const written = (label: string, text: string) => {
     const [parameter, body] = parts(text)
     const list = [parameter.trim(), parameters].filter(Boolean).join(', ')
@@ -82,7 +85,7 @@ function bothInWgsl(
   const [parameter] = parts(our)
   const value = parameter.split(':')[0]!.trim()
   return {
-    above: `${written(given(name), own)}\n${written(put, our)}`,
-    hook: `(${parameter}) { ${calls(turn, given(name), put, value, values)} }`,
+    above: `${written(sketchHook(name), own)}\n${written(ourHook, our)}`,
+    hook: `(${parameter}) { ${callInOrder(turn, sketchHook(name), ourHook, value, values)} }`,
   }
 }

@@ -1,4 +1,4 @@
-/** In the place of a sketch's hook that moves positions: one that calls it, and turns the normal by its exact derivative. */
+/** Replaces a sketch's hook that moves positions by one that calls it and transforms the normal by its exact derivative. */
 import { compileWarp } from '#text-compiler'
 import { type OffsetFunction, type Target, drawInputs } from '../../compile/hosts.js'
 import { WarpError } from '../../errors/errors.js'
@@ -13,66 +13,66 @@ type CompiledText = ReturnType<typeof compileWarp>
 
 export type Hooks = Record<string, string>
 
-/** Inputs of an offset that a hook has not: uniforms of the sketch may have their names. */
-const unread = Object.fromEntries(
-  Object.keys(drawInputs).map((name) => [name, `warpjetNo_${name}`]),
+/** Renames inputs of an offset that a hook lacks: uniforms of the sketch may have the same names. */
+const missingInputs = Object.fromEntries(
+  Object.keys(drawInputs).map((name) => [name, `warpjetMissing_${name}`]),
 )
 
-export interface Weaving {
-  /** What the inputs of an offset are called in the new hook. */
+export interface HookTemplate {
+  /** Maps inputs of an offset to expressions in the new hook. */
   names: Record<'position' | 'normal' | 'uv' | 'color', string>
-  /** Statements that give where `position` moves to by the sketch's own hook. */
-  moved: (own: string) => string
+  /** Returns statements that compute the new `position` by calling the sketch's hook. */
+  moveCode: (own: string) => string
   /**
-   * The new hook: `text` is the sketch's, as the function `own`; `code` computes `turned`, the normal, and is what was written as
-   * `warp`.
+   * Returns the new hook. `text` is the source of the sketch's hook as the function `own`; `code`, the code of `warp`, computes the
+   * normal in the variable `normal`.
    */
   hook: (parts: {
     code: string
     own: string
     text: string
-    turned: string
+    normal: string
     warp: CompiledText
   }) => Hooks
 }
 
-export interface MovingHooks {
+export interface ExactHooks {
   hooks: Hooks
   declarations: string[]
   texts: string[]
-  /** Hooks whose normals depend on how normal and uv vary over the surface. */
+  /** Hooks whose normals depend on the gradients of normal and uv. */
   varying: { name: string; warp: CompiledText }[]
 }
 
-/** New hooks that call the sketch's own and turn the normal; nothing where no position moves. */
-export function movingHooks(
+/** Returns new hooks that call the sketch's hooks and transform the normal; `undefined` if no hook moves a position. */
+export function makeExactHooks(
   shader: ModifiedShader,
   names: readonly string[],
-  weavingOf: (name: string) => Weaving,
-): MovingHooks | undefined {
-  const moving: NonNullable<ReturnType<typeof turned>>[] = []
+  templateOf: (name: string) => HookTemplate,
+): ExactHooks | undefined {
+  const made: NonNullable<ReturnType<typeof makeExactHook>>[] = []
   for (const name of names.filter((each) => shader.hooks.modified.vertex[each])) {
-    const hook = turned(shader, name, weavingOf, moving.length === 0)
-    if (hook) moving.push(hook)
+    const hook = makeExactHook(shader, name, templateOf, made.length === 0)
+    if (hook) made.push(hook)
   }
-  if (moving.length === 0) return undefined
+  if (made.length === 0) return undefined
   return {
-    hooks: Object.assign({}, ...moving.map(({ hook }) => hook)) as Hooks,
-    declarations: moving.map(({ declarations }) => declarations),
-    texts: moving.map(({ text }) => text),
-    varying: moving.filter(({ warp }) => readsVariation(warp)),
+    hooks: Object.assign({}, ...made.map(({ hook }) => hook)) as Hooks,
+    declarations: made.map(({ declarations }) => declarations),
+    texts: made.map(({ text }) => text),
+    varying: made.filter(({ warp }) => readsVariation(warp)),
   }
 }
 
-/** `isFirst`: no hook has moved the surface before. */
-function turned(
+/** `isFirst` means that no earlier hook has moved the surface. Returns `undefined` if the hook moves no position. */
+function makeExactHook(
   shader: ModifiedShader,
   name: string,
-  weavingOf: (name: string) => Weaving,
+  templateOf: (name: string) => HookTemplate,
   isFirst: boolean,
 ) {
   const [type, word] = name.split(' ')
-  const own = `warpjetOwn_${word}`
+  const own = `warpjetOriginal_${word}`
   const outputs = {
     offset: `warpjetOffset_${word}`,
     position: `warpjetPosition_${word}`,
@@ -81,25 +81,25 @@ function turned(
   const hook = shader.hooks.vertex[name]!
   const text = `${isWgsl(shader) ? 'fn' : type} ${own}${hook}`
   checkReadable(shader, name, hook)
-  const weaving = weavingOf(name)
+  const template = templateOf(name)
   const isOfShape = /Object|Local/.test(word!)
-  const source = `${readable(shader, `${type} ${own}`, hook, isOfShape)}
-vec3 warpjetRestPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
+  const source = `${toGlslSource(shader, `${type} ${own}`, hook, isOfShape)}
+vec3 warpjetMovedPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
   ${isWgsl(shader) ? '' : attributes.map((each) => each.isSet(isOfShape)).join('')}
-  ${weaving.moved(own)}
+  ${template.moveCode(own)}
 }`
   const options = {
     target: targetOf(shader, type!),
-    names: { ...unread, ...variationVariables, ...weaving.names },
+    names: { ...missingInputs, ...variationVariables, ...template.names },
     outputs,
     surfaceVariation: true,
   } as const
   const read = glslOffset(source, {
-    function: 'warpjetRestPosition',
+    function: 'warpjetMovedPosition',
     returns: 'position',
     maxIterations: 256,
   })
-  // Without those either: what is called millis, size or instance is the sketch's.
+  // Withholds the other inputs, since millis, size and instance are names of the sketch here.
   const offset: OffsetFunction = asOwn(({ glsl, position, normal, uv, color, uniforms }) =>
     read({ glsl, position, normal, uv, color, uniforms } as never),
   )
@@ -107,29 +107,32 @@ vec3 warpjetRestPosition(vec3 position, vec3 normal, vec2 uv, vec4 color) {
     if (compileWarp(offset, { ...options, normals: false }).stats.operations === 0) return undefined
     const exact = compileWarp(offset, options)
     const isKnown = isFirst || !readsVariation(exact)
-    if (!isKnown) noteSecond(word!)
+    if (!isKnown) warnSecondHook(word!)
     const warp = isKnown ? exact : compileWarp(offset, { ...options, surfaceVariation: false })
     const { code, declarations } = warp
-    const parts = { code, own, text, turned: outputs.normal, warp }
-    return { name, declarations, text, warp, hook: weaving.hook(parts) }
+    const parts = { code, own, text, normal: outputs.normal, warp }
+    return { name, declarations, text, warp, hook: template.hook(parts) }
   } catch (error) {
     if (!(error instanceof WarpError && isOfStrands(hook))) throw error
     throw new WarpError(inStrandsWords(error.message, word!))
   }
 }
 
-const noteSecond = (word: string) =>
+const warnSecondHook = (word: string) =>
   console.warn(
-    `exactNormals: ${word} moves vertices by normal or texCoord where another hook has moved them before, so that its light is only nearly right; move them in one hook.`,
+    `exactNormals: ${word} moves vertices by normal or texCoord after another hook has moved them, so its normals are only approximate; move the vertices in one hook.`,
   )
 
 function targetOf(shader: ModifiedShader, type: string): Target {
   if (isWgsl(shader)) return 'wgsl'
-  // p5 1.11 may have to do with WebGL 1.
+  // p5 1.11 may run on WebGL 1.
   return type === 'Vertex' || shader._vertSrc.includes('300 es') ? 'glsl300' : 'glsl100'
 }
 
-/** Attributes that a hook may read by themselves, as globals that begin as the inputs of the offset: those of the shape's own space only there. */
+/**
+ * Attributes that a hook may read directly. We declare them as globals that start with the values of the offset's inputs. Unless
+ * `isFree`, an attribute is in the shape's own space, so only hooks of that space may read it.
+ */
 const attributes = [
   { name: 'aPosition', type: 'vec3', value: 'position', isFree: false },
   { name: 'aNormal', type: 'vec3', value: 'normal', isFree: false },
@@ -141,14 +144,19 @@ const attributes = [
     isOfShape || attribute.isFree ? `${attribute.name} = ${attribute.value};\n  ` : '',
 }))
 
-/** The hook as a function, and what stands above it, in GLSL. */
-function readable(shader: ModifiedShader, head: string, hook: string, isOfShape: boolean): string {
+/** Returns the hook as a function in GLSL, with the declarations above it. */
+function toGlslSource(
+  shader: ModifiedShader,
+  head: string,
+  hook: string,
+  isOfShape: boolean,
+): string {
   if (!isWgsl(shader)) return `${aboveHooks(shader, isOfShape)}\n${head}${hook}`
   const { uniforms, varyingVariables = [], vertex, declarations } = shader.hooks
   const above = [
     ...Object.keys(uniforms).map((uniform) => `uniform var ${uniform};`),
     ...varyingVariables.map((varying) => `var ${varying};`),
-    // p5 puts its noise() and random() above all hooks, whichever calls them.
+    // p5 puts its noise() and random() above every hook, called or not.
     vertex.declarations?.replace(/^fn (\w+)[^]*?^\}/gm, (text, called) =>
       hook.includes(`${called}(`) ? text : '',
     ),
@@ -164,7 +172,7 @@ const getTexture = `vec4 getTexture(sampler2D content, vec2 coord) {
   return color;
 }`
 
-/** What p5 writes above a shader's hooks, as far as they can read it. */
+/** Returns the declarations that p5 writes above a shader's hooks and that the hooks can read. */
 function aboveHooks({ hooks, _vertSrc }: ModifiedShader, isOfShape: boolean): string {
   const inner = _vertSrc.match(
     /^[ \t]*(?:(?:IN|OUT|uniform|in|out)\s[^;()]+;|struct Vertex\s*\{[^}]*\};)/gm,
