@@ -1,7 +1,7 @@
 // A cube of 180 units, whose points every kind of noise moves by up to 20 units along z: nothing about where it bends can be
 // guessed from few samples.
 import { compileWarp } from 'warpjet'
-import { box } from '../../.scripts/lib/coarse-meshes.mjs'
+import { box } from './coarse-meshes.js'
 
 export const cube = box([90, 90, 90])
 
