@@ -48,7 +48,7 @@ const ranges = {
   'deformer-spherify': { Radius: ['radius: #', 40, 120] },
   'deformer-shear': { Amount: ['.mult(#)', 0, 1.5] },
   'deformer-noise': { Amount: ['amount: #', 0, 120], Scale: ['scale: #', 30, 200] },
-  composition: { Twist: ['swing(#)', 0, 5] },
+  composition: { Twist: ['oscillate(#)', 0, 5] },
   'along-the-normal': { Waves: ['x.mult(#)', 0, 0.2], Height: ['wave(z)).mult(#)', 0, 10] },
   'glsl-terrain': { Height: ['0.0, # * h', 0.01, 0.25], Roughness: ['size *= #', 0.2, 0.6] },
   'glsl-noise': { Height: ['(# * snoise(p)', 0.05, 0.35] },
