@@ -83,7 +83,7 @@ describe('emit', () => {
         position,
       ),
     )
-    refuses(() => call.emit('wgsl'), /"source" of f must be a text of WGSL for the target wgsl/)
+    refuses(() => call.emit('wgsl'), /"source" of f must be a source in WGSL for the target wgsl/)
     assert.match(call.emit('glsl100').declarations, /float f\(float x\)/)
   })
 

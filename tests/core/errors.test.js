@@ -119,19 +119,19 @@ test('operands', () => {
   refuses(with_(1e39), /add: argument 1 is 1e\+39, .* 3\.4e38/)
   refuses(
     offset(({ millis }) => millis.add()),
-    /add: 1 argument was expected, but 0 came/,
+    /add: expected 1 argument, got 0/,
   )
   refuses(
     offset(({ millis }) => millis.sin(2)),
-    /sin: no arguments were expected, but 1 came/,
+    /sin: expected no arguments, got 1/,
   )
   refuses(
     offset(({ glsl }) => glsl.sin()),
-    /sin: 1 argument was expected, but 0 came/,
+    /sin: expected 1 argument, got 0/,
   )
   refuses(
     offset(({ glsl }) => glsl.sum()),
-    /sum: 2 arguments were expected, but 0 came/,
+    /sum: expected 2 arguments, got 0/,
   )
   refuses(
     offset(({ glsl, millis }) => glsl.max(millis, null)),
@@ -162,11 +162,11 @@ test('sizes', () => {
   )
   refuses(
     offset(({ glsl }) => glsl.vec3(1, 2)),
-    /vec3: 3 components were expected, but 2 came/,
+    /vec3: expected 3 components, got 2/,
   )
   refuses(
     offset(({ glsl }) => glsl.vec3()),
-    /vec3: 3 components were expected, but 0 came/,
+    /vec3: expected 3 components, got 0/,
   )
   refuses(
     offset(({ uv }) => uv.scale(uv)),
@@ -326,9 +326,9 @@ test('names of results', () => {
 test('names of parameters', () => {
   const param = (name) => offset(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
   refuses(param('for'), /"for" cannot be read in a shader: "for" is a word of GLSL/)
-  refuses(param('gl_Foo'), /gl_ or webgl_ belong to GLSL/)
+  refuses(param('gl_Foo'), /gl_ or webgl_ are reserved in GLSL/)
   refuses(param('a__b'), /two underscores/)
-  refuses(param('x; y'), /";" cannot stand in it/)
+  refuses(param('x; y'), /";" is not allowed in it/)
   refuses(param('x +'), /an operand is missing/)
   refuses(param('(x'), /"\)" is missing/)
   refuses(param(''), /it is empty/)
@@ -385,7 +385,7 @@ test('vectors of inputs', () => {
     compile((glsl) => ({ d: callback(glsl, glsl.vec3Param('v'), glsl.vec2Param('u')) }))
   refuses(
     of((glsl, v) => glsl.gradient(v, v)),
-    /gradient: argument 1 must be a single number, but is a vec3/,
+    /gradient: expected a single number as argument 1, got a vec3/,
   )
   refuses(
     of((glsl, v) => glsl.gradient(v.x(), v.mult(2))),
@@ -397,11 +397,11 @@ test('vectors of inputs', () => {
   )
   refuses(
     of((glsl, v) => glsl.jacobian(v, v.x())),
-    /argument 2 must be a vector of inputs, such as position, but is a single number/,
+    /expected a vector of inputs, such as position as argument 2, got a single number/,
   )
   refuses(
     of((glsl, v, u) => glsl.adjustNormal(v, v, u)),
-    /adjustNormal: argument 3 must be a vec3 of inputs, such as position, but is a vec2/,
+    /adjustNormal: expected a vec3 of inputs, such as position as argument 3, got a vec2/,
   )
 })
 
@@ -433,15 +433,15 @@ test('matrices', () => {
   )
   refuses(
     of((glsl) => glsl.mat2(1, 2, 3)),
-    /mat2: 4 components were expected, but 3 came/,
+    /mat2: expected 4 components, got 3/,
   )
   refuses(
     of((glsl) => glsl.mat2(glsl.vec3(1), glsl.vec2(1, 2))),
-    /mat2: 2 columns of as many components were expected, but a vec3 came/,
+    /mat2: expected 2 columns of 2 components, got a vec3/,
   )
   refuses(
     of((glsl, m) => glsl.mat3Rows(m)),
-    /mat3Rows: argument 1 is a mat3, but must be a vector or a number/,
+    /mat3Rows: expected a vector or a number as argument 1, got a mat3/,
   )
   refuses(
     of((glsl, m) => m.x()),
@@ -500,11 +500,11 @@ test('functions of the shader', () => {
   )
   refuses(
     of(a, (f) => f(1, 2)),
-    /a: 1 argument was expected, but 2 came/,
+    /a: expected 1 argument, got 2/,
   )
   refuses(
     of(a, (f, x, glsl) => f(glsl.mat2(1))),
-    /a: argument 1 must be a number or a vector, but is a mat2/,
+    /a: expected a number or a vector as argument 1, got a mat2/,
   )
   refuses(of(a, differentiated), /a: its derivatives are needed here/)
   refuses(

@@ -32,7 +32,7 @@ for (const target of targets) {
 
   test(`main, and names like those of warpjet, in ${target}`, () => {
     refuses(() => declare('main', target), /"main" cannot .* that a shader begins with/)
-    refuses(() => declare('warpjetHash', target), /such names are warpjet's own; rename it/)
+    refuses(() => declare('warpjetHash', target), /such names are reserved for warpjet; rename it/)
     assert.match(declare('bump', target).code, /height = bump\(steepness\)/)
   })
 

@@ -307,15 +307,15 @@ describe('errors', () => {
     ],
     [
       (glsl) => glsl.vec4(1, 2, 3, 4).worley(),
-      /^worley: what it is called on must be a number, a vec2 or a vec3, but is a vec4\.$/,
+      /^worley: expected a number, a vec2 or a vec3 as the value it is called on, got a vec4\.$/,
     ],
     [
       (glsl) => glsl.worley(glsl.vec4(1, 2, 3, 4)),
-      /^worley: argument 1 must be a number, a vec2 or a vec3, but is a vec4\.$/,
+      /^worley: expected a number, a vec2 or a vec3 as argument 1, got a vec4\.$/,
     ],
     [
       (glsl) => glsl.curl(glsl.vec2(1, 2)),
-      /^curl: argument 1 must be a vec3, or a vec4 whose last number is time, but is a vec2\.$/,
+      /^curl: expected a vec3, or a vec4 whose last number is time as argument 1, got a vec2\.$/,
     ],
     [
       (glsl, p) => glsl.noise(p, {}, 1),
@@ -323,11 +323,11 @@ describe('errors', () => {
     ],
     [
       (glsl) => glsl.noise(glsl.mat2(1)),
-      /^noise: argument 1 must be a number or a vector, but is a mat2\.$/,
+      /^noise: expected a number or a vector as argument 1, got a mat2\.$/,
     ],
     [
       (glsl, p) => range(4).reduce((value) => glsl.derivative(value, p.x()), p.noise()),
-      /^derivative: derivatives of noise and textures can be taken three times; a warp's normal takes one, and so does each normal that a chain hands on\.$/,
+      /^derivative: derivatives of noise and textures are limited to order three; a warp's normal takes one derivative, and so does each normal that a chain passes on\.$/,
     ],
     [
       (glsl) =>
@@ -336,7 +336,7 @@ describe('errors', () => {
           source: 'float warpjetNoise3(float x) { return x; }',
           arity: 1,
         }),
-      /^fn: "warpjetNoise3" cannot name a function: such names are warpjet's own; rename it\.$/,
+      /^fn: "warpjetNoise3" cannot name a function: such names are reserved for warpjet; rename it\.$/,
     ],
   ]
   for (const [build, sentence] of refusals)

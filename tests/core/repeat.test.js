@@ -222,7 +222,7 @@ describe('rejects', () => {
         g.repeat(2, 0, (s) => (out = s))
         return out
       },
-      /known only in its function; use what repeat gives/,
+      /can be used only in its function; use the result of repeat/,
     ],
     'a step that got out': [
       (g) => {
@@ -230,11 +230,11 @@ describe('rejects', () => {
         g.repeat(2, 0, (s, i) => ((out = i), s.add(i)))
         return out.add(1)
       },
-      /known only in its function/,
+      /can be used only in its function/,
     ],
     'a derivative of a state': [
       (g, x) => g.repeat(2, x, (s) => s.add(g.derivative(s.mult(x), x))),
-      /derivative: .*only when it is over/,
+      /derivative: .*only after its end/,
     ],
   }
   for (const [name, [work, pattern]] of Object.entries(cases))

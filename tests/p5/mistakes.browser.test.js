@@ -117,8 +117,8 @@ const offsets = {
   '(async () => position)()':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a promise (leave its "async" out).',
   null: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned null.',
-  'glsl.vec3()': 'vec3: 3 components were expected, but 0 came.',
-  'glsl.vec3(1, 2)': 'vec3: 3 components were expected, but 2 came.',
+  'glsl.vec3()': 'vec3: expected 3 components, got 0.',
+  'glsl.vec3(1, 2)': 'vec3: expected 3 components, got 2.',
   'glsl.vec3([1, 2, 3])':
     'vec3: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'glsl.vec3("1", 0, 0)':
@@ -133,10 +133,10 @@ const offsets = {
     'add: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'position.add(createVector(1, 0, 0))':
     'add: expected a number or an expression for argument 1, got a vector of numbers; write glsl.vec3(x, y, z) for a vector.',
-  'position.mult()': 'mult: 1 argument was expected, but 0 came.',
-  'position.y.clamp(0)': 'clamp: 2 arguments were expected, but 1 came.',
-  'position.sin(2)': 'sin: no arguments were expected, but 1 came.',
-  'position.gt(0).ifElse(1)': 'ifElse: 2 arguments were expected, but 1 came.',
+  'position.mult()': 'mult: expected 1 argument, got 0.',
+  'position.y.clamp(0)': 'clamp: expected 2 arguments, got 1.',
+  'position.sin(2)': 'sin: expected no arguments, got 1.',
+  'position.gt(0).ifElse(1)': 'ifElse: expected 2 arguments, got 1.',
   'glsl.vec3(position.x(1), 0, 0)': 'x: it takes fewer arguments; the number 1 is too many.',
   'glsl.vec3(glsl.param("amount"), 0, 0)':
     'createWarp: the warp reads "amount", which nothing declares; add the option { defs: "uniform float amount;" }.',

@@ -1,6 +1,6 @@
 // A cube of 180 units, whose points every kind of noise moves by up to 20 units along z: few samples do not reveal where it bends.
 import { compileWarp } from 'warpjet'
-import { box } from '../../.scripts/lib/coarse-meshes.mjs'
+import { box } from './coarse-meshes.js'
 
 export const cube = box([90, 90, 90])
 

@@ -1,5 +1,6 @@
-// npm run posters: draws examples as web/posters/*.webp, which the gallery shows before any script runs. Names after `--` draw
-// only those. What they show is a moment of the sketch by its own clock, so that a slow machine draws the same picture.
+// npm run pictures: draws each example as web/posters/*.webp, which the gallery shows before any script runs; the first page's warp
+// (`hero`); and the picture of web/docs/composition.md (`composition.png`). Names after `--` draw only those. A picture shows a moment of
+// the sketch's own clock, so that a slow machine draws the same.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { chromium } from 'playwright-core'
 import { createServer } from 'vite'
@@ -11,9 +12,9 @@ import { softwareFlags } from './lib/flags.mjs'
 import { Stop, good, main } from './lib/terminal.mjs'
 
 const [width, height] = [480, 360]
-/** So that the whole grid weighs less than a photograph. */
-const mostBytes = 20_000
-/** Milliseconds of the sketch, where it shows what it is about; a second and a half unless named. */
+/** The whole grid has fewer bytes than a photograph. */
+const maxBytes = 20_000
+/** The moment at which a sketch shows its point, in milliseconds. Default: 1500. */
 const moments = {
   'deformer-genie': 3600,
   'deformer-melt': 500,
@@ -24,7 +25,7 @@ const moments = {
 }
 const patience = { timeout: 240_000 }
 
-/** In the page: after the sketch's first frame, before which it may load a model, it is `moment`, and then each takes a sixtieth of a second. */
+/** Runs in the page: the second frame is at `moment`, each further one 17 ms later. Before the first one a sketch may load a model. */
 function slowClock(moment) {
   let now = 0
   performance.now = () => (now += 0.01)
@@ -35,15 +36,15 @@ function slowClock(moment) {
       now += hasBegun && now < moment ? moment : 17
       draw(now)
     })
-  // What was drawn stays until it was looked at.
+  // Keeps the drawing until the screenshot.
   const { getContext } = HTMLCanvasElement.prototype
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
     return getContext.call(this, kind, { ...options, preserveDrawingBuffer: true })
   }
 }
 
-/** The picture as WebP, as good as fits. */
-async function packed({ png, width, height, mostBytes }) {
+/** Runs in the page: returns the picture as WebP in base64, in the best quality that fits. */
+async function packPicture({ png, width, height, maxBytes }) {
   const image = new Image()
   image.src = `data:image/png;base64,${png}`
   await image.decode()
@@ -53,7 +54,7 @@ async function packed({ png, width, height, mostBytes }) {
   context.drawImage(image, 0, 0, width, height)
   for (let quality = 0.86; quality > 0.1; quality -= 0.06) {
     const address = canvas.toDataURL('image/webp', quality)
-    if (address.length * 0.75 < mostBytes) return address.split(',')[1]
+    if (address.length * 0.75 < maxBytes) return address.split(',')[1]
   }
 }
 
@@ -65,13 +66,13 @@ async function poster(browser, url, name) {
     await page.addInitScript(slowClock, moments[name] ?? 1500)
     await page.goto(`${url}examples/${name}/gallery.html`, patience)
     await page.waitForFunction(() => window.frameCount >= 3, null, patience)
-    // A picture of the sketch, without its panels.
+    // Hides the panels of the sketch.
     await page.addStyleTag({
       content: '.lil-gui, body > div[style*="z-index"] { display: none !important }',
     })
     const png = await page.screenshot({ timeout: 120_000 })
-    const size = { width, height, mostBytes }
-    const bytes = await page.evaluate(packed, { png: png.toString('base64'), ...size })
+    const size = { width, height, maxBytes }
+    const bytes = await page.evaluate(packPicture, { png: png.toString('base64'), ...size })
     writeFileSync(path(`web/posters/${name}.webp`), Buffer.from(bytes, 'base64'))
     good(`web/posters/${name}.webp`)
   } finally {
@@ -79,7 +80,7 @@ async function poster(browser, url, name) {
   }
 }
 
-/** The first page's own warp as it stands still, on nothing. */
+/** Draws the first page's own warp at rest, on a transparent background. */
 async function hero(browser, url) {
   const page = await browser.newPage({
     viewport: { width: 1280, height: 900 },
@@ -93,7 +94,12 @@ async function hero(browser, url) {
     const png = await page.evaluate(
       () => document.querySelector('.hero canvas').toDataURL('image/png').split(',')[1],
     )
-    const bytes = await page.evaluate(packed, { png, width: 640, height: 640, mostBytes: 30_000 })
+    const bytes = await page.evaluate(packPicture, {
+      png,
+      width: 640,
+      height: 640,
+      maxBytes: 30_000,
+    })
     writeFileSync(path('web/site/hero.webp'), Buffer.from(bytes, 'base64'))
     good('web/site/hero.webp')
   } finally {
@@ -101,11 +107,30 @@ async function hero(browser, url) {
   }
 }
 
+/** Draws examples/composition at the moment 0, where its warps swing out furthest. */
+async function composition(browser, url) {
+  const viewport = { width: 640, height: 480 }
+  const page = await browser.newPage({ viewport, deviceScaleFactor: 1.25 })
+  await page.goto(`${url}examples/composition/index.html`, patience)
+  await page.waitForFunction(() => window.frameCount >= 1, null, patience)
+  await page.evaluate(async () => {
+    window.noLoop()
+    window.p5.instance.millis = () => 0
+    await window.redraw()
+  })
+  await page.screenshot({ path: path('web/docs/composition.png') })
+  await page.close()
+  good('web/docs/composition.png')
+}
+
 await main(async () => {
-  const known = ['hero', ...sections.flatMap(({ examples }) => examples.map(({ name }) => name))]
+  const others = { hero, 'composition.png': composition }
+  const examples = sections.flatMap(({ examples }) => examples.map(({ name }) => name))
+  const known = [...Object.keys(others), ...examples]
   const wanted = process.argv.slice(2)
   const unknown = wanted.find((name) => !known.includes(name))
-  if (unknown) throw new Stop(`There is no example ${unknown}.`)
+  if (unknown)
+    throw new Stop(`Expected names of examples, hero or composition.png, got ${unknown}.`)
   await build()
   mkdirSync(path('web/posters'), { recursive: true })
   const server = await createServer({
@@ -114,14 +139,12 @@ await main(async () => {
     server: { port: 5510, watch: null },
   })
   await server.listen()
-  const browser = await chromium.launch({
-    executablePath: await findBrowser(),
-    args: softwareFlags,
-  })
+  const executablePath = await findBrowser()
+  const browser = await chromium.launch({ executablePath, args: softwareFlags })
   const [url] = server.resolvedUrls.local
   try {
     for (const name of wanted.length ? wanted : known)
-      await (name === 'hero' ? hero(browser, url) : poster(browser, url, name))
+      await (others[name] ?? poster)(browser, url, name)
   } finally {
     await browser.close()
     await server.close()

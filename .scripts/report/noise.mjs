@@ -1,10 +1,9 @@
-// npm run report:noise: the picture and the figures of web/docs/noise.md, from warpjet itself on the CPU.
-import { readFileSync, writeFileSync } from 'node:fs'
-import { png } from '../tests/support/png.js'
-import { build } from './build.mjs'
-import { path } from './lib/files.mjs'
-import { good, isMain, main } from './lib/terminal.mjs'
-import { setup } from './setup.mjs'
+// Draws the picture of web/docs/noise.md and measures its figures, by warpjet on the CPU.
+import { writeFileSync } from 'node:fs'
+import { compileWarp } from '../../dist/warpjet.js'
+import { png } from '../../tests/support/png.js'
+import { path } from '../lib/files.mjs'
+import { markdownTable } from '../reference/parts.mjs'
 
 const kinds = ['noise', 'simplex', 'valueNoise', 'worley', 'fbm', 'ridged', 'turbulence']
 
@@ -13,9 +12,8 @@ const gap = 6
 /** Cells along the side of a tile. */
 const cells = 6
 
-/** A noise at many points at once, as the height of a warp: { values, slopes }. */
-async function sample(kind, dimensions, points) {
-  const { compileWarp } = await import('../dist/warpjet.js')
+/** Evaluates a noise at many points at once, as the height of a warp → { values, slopes }. */
+function sample(kind, dimensions, points) {
   const value = ({ glsl, position }) => {
     const p = [position.x(), position.xy(), position][dimensions - 1]
     return kind === 'worley' ? glsl[kind](p).x() : glsl[kind](p)
@@ -44,13 +42,13 @@ const pixels = Float32Array.from({ length: 3 * tile * tile }, (_, i) => {
   return [((pixel % tile) * cells) / tile, (Math.floor(pixel / tile) * cells) / tile, 0.37][i % 3]
 })
 
-/** Values above, slopes below, a column a kind; as gray bytes. */
-async function picture() {
+/** Draws values above and slopes below, one column per kind, in gray. */
+function picture() {
   const width = kinds.length * (tile + gap) - gap
   const height = 2 * tile + gap
   const bytes = new Uint8Array(width * height).fill(255)
   for (const [column, kind] of kinds.entries()) {
-    const { values, slopes } = await sample(kind, 3, pixels)
+    const { values, slopes } = sample(kind, 3, pixels)
     const signed = ['noise', 'simplex', 'valueNoise', 'fbm'].includes(kind)
     const gray = [(i) => (signed ? 0.5 + 0.6 * values[i] : values[i]), (i) => slopes[i] / 4]
     for (const [row, brightness] of gray.entries())
@@ -63,42 +61,24 @@ async function picture() {
   return png(width, height, (x, y) => Array(3).fill(bytes[y * width + x]))
 }
 
-/** Of a hundred thousand places: how far from the mean values lie, the middle nine tenths of them, the typical slope. */
-async function figures(kind, dimensions) {
+/** Returns the range of 100,000 values, that of the middle nine tenths, and the root of the mean square of their slopes. */
+function figures(kind, dimensions) {
   let state = 1
   const random = () => (state = (state * 16807) % 2147483647) / 2147483647
   const count = 100_000
   const points = Float32Array.from({ length: 3 * count }, () => 4091 * (random() - 0.5))
-  const { values, slopes } = await sample(kind, dimensions, points)
+  const { values, slopes } = sample(kind, dimensions, points)
   const sorted = [...values].sort((a, b) => a - b)
   const at = (share) => sorted[Math.floor(share * (count - 1))].toFixed(2)
   const slope = Math.sqrt(slopes.reduce((sum, x) => sum + x * x, 0) / count).toFixed(2)
   return [`${at(0)} to ${at(1)}`, `${at(0.05)} to ${at(0.95)}`, slope]
 }
 
-/** The page, with this run's table between its markers. */
-async function page() {
-  const rows = []
-  for (const kind of kinds)
-    for (const dimensions of [2, 3])
-      rows.push([`\`${kind}\``, `${dimensions}D`, ...(await figures(kind, dimensions))])
+export function measure() {
+  writeFileSync(path('web/docs/noise.png'), picture())
+  const rows = kinds.flatMap((kind) =>
+    [2, 3].map((dimensions) => [`\`${kind}\``, `${dimensions}D`, ...figures(kind, dimensions)]),
+  )
   const head = ['noise', 'of', 'least to largest found', 'nine tenths of all', 'typical slope']
-  const table = [head, head.map(() => '---'), ...rows].map((row) => `| ${row.join(' | ')} |`)
-  const text = readFileSync(path('web/docs/noise.md'), 'utf8')
-  const marked = /(<!-- figures -->\n)[^]*?(<!-- end of figures -->)/
-  const { format, resolveConfig } = await import('prettier')
-  const file = path('web/docs/noise.md')
-  return format(text.replace(marked, `$1\n${table.join('\n')}\n\n$2`), {
-    ...(await resolveConfig(file)),
-    filepath: file,
-  })
+  return { figures: markdownTable(head, rows) }
 }
-
-if (isMain(import.meta))
-  await main(async () => {
-    await setup()
-    await build()
-    writeFileSync(path('web/docs/noise.png'), await picture())
-    writeFileSync(path('web/docs/noise.md'), await page())
-    good('web/docs/noise.md and noise.png are new.')
-  })
