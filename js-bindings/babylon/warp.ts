@@ -93,7 +93,7 @@ export class BabylonWarp<const Uniforms extends UniformValues = {}>
         `the material "${material.name}" is warped already; set isEnabled of that warp to false and warp a clone of the material, or make one offset of both, as with chain of warpjet/deformers.`,
       )
     const { uniforms, surfaceVariation } = settings.read(options, place)
-    const warp = new HostWarp(place.method, offset as OffsetFunction, {
+    const warp = new HostWarp(place, offset as OffsetFunction, {
       host: babylon,
       uniforms,
       names,

@@ -373,13 +373,13 @@ test('mistakes are told in a sentence, and what was set before stays', async () 
   const { said, isKept } = await page.evaluate(() => mistakes())
   const expected = [
     /^WarpError: BabylonWarp: the warp has no uniform "linaer"; there are linear, shift\.$/,
-    /^WarpError: The warp's uniform "shift" is a vec3 and takes an array of 3 numbers, but the text "x" came/,
-    /^WarpError: The warp's uniform "shift" /,
+    /^WarpError: BabylonWarp: expected an array of 3 finite numbers for the uniform "shift", got the text "x"/,
+    /^WarpError: BabylonWarp: expected .* for the uniform "shift", /,
     /^WarpError: BabylonWarp: expected a number of milliseconds for millis, got the text "x"; performance\.now\(\) gives one\.$/,
     /^WarpError: BabylonWarp: the material "standard" is warped already/,
     /^WarpError: BabylonWarp: the offset reads mouse, which Babylon\.js does not have; declare it, as in \{ uniforms: \{ myMouse: \[0, 0\] \} \}\.$/,
     /^WarpError: BabylonWarp: the offset reads "wind" by glsl\.param, which no shader of Babylon\.js declares; /,
-    /^WarpError: The warp's uniform "map" must be a texture of Babylon\.js, but is /,
+    /^WarpError: BabylonWarp: expected a texture of Babylon\.js for the uniform "map", got /,
   ]
   assert.equal(said.length, expected.length)
   said.forEach((text, i) => assert.match(text, expected[i]))
