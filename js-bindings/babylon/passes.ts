@@ -62,7 +62,7 @@ interface SubMaterials {
   getSubMaterial(index: number): Material | null
 }
 
-/** Those that store their effect in a submesh call this method first. */
+/** Passes call `_getDrawWrapper` before they put an effect into a submesh. */
 function installInSubMeshes(prototype: SubMesh) {
   const { _getDrawWrapper } = prototype
   prototype._getDrawWrapper = function (passId, isCreated) {

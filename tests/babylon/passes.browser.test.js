@@ -25,7 +25,7 @@ for (const backend of ['webgl', 'webgpu'])
     test('passes', async (t) => {
       for (const [kind, pass, variant] of await opened.page.evaluate(() => rows))
         await t.test(`${pass}, ${variant}`, async () => {
-          // One point in 16 is picked.
+          // One point in 9 is picked.
           const seen = pass === 'picking' ? 30 : 200
           assertSame(await ask((given) => compare(...given), kind, pass, variant), seen)
         })
