@@ -385,6 +385,10 @@ test('mistakes throw a message, and values set before stay', async () => {
     /^WarpError: BabylonWarp: the offset reads mouse, which Babylon\.js does not have; declare it, as in \{ uniforms: \{ myMouse: \[0, 0\] \} \}\.$/,
     /^WarpError: BabylonWarp: the offset reads "wind" by glsl\.param, which no shader of Babylon\.js declares; /,
     /^WarpError: BabylonWarp: expected a texture of Babylon\.js for the uniform "map", got /,
+    /^WarpError: BabylonWarp: the MultiMaterial "parts" takes no plugins; warp its subMaterials\.$/,
+    /^WarpError: BabylonWarp: there is no option "unifroms"; did you mean uniforms\?/,
+    /^WarpError: BabylonWarp: expected only false for the option "surfaceVariation", got the boolean true; addSurfaceVariation\(mesh\) /,
+    /^WarpError: BabylonWarp: expected a material of Babylon\.js, got /,
   ]
   assert.equal(said.length, expected.length)
   said.forEach((text, i) => assert.match(text, expected[i]))
