@@ -9,6 +9,7 @@ import '@babylonjs/core/Rendering/outlineRenderer.js'
 import '@babylonjs/core/Rendering/prePassRendererSceneComponent.js'
 import { ArcRotateCamera } from '@babylonjs/core/Cameras/arcRotateCamera.js'
 import { GPUPicker } from '@babylonjs/core/Collisions/gpuPicker.js'
+import { Constants } from '@babylonjs/core/Engines/constants.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
 import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
 import { GlowLayer } from '@babylonjs/core/Layers/glowLayer.js'
@@ -17,6 +18,8 @@ import { HemisphericLight } from '@babylonjs/core/Lights/hemisphericLight.js'
 import { Material } from '@babylonjs/core/Materials/material.js'
 import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
 import { StandardMaterial } from '@babylonjs/core/Materials/standardMaterial.js'
+import { SSAO2RenderingPipeline } from '@babylonjs/core/PostProcesses/RenderPipeline/Pipelines/ssao2RenderingPipeline.js'
+import '@babylonjs/core/PostProcesses/RenderPipeline/postProcessRenderPipelineManagerSceneComponent.js'
 import { RenderTargetTexture } from '@babylonjs/core/Materials/Textures/renderTargetTexture.js'
 import { Color3 } from '@babylonjs/core/Maths/math.color.js'
 import { Matrix, Quaternion, Vector3 } from '@babylonjs/core/Maths/math.vector.js'
@@ -175,6 +178,7 @@ const passes = {
   },
   'G-buffer, normals': (scene) => gBuffer(scene, 1),
   'G-buffer, positions': (scene) => gBuffer(scene, 2),
+  'prepass, normals': (scene) => prepass(scene, Constants.PREPASS_NORMAL_TEXTURE_TYPE),
   picking(scene, knot) {
     const picker = new GPUPicker()
     picker.setPickingList([knot])
@@ -202,6 +206,16 @@ function gBuffer(scene, index) {
   return async () => {
     await drawFrames(scene)
     return picture(renderer.getGBuffer().textures[index], 1)
+  }
+}
+
+/** What ambient occlusion reads. */
+function prepass(scene, type) {
+  new SSAO2RenderingPipeline('occlusion', scene, 1, [scene.activeCamera])
+  const renderer = scene.prePassRenderer
+  return async () => {
+    await drawFrames(scene)
+    return picture(renderer.defaultRT.textures[renderer.getIndex(type)], 1)
   }
 }
 
