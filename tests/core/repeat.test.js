@@ -2,23 +2,15 @@
 // same with it, and what is refused.
 import assert from 'node:assert/strict'
 import { describe, test } from 'node:test'
-import { compile, compileWarp, targets, WarpError } from '../../dist/warpjet.js'
+import { compile, compileWarp, targets } from '../../dist/warpjet.js'
 import { foldCallback, foldNumber, randomFoldCase, secondSlope, slopes } from '../random/folds.js'
+import { throwsWarpError } from '../support/warp-errors.js'
 
 const near = (got, expected, tolerance, message) =>
   assert.ok(
     Math.abs(got - expected) <= tolerance * Math.max(1, Math.abs(expected)),
     message ?? `${got} for ${expected}`,
   )
-
-function refuses(work, pattern) {
-  assert.throws(work, (error) => {
-    assert.ok(error instanceof WarpError, String(error))
-    assert.match(error.message, pattern)
-    assert.match(error.message, /^[^\n]+\.$/)
-    return true
-  })
-}
 
 describe('values', () => {
   test('of a number, with the number of the step', () => {
@@ -155,7 +147,7 @@ test('bounds hold what the loop gives', () => {
   assert.ok(max[1] - min[1] < 2.2)
 })
 
-describe('refuses', () => {
+describe('throws for', () => {
   const made = (work) => () => compile((glsl) => ({ r: work(glsl, glsl.param('x')) }))
   const cases = {
     'a count of an expression': [
@@ -238,16 +230,16 @@ describe('refuses', () => {
     ],
   }
   for (const [name, [work, pattern]] of Object.entries(cases))
-    test(name, () => refuses(made(work), pattern))
+    test(name, () => throwsWarpError(made(work), pattern))
 
   test('a state of another build', () => {
     let other
     compile((glsl) => ({ r: (other = glsl.param('x')) }))
-    refuses(
+    throwsWarpError(
       made((g) => g.repeat(2, other, (s) => s)),
       /another warp/,
     )
-    refuses(
+    throwsWarpError(
       made((g) => g.repeat(2, 0, () => other)),
       /another warp/,
     )
