@@ -152,7 +152,7 @@ test('a loop that only a break ends runs up to maxIterations times', () => {
     near(offsetAt(source, [1, 50, 0], { maxIterations: 8 }), [8, 8, 8])
     assert.match(
       message(() => glslOffset(source)),
-      /depends on what only the shader knows; .* or give the option maxIterations/,
+      /is known only when the shader runs; .* or set the option maxIterations/,
     )
   }
 })
@@ -254,7 +254,7 @@ test('\\r alone ends a line', () => {
 test('names of types have the right article', () => {
   assert.match(
     message(() => glslOffset(body('ivec3 n = 1; return p;'))),
-    /"n" is an ivec3, but an int came/,
+    /expected an ivec3 as the value of "n", got an int/,
   )
   assert.match(
     message(() => glslOffset(body('return p + uvec2(1u);'))),

@@ -190,10 +190,7 @@ describe('the order of scripts', () => {
     )
     await leavePage(page)
     assert.equal(messages.length, 1)
-    assert.match(
-      messages[0],
-      /^warpjet: there is no p5 on this page, and createWarp comes with it;/,
-    )
+    assert.match(messages[0], /^warpjet: there is no p5 on this page, which createWarp needs;/)
   })
 
   test('a second script keeps the first one, with additions such as deformers', async () => {
