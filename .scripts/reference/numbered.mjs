@@ -1,8 +1,7 @@
-// js-bindings/wasm/tables.ts and js-bindings/wasm/mesh-tables.ts: what has a number in the C++, in the order of its numbers, and what
-// is limited there.
+// Writes js-bindings/wasm/tables.ts and mesh-tables.ts: the enumerations of the C++ in the order of their numbers, and its limits.
 
 const head =
-  '// Written by `npm run reference` from the C++: what has a number there, in the order of its numbers, and what is limited.'
+  '// Written by `npm run reference` from the C++: enumerations in the order of their numbers, and limits.'
 
 const list = (names) => `[${names.map((name) => `'${name}'`).join(', ')}] as const`
 
@@ -47,7 +46,7 @@ export const meshNumberedText = ({ meshArrays, mostTriangles, usualTriangles }) 
       .filter(({ kind }) => kind === wanted)
       .map(({ name }) => `'${name}'`)
       .join(' | ')
-  return `// Written by \`npm run reference\` from the C++: the arrays of a mesh's job by what they hold, and limits.
+  return `// Written by \`npm run reference\` from the C++: the arrays of a mesh's job by element type, and limits.
 
 export type FloatArray = ${of('float')}
 export type IndexArray = ${of('index')}

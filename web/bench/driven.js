@@ -1,4 +1,4 @@
-/** The benchmark without a picture, for a program that drives the page: `window.bench`. */
+/** `window.bench`: the benchmark without a picture, for a program that drives the page. */
 import './memory.js'
 import { frameRate } from './frame-rate.js'
 import { measureRow } from './measure.js'
@@ -10,9 +10,6 @@ const canvas = document.body.appendChild(document.createElement('canvas'))
 let scene
 
 const byName = (name) => workloads.find((workload) => workload.name === name)
-
-/** To the program that drives, where it wants to know. */
-const progress = (text) => window.benchProgress?.(text)
 
 window.bench = {
   rows: workloads.map(({ name, nodes }) => ({ name, nodes })),
@@ -26,7 +23,7 @@ window.bench = {
   measure(name, settings) {
     // A picture that shows is put on the page after each frame, which takes time from the next one.
     canvas.hidden = true
-    return measureRow(scene, byName(name), settings, progress)
+    return measureRow(scene, byName(name), settings)
   },
 
   /** Capped or not is the browser's matter. @param steps the best h by method @returns frames a second by method */
@@ -36,12 +33,11 @@ window.bench = {
     scene.load(workload.mesh())
     const rates = {}
     for (const [method, h] of Object.entries(steps)) {
-      progress(method)
       rates[method] = await frameRate(scene, workload, method, h, duration)
     }
     return rates
   },
 
-  measureP5: (settings) => measureP5(settings, progress),
-  p5FrameRates: (settings) => p5FrameRates(settings, progress),
+  measureP5: (settings) => measureP5(settings),
+  p5FrameRates: (settings) => p5FrameRates(settings),
 }
