@@ -1,4 +1,4 @@
-#include "module/sentences.hpp"
+#include "module/messages.hpp"
 
 #include <algorithm>
 
@@ -14,8 +14,8 @@ std::string shapeName(Shape shape) {
 }
 
 std::string argumentCount(int count) {
-  if (count == 1) return "1 argument was";
-  return (count == 0 ? "no" : std::to_string(count)) + " arguments were";
+  if (count == 1) return "1 argument";
+  return (count == 0 ? "no" : std::to_string(count)) + " arguments";
 }
 
 std::string quotedShort(std::string_view text) {

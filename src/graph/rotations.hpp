@@ -33,6 +33,6 @@ inline constexpr std::array turns{
 
 // Returns the value of the sum or difference of two products if one of them undoes the rotation in
 // the other; examines two factors of each product, and two of theirs.
-std::optional<NodeId> turnedBack(Graph& graph, Op op, NodeId first, NodeId second);
+std::optional<NodeId> cancelRotation(Graph& graph, Op op, NodeId first, NodeId second);
 
 }  // namespace warpjet

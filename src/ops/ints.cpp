@@ -1,5 +1,5 @@
-// What whole numbers can be.
-#include "ops/whole.hpp"
+// Ranges of integers.
+#include "ops/ints.hpp"
 
 #include <algorithm>
 
@@ -9,19 +9,19 @@ namespace {
 
 constexpr double bitCount = 4294967296.0;
 
-// Those of a sum or product that may wrap around can be anything.
-Interval unlessWrapped(double low, double high) {
-  return leastWhole <= low && high <= mostWhole ? Interval(low, high) : anyWhole();
+// A sum or product that may wrap around can be any integer.
+Interval anyIfWrapped(double low, double high) {
+  return minInt <= low && high <= maxInt ? Interval(low, high) : anyInt();
 }
 
 }  // namespace
 
-Interval wholeSum(const Interval& x, const Interval& y) {
-  return unlessWrapped(x.low + y.low, x.high + y.high);
+Interval intSum(const Interval& x, const Interval& y) {
+  return anyIfWrapped(x.low + y.low, x.high + y.high);
 }
 
-// Smaller than the divisor, and of the sign of what is divided.
-Interval wholeRemainder(const Interval& x, const Interval& y) {
+// The remainder is smaller than the divisor and has the sign of the dividend.
+Interval intRemainder(const Interval& x, const Interval& y) {
   const double largest = std::max({-y.low, y.high, 1.0}) - 1;
   return {x.low < 0 ? std::max(x.low, -largest) : 0.0,
           x.high > 0 ? std::min(x.high, largest) : 0.0};
@@ -29,20 +29,20 @@ Interval wholeRemainder(const Interval& x, const Interval& y) {
 
 Interval bitAnd(const Interval& x, const Interval& y) {
   const double mask = std::max(x.low < 0 ? -1 : x.high, y.low < 0 ? -1 : y.high);
-  if (mask < 0) return anyWhole();
+  if (mask < 0) return anyInt();
   return {0, x.low < 0 ? y.high : y.low < 0 ? x.high : std::min(x.high, y.high)};
 }
 
 Interval bitsShiftRight(const Interval& x, const Interval& y) {
-  if (!y.isPoint()) return x.low < 0 ? anyWhole() : Interval(0, x.high);
+  if (!y.isPoint()) return x.low < 0 ? anyInt() : Interval(0, x.high);
   if (x.low >= 0) return {bitsShiftRight(x.low, y.low), bitsShiftRight(x.high, y.low)};
-  return bitsOf(y.low) % 32 == 0 ? anyWhole() : Interval(0, bitsShiftRight(-1.0, y.low));
+  return bitsOf(y.low) % 32 == 0 ? anyInt() : Interval(0, bitsShiftRight(-1.0, y.low));
 }
 
 Interval truncated(const Interval& x) {
   if (x.isEmpty()) return 0;
-  return {std::min(truncated(x.low), x.canBeNaN ? 0.0 : mostWhole),
-          std::max(truncated(x.high), x.canBeNaN ? 0.0 : leastWhole)};
+  return {std::min(truncated(x.low), x.canBeNaN ? 0.0 : maxInt),
+          std::max(truncated(x.high), x.canBeNaN ? 0.0 : minInt)};
 }
 
 Interval asFloat(const Interval& x) { return {asFloat(x.low), asFloat(x.high)}; }

@@ -1,4 +1,4 @@
-#include "graph/turns.hpp"
+#include "graph/rotations.hpp"
 
 #include <cmath>
 #include <utility>
@@ -25,9 +25,9 @@ constexpr NodeId missing = noNode;
 // whether one factor of each product is the cosine or sine, and only then what the other factors
 // are. A goal with two solutions tries the first; if the match fails later, it restarts from the
 // beginning with the last such choice reversed.
-class TurnMatcher {
+class RotationMatcher {
  public:
-  TurnMatcher(Graph& graph, const Pattern& sum) : graph_(graph), sum_(sum.items.data()) {}
+  RotationMatcher(Graph& graph, const Pattern& sum) : graph_(graph), sum_(sum.items.data()) {}
 
   bool matches(Term first, Term second) {
     do {
@@ -191,14 +191,14 @@ bool haveSineAndCosine(const Graph& graph, NodeId first, NodeId second) {
 }  // namespace
 
 // Cold and out of line: a warp has thousands of sums, and most of them are not rotations.
-[[gnu::noinline, gnu::cold]] std::optional<NodeId> turnedBack(Graph& graph, Op op, NodeId first,
-                                                              NodeId second) {
+[[gnu::noinline, gnu::cold]] std::optional<NodeId> cancelRotation(Graph& graph, Op op, NodeId first,
+                                                                  NodeId second) {
   const bool isNegative = graph.is(first, Neg);
   const NodeId product = isNegative ? graph.operand(first, 0) : first;
   if (!graph.is(product, Mult) || !graph.is(second, Mult)) return {};
   if (!haveSineAndCosine(graph, product, second)) return {};
   for (const Identity& identity : patterns::turns) {
-    TurnMatcher matcher(graph, identity.from);
+    RotationMatcher matcher(graph, identity.from);
     if (matcher.matches({product, isNegative}, {second, op == Sub}))
       return matcher.build(identity.to);
   }
