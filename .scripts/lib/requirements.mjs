@@ -3,7 +3,7 @@ import { mkdirSync, writeFileSync } from 'node:fs'
 import { findBrowser, findFirefox, isUbuntu } from './browser.mjs'
 import { path } from './files.mjs'
 import { capture } from './run.mjs'
-import { atLeast, cmakePackageVersion, headerVersion, cacheAnswer, versionOf } from './versions.mjs'
+import { atLeast, cacheAnswer, findHeader, versionOf } from './versions.mjs'
 import { onPath } from './which.mjs'
 
 /** Finds a program with a minimum version → { found }, { wrong }, or {} if it is missing. */
@@ -16,7 +16,23 @@ const program = (names, minVersion) => async () => {
   return { found: `${version} (${file})` }
 }
 
-const header = (names, pattern) => () => ({ found: headerVersion(names, pattern) })
+/** A library, found by a header. */
+const library = (name, apt, ...headers) => ({
+  name,
+  find: () => ({ found: findHeader(...headers) }),
+  apt: [apt],
+})
+
+/** A browser. Ubuntu's packages start snaps, which cannot read /tmp, so playwright-core fetches one there. */
+const browser = (name, find, apt) => ({
+  name,
+  find: async () => {
+    const file = await find()
+    return file ? { found: `${await versionOf(file)} (${file})`, file } : {}
+  },
+  apt: isUbuntu() ? [] : [apt],
+  fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', name.toLowerCase()] : null,
+})
 
 // Uses the C++20 features that the core relies on, so that a compiler that accepts this accepts the core.
 const probe = `#include <bit>
@@ -81,48 +97,14 @@ export const requirements = [
   },
   { name: 'ccache', find: program(['ccache'], '4.0'), apt: ['ccache'] },
   { name: "clang's libFuzzer", find: libFuzzer, apt: ['clang', 'libclang-rt-dev'] },
-  {
-    name: 'GoogleTest',
-    find: () => ({ found: cmakePackageVersion('GTest') }),
-    apt: ['libgtest-dev'],
-  },
+  library('GoogleTest', 'libgtest-dev', 'gtest/gtest.h'),
   { name: 'clang-format', find: program(['clang-format']), apt: ['clang-format'] },
-  {
-    name: 'GLM',
-    find: header(['glm/detail/setup.hpp'], /"GLM: version ([\d.]+)"/),
-    apt: ['libglm-dev'],
-  },
-  { name: 'tinygltf', find: header(['tiny_gltf.h'], /v(\d[\d.]+\d)/), apt: ['libtinygltf-dev'] },
-  {
-    name: 'nlohmann-json',
-    find: header(['nlohmann/json.hpp'], /version (\d[\d.]+\d)/),
-    apt: ['nlohmann-json3-dev'],
-  },
-  {
-    name: 'stb',
-    find: header(['stb/stb_image.h', 'stb_image.h'], /v(\d[\d.]+\d)/),
-    apt: ['libstb-dev'],
-  },
-  {
-    name: 'Chromium',
-    find: async () => {
-      const file = await findBrowser()
-      return file ? { found: `${await versionOf(file)} (${file})`, file } : {}
-    },
-    // Ubuntu's package is a stub for snap, whose browser cannot read /tmp: playwright-core fetches one instead.
-    apt: isUbuntu() ? [] : ['chromium-headless-shell'],
-    fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', 'chromium'] : null,
-  },
-  {
-    name: 'Firefox',
-    find: async () => {
-      const file = await findFirefox()
-      return file ? { found: `${await versionOf(file)} (${file})` } : {}
-    },
-    // Ubuntu's package starts a snap, whose browser cannot read /tmp.
-    apt: isUbuntu() ? [] : ['firefox-esr'],
-    fetch: isUbuntu() ? ['playwright-core', 'install', '--with-deps', 'firefox'] : null,
-  },
+  library('GLM', 'libglm-dev', 'glm/glm.hpp'),
+  library('tinygltf', 'libtinygltf-dev', 'tiny_gltf.h'),
+  library('nlohmann-json', 'nlohmann-json3-dev', 'nlohmann/json.hpp'),
+  library('stb', 'libstb-dev', 'stb/stb_image.h', 'stb_image.h'),
+  browser('Chromium', findBrowser, 'chromium-headless-shell'),
+  browser('Firefox', findFirefox, 'firefox-esr'),
   {
     name: 'Xvfb',
     find: async () => (onPath('Xvfb') ? { found: `(${onPath('Xvfb')})` } : {}),

@@ -1,15 +1,7 @@
-// Versions of programs and headers. The answers of programs are cached until their files change, so that set-up takes no time if all is
-// there.
+// Finds headers, and asks programs for their versions. Answers are cached until a program changes, so that set-up takes no time if all
+// is there.
 import { createHash } from 'node:crypto'
-import {
-  existsSync,
-  mkdirSync,
-  readFileSync,
-  readdirSync,
-  realpathSync,
-  statSync,
-  writeFileSync,
-} from 'node:fs'
+import { existsSync, mkdirSync, readFileSync, realpathSync, statSync, writeFileSync } from 'node:fs'
 import { delimiter, join } from 'node:path'
 import { path } from './files.mjs'
 import { capture } from './run.mjs'
@@ -46,36 +38,13 @@ export function atLeast(version, minVersion) {
   return differs < 0 || (a[differs] ?? 0) > b[differs]
 }
 
-const prefixes = ['/usr', '/usr/local', '/opt/homebrew', '/opt/local']
 const listPaths = (name) => (process.env[name] ?? '').split(delimiter).filter(Boolean)
 const includes = [
   ...listPaths('CPATH'),
   ...listPaths('CPLUS_INCLUDE_PATH'),
-  ...prefixes.map((prefix) => join(prefix, 'include')),
+  ...['/usr', '/usr/local', '/opt/homebrew', '/opt/local'].map((prefix) => join(prefix, 'include')),
 ]
 
-/** Returns the version in the first of `names` that is among the compiler's headers, or null. */
-export function headerVersion(names, pattern) {
-  const files = includes.flatMap((folder) => names.map((name) => join(folder, name)))
-  return versionIn(files, pattern)
-}
-
-/** Returns the version of a package that CMake can find, such as GTest, or null. */
-export function cmakePackageVersion(name) {
-  const libraries = prefixes.flatMap((prefix) => [join(prefix, 'lib'), join(prefix, 'lib64')])
-  // Debian keeps libraries one folder deeper, by architecture.
-  const folders = libraries.filter(existsSync).flatMap((folder) => [
-    folder,
-    ...readdirSync(folder, { withFileTypes: true })
-      .filter((entry) => entry.isDirectory() && /-linux-/.test(entry.name))
-      .map((entry) => join(folder, entry.name)),
-  ])
-  const files = folders.map((folder) => join(folder, 'cmake', name, `${name}ConfigVersion.cmake`))
-  return versionIn(files, /PACKAGE_VERSION "([\d.]+)"/)
-}
-
-function versionIn(files, pattern) {
-  const file = files.find(existsSync)
-  if (!file) return null
-  return readFileSync(file, 'utf8').match(pattern)?.[1] ?? 'of unknown version'
-}
+/** Returns the path of the first of `names` among the compiler's headers, or `undefined`. */
+export const findHeader = (...names) =>
+  includes.flatMap((folder) => names.map((name) => join(folder, name))).find(existsSync)
