@@ -36,7 +36,7 @@ test('the interpreter of the statements rejects invalid GLSL', () => {
     ['float y = x ? 1.0 : 2.0;', /float where bool belongs/],
     ['float y = p.z;', /\.z of vec2/],
     ['float y = sine(x);', /sine is no function/],
-    ['float y = 1.0', /expected ; after/],
+    ['float y = 1.0', /; is missing/],
   ])
     assert.throws(() => runGlsl(text, { x: 3, p: [5, 7] }), message)
 })

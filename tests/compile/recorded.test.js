@@ -67,11 +67,11 @@ describe('emit', () => {
     )
     throwsWarpError(
       () => warp.emit('wgsl', { names: { position: 'fn' } }),
-      /"fn" is a word of WGSL/,
+      /"fn" is a reserved word of WGSL/,
     )
     throwsWarpError(
       () => warp.emit('glsl300', { names: { position: 'aPlace' } }),
-      /names\.position: "aPlace" is the name of another input already/,
+      /names\.position: "aPlace" is already the name of another input/,
     )
     const call = compileWarp(({ glsl, position }) =>
       glsl.fn({ name: 'f', source: 'float f(float x) { return x; }', arity: 1, derivatives: [1] })(

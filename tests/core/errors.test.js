@@ -147,11 +147,11 @@ test('sizes', () => {
   )
   throwsWarpError(
     offset(({ uv }) => uv.cross(uv)),
-    /cross: .* must be a vec3, but is a vec2/,
+    /cross: expected a vec3 as .*, got a vec2/,
   )
   throwsWarpError(
     offset(({ millis, uv }) => uv.dot(millis)),
-    /dot: argument 1 must be a vector/,
+    /dot: expected a vector as argument 1/,
   )
   throwsWarpError(
     offset(({ uv }) => uv.z()),
@@ -335,15 +335,18 @@ test('names of results', () => {
 
 test('names of parameters', () => {
   const param = (name) => offset(({ glsl }) => glsl.vec3(glsl.param(name), 0, 0))
-  throwsWarpError(param('for'), /"for" cannot be read in a shader: "for" is a word of GLSL/)
+  throwsWarpError(
+    param('for'),
+    /"for" cannot be read in a shader: "for" is a reserved word of GLSL/,
+  )
   throwsWarpError(param('gl_Foo'), /gl_ or webgl_ are reserved in GLSL/)
-  throwsWarpError(param('a__b'), /two underscores/)
+  throwsWarpError(param('a__b'), /two consecutive underscores/)
   throwsWarpError(param('x; y'), /";" is not allowed in it/)
   throwsWarpError(param('x +'), /an operand is missing/)
   throwsWarpError(param('(x'), /"\)" is missing/)
   throwsWarpError(param(''), /it is empty/)
   throwsWarpError(param('sin'), /"sin" is a function of GLSL/)
-  throwsWarpError(param('float'), /"float" is a word of GLSL/)
+  throwsWarpError(param('float'), /"float" is a reserved word of GLSL/)
   throwsWarpError(
     offset(({ glsl }) => glsl.vec3Param('a').mult(glsl.param('a'))),
     /"a" was read as a vec3 before, and now as a single number/,
@@ -361,7 +364,7 @@ test('derivatives', () => {
     })
   throwsWarpError(
     by((v) => v),
-    /derivative: argument 2 must be a single input, such as position\.x\(\), but is a vec3/,
+    /derivative: expected a single input \(such as position\.x\(\)\) as argument 2, got a vec3/,
   )
   throwsWarpError(
     by((v) => v.x().mult(2)),
@@ -407,11 +410,11 @@ test('vectors of inputs', () => {
   )
   throwsWarpError(
     of((glsl, v) => glsl.jacobian(v, v.x())),
-    /expected a vector of inputs (such as position) as argument 2, got a single number/,
+    /expected a vector of inputs \(such as position\) as argument 2, got a single number/,
   )
   throwsWarpError(
     of((glsl, v, u) => glsl.adjustNormal(v, v, u)),
-    /adjustNormal: expected a vec3 of inputs (such as position) as argument 3, got a vec2/,
+    /adjustNormal: expected a vec3 of inputs \(such as position\) as argument 3, got a vec2/,
   )
 })
 
@@ -532,11 +535,11 @@ test('functions of the shader', () => {
   )
   throwsWarpError(
     of(a, (f, x, glsl) => glsl.fn({ ...a, source: 'float a(float x) { return -x; }' })(f(x))),
-    /"a" is the name of another function already/,
+    /"a" is already the name of another function/,
   )
   throwsWarpError(
     () => compile((glsl) => ({ a: glsl.fn(a)(glsl.param('x')) })),
-    /The result "a" has the name of a variable or function that is read for it/,
+    /The result "a" has the name of a variable or function that its code reads/,
   )
   throwsWarpError(
     () => compile((glsl) => ({ r: glsl.fn(a)(glsl.param('x')) })).evaluate({ x: 1 }),
@@ -568,7 +571,7 @@ test('constants that only a derivative combines', () => {
         const x = glsl.param('x')
         return { d: glsl.derivative(x.mult(1e30).mult(1e30), x) }
       }),
-    /derivative: the result of these constants is not a finite number/,
+    /derivative: the result of these constants is not a finite float32 number/,
   )
 })
 

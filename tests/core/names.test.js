@@ -25,7 +25,7 @@ for (const target of targets) {
   })
 
   test(`main, and names like those of warpjet, in ${target}`, () => {
-    throwsWarpError(() => declare('main', target), /"main" cannot .* that a shader begins with/)
+    throwsWarpError(() => declare('main', target), /"main" cannot .* the entry point of a shader/)
     throwsWarpError(
       () => declare('warpjetHash', target),
       /such names are reserved for warpjet; rename it/,

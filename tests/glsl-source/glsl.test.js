@@ -288,7 +288,7 @@ test('bit operations are unsupported in GLSL 1.00, by name, and nothing else is'
   const text = (value) => glslOffset(`vec3 offset(vec3 p) { return vec3(${value}); }`)
   const write = (value) => compileWarp(text(value), { target: 'glsl100' }).code
   assert.match(write('int(p.x) % 3'), /highp int/)
-  assert.throws(() => write('int(p.x) & 3'), /glsl100 has no bitAnd, .* take glsl300 or wgsl\.$/)
+  assert.throws(() => write('int(p.x) & 3'), /glsl100 has no bitAnd, .* use glsl300 or wgsl\.$/)
   assert.throws(() => write('floatBitsToInt(p.x)'), /glsl100 has no floatBitsToInt/)
 })
 

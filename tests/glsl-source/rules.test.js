@@ -205,7 +205,7 @@ test('images with projective coordinates or texel offsets', () => {
         body('return textureOffset(image, p.xy, ivec2(9)).xyz;', 'uniform sampler2D image;'),
       ),
     ),
-    /the offset of textureOffset must be a constant of whole numbers from -8 to 7/,
+    /the offset of textureOffset must be a constant with whole numbers from -8 to 7/,
   )
 })
 

@@ -131,7 +131,7 @@ vec3 offset(vec3 p) { float uint = smin(p.x, p.y, 0.5); uint += 1.0; return vec3
   assert.match(refusal(text), /"smooth" cannot be a name: it is a keyword/)
   assert.match(
     refusal(`#version 100\nuint f() { return 1; }\n${text}`),
-    /"uint" is not in GLSL ES 1\.00, .*; take int, or/,
+    /"uint" is not in GLSL ES 1\.00, .*; use int, or/,
   )
 })
 
