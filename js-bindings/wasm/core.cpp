@@ -197,8 +197,8 @@ std::vector<Naming> namings(const Words& numbers, const std::vector<std::string>
 
 // A depth of 0 leaves it to us.
 BoundShaderText writeText(const Module& module, std::string_view target, const Words& inputs,
-                     const std::vector<std::string>& inputNames, const Words& results,
-                     const std::vector<std::string>& resultNames, int maxDepth) {
+                          const std::vector<std::string>& inputNames, const Words& results,
+                          const std::vector<std::string>& resultNames, int maxDepth) {
   ShaderTextOptions options{.results = namings(results, resultNames),
                             .inputs = namings(inputs, inputNames)};
   if (maxDepth > 0) options.emit = {maxDepth, EmitOptions::maxTrackedReads};
