@@ -1,4 +1,4 @@
-// 'warpjet/text': all of 'warpjet' but what runs warps on the CPU, at half its size.
+// 'warpjet/text': 'warpjet' without the evaluation of warps on the CPU, at half the size.
 export { compile, gen } from './compile/compile.js'
 export type { CompiledExpressions, GenSettings } from './compile/compile.js'
 export { compileWarp } from './compile/compile-warp-text.js'

@@ -1,4 +1,4 @@
-// 'warpjet': compiles offset functions, and any other functions, into shader text and for the CPU.
+// 'warpjet': compiles offset functions, and any other functions, to shader code and for the CPU.
 export { compile, gen } from './compile/compile.js'
 export type { CompiledExpressions, GenSettings } from './compile/compile.js'
 export { compileWarp } from './compile/compile-warp.js'

@@ -1,5 +1,5 @@
-// web/docs/plots.md: each operation on numbers with a plot of its value and derivative, the text that comes of both, and a line
-// that runs; formulas.mjs has the formulas. The site draws the plots (web/site/plot.js) from what warpjet computes.
+// The sections of web/docs/plots.md: each operation on numbers with its formulas, a plot of its value and derivative, and code that
+// runs. The site draws the plots (web/site/plot.js) from the values that warpjet computes.
 import { Stop } from '../lib/terminal.mjs'
 import { formulas } from './formulas.mjs'
 
@@ -62,7 +62,7 @@ function checkFormulas(operations) {
     )
 }
 
-export function plotsText({ operations, headings }) {
+export function plotParts({ operations, headings }) {
   const shown = operations.filter(isNumeric)
   checkFormulas(shown)
   const groups = headings
@@ -71,14 +71,5 @@ export function plotsText({ operations, headings }) {
       return own.length && `## ${heading}\n\n${own.map(section).join('\n')}`
     })
     .filter(Boolean)
-  return `<!-- Written by \`npm run reference\`; the operations come from src/ops/documentation.hpp and src/builder/compositions.hpp. -->
-
-# Operations, plotted
-
-Every operation on numbers, with what it computes and its derivative by each operand, as exact as it stands here. On the site each has
-a plot of both by x, and beside it the text that a shader gets for them. “Run” moves a ball sideways by it, from its top to its bottom.
-[Vectors, matrices and noise](plots-vectors.md) have a page of their own; here are [all operations in short](operations.md), and
-[how exact each is](derivatives.md) was measured.
-
-${groups.join('\n')}`
+  return { plots: groups.join('\n') }
 }

@@ -10,7 +10,7 @@ import { exportGLB } from '../mesh/export.js'
 import { loadMesh } from '../mesh/load.js'
 import type { Mesh } from '../mesh/mesh-arrays.js'
 import { subdivide } from '../mesh/subdivide.js'
-import { mostTriangles } from '../wasm/mesh-tables.js'
+import { triangleLimit } from '../wasm/mesh-tables.js'
 import { areOneFile, withWriteErrors } from './files.js'
 import { Progress, count } from './progress.js'
 import { numeric, readArguments } from './usage.js'
@@ -18,8 +18,8 @@ import { withFileInErrors, choiceOf, glslFlags, readWarp } from './warp-file.js'
 
 const triangles = wholeNumber({
   min: 1,
-  max: mostTriangles,
-  maxName: mostTriangles.toLocaleString('en-US'),
+  max: triangleLimit,
+  maxName: triangleLimit.toLocaleString('en-US'),
 })
 
 /** The kind of the option `--set`, such as `mouse=10,20`. */

@@ -1,5 +1,5 @@
 // The texts of --help.
-import { usualTriangles } from '../wasm/mesh-tables.js'
+import { defaultTriangles } from '../wasm/mesh-tables.js'
 
 export const help = `warpjet warps 3D models with a function of their vertices.
 
@@ -51,7 +51,7 @@ Moves every vertex of the model like the shader, transforms normals and tangents
                             overrides the exports of warp.js
   --subdivide <tolerance>   first splits triangles where the warp bends them, until the result is within this distance
                             of the smooth shape, in units of the model
-  --max-triangles <n>       max number of triangles with --subdivide (default: ${usualTriangles})
+  --max-triangles <n>       max number of triangles with --subdivide (default: ${defaultTriangles})
   -q, --quiet               prints no progress`,
 
   derive: `npx warpjet derive <file> [options]

@@ -55,7 +55,7 @@ export function compile(
       )
     for (const [name, value] of Object.entries(results)) {
       const expression = toExpression(session, value, place.part(`the result "${name}"`))
-      session.output(name, expression, 'compile')
+      session.output(name, expression, place)
     }
     return session.finish()
   })
@@ -104,7 +104,7 @@ export function gen(callback: (ad: Glsl) => void, settings: GenSettings = {}): s
       throw genPlace.error('the function must be neither async nor a generator.')
     return [session.finish(), returned]
   }
-  const [module, returned] = withSession(target, run, { asks: true, debug })
+  const [module, returned] = withSession(target, run, { hasOutputMethods: true, debug })
   const { code, declarations } = writeText(module, target, {}, maxDepthPerVariable)
   if (declarations.includes('warpjet'))
     throw genPlace.error(

@@ -8,8 +8,8 @@ import { withSession } from '../core/module/result.js'
 import type { OffsetFunction } from '../core/types/types.js'
 import { isExpression } from '../errors/describe.js'
 import { describe, describeShape } from '../errors/errors.js'
-import type { Place } from '../options/place.js'
-import { turnedResults, warpOperands, warpResults } from '../wasm/tables.js'
+import { Place } from '../options/place.js'
+import { variantCount, warpOperands, warpResults } from '../wasm/tables.js'
 import { warpInputs } from './warp-inputs.js'
 import type { Settings } from './warp-options.js'
 
@@ -41,7 +41,7 @@ export function resultNumber(
 
 /** Returns the number of the variant of a result that takes into account how normal and uv vary over the surface. */
 export const onSurface = (result: number) =>
-  result < warpResults.normal ? result : result + turnedResults
+  result < warpResults.normal ? result : result + variantCount
 
 export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): RecordedWarp {
   const { place, target, names, normals, surfaceVariation, isAccepted, debug } = settings
@@ -57,7 +57,7 @@ export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): 
     }
     const offset = readOffset(session, place, offsetFunction(warpInputs(session, given)))
     const operands = warpOperands.map((name) => given[name]!)
-    const { varies } = session.warp(place.method, [offset, ...operands], normals, !surfaceVariation)
+    const { varies } = session.warp(place, [offset, ...operands], normals, !surfaceVariation)
     const inputs = Object.fromEntries(
       Object.entries(given).map(([name, input]) => [name, session.numberOf(input)]),
     ) as RecordedWarp['inputs']
@@ -70,10 +70,12 @@ export function recordWarp(offsetFunction: OffsetFunction, settings: Settings): 
   return withSession(target, record, { debug })
 }
 
+const jacobianPlace = new Place('jacobian')
+
 /** Adds the Jacobian of the offset to the results. */
 function addJacobian(session: Session, offset: Expression, position: Expression) {
   const jacobian = session.call(operationNamed('jacobian'), [offset, position])
-  session.output('jacobian', jacobian, 'jacobian')
+  session.output('jacobian', jacobian, jacobianPlace)
 }
 
 function readOffset(session: Session, place: Place, offset: unknown): Expression {

@@ -6,7 +6,7 @@ import type { Session } from '../core/expression/session.js'
 import { inputSizes, variationInputs } from '../core/inputs/inputs.js'
 import { lazyObject } from '../core/lazy-object.js'
 import type { WarpInputs } from '../core/types/types.js'
-import { didYouMean, refusing } from '../errors/nearest.js'
+import { didYouMean, throwingPrototype } from '../errors/nearest.js'
 
 const part = (session: Session, vector: Expression, i: number) =>
   session.swizzle('xyz'[i]!, vector, [i])
@@ -51,5 +51,5 @@ export function warpInputs(session: Session, inputs: Record<string, Expression>)
   const names = [...offsetInputs.keys()]
   const unknown = (name: string) =>
     `An offset function gets no "${name}"; ${didYouMean(name, names, `it gets ${names.join(', ')}, and uniforms by the option "uniforms".`, meant)}`
-  return lazyObject(refusing(unknown), { names: offsetInputs, make }) as WarpInputs
+  return lazyObject(throwingPrototype(unknown), { names: offsetInputs, make }) as WarpInputs
 }

@@ -1,6 +1,6 @@
 // Writes the shader code of a recorded warp, in a language and with the names of a host.
 import { drawInputs, vertexInputs } from '../core/inputs/inputs.js'
-import { type Compiled, type Declared, declared, declaredOf } from '../core/module/result.js'
+import { type Compiled, type Declared, declaredOf, toDeclared } from '../core/module/result.js'
 import { type IsFrameConstant, type Target, writeText } from '../core/module/serialized-module.js'
 import { Place } from '../options/place.js'
 import { isFrameUniform } from './frame.js'
@@ -58,7 +58,7 @@ export function writeWarp(
   const declaredAmong = (sizes: Partial<Record<keyof typeof inputs, number>>) =>
     (Object.keys(sizes) as (keyof typeof inputs)[]).flatMap((name) => {
       const input = read.find(({ number }) => number === inputs[name])
-      return input ? declared({ ...input, name }) : []
+      return input ? toDeclared({ ...input, name }) : []
     })
   const uniforms = declaredAmong(drawInputs)
   rejectNamesakes(place, names, uniforms, parameters)

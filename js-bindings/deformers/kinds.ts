@@ -8,7 +8,7 @@ import { readOperators } from '../errors/operators.js'
 import { isCallable, isFiniteFloat, isList } from '../options/guards.js'
 import { type Kind, wholeNumber } from '../options/kinds.js'
 import type { Place } from '../options/place.js'
-import { mostSeed } from '../wasm/tables.js'
+import { maxSeed } from '../wasm/tables.js'
 
 /** The inputs of an offset function. The uniforms are untyped, since they are declared elsewhere, where the warp is made. */
 export type OptionInputs = WarpInputs & { uniforms: { readonly [name: string]: any } }
@@ -90,7 +90,7 @@ export const number = (standard?: number) =>
 
 /** The kind of seeds: a whole number. */
 export const seed = (standard: number) =>
-  wholeNumber({ min: -mostSeed, max: mostSeed, default: standard })
+  wholeNumber({ min: -maxSeed, max: maxSeed, default: standard })
 
 /** The minimum of computed values: formulas divide by them. */
 const minComputed = 1e-6

@@ -1,7 +1,8 @@
 // Records a function of GLSL source as a separate module, which remains a function in the generated code and is differentiated as one.
+import { Place } from '../options/place.js'
 import type { Builder } from '../core/expression/builder.js'
 import type { Expression } from '../core/expression/expression.js'
-import type { Recorded, Session } from '../core/expression/session.js'
+import type { RecordedFunction, Session } from '../core/expression/session.js'
 
 /** Calls the recorded function in the session of a builder, and returns its results, one expression per number. */
 export type Routine = (glsl: Builder, operands: Expression[]) => Expression[]
@@ -24,14 +25,15 @@ export function record(
   const inner = new (outer.constructor as typeof Session)(outer.target)
   const builderOf = glsl.of as unknown as (session: Session) => Builder
   try {
+    const place = new Place(name)
     const operands = Array.from({ length: size }, (_, i) => inner.input(`x${i}`, [1, 1], name))
     const results = body(builderOf(inner), operands)
-    results.forEach((result, i) => inner.output(`result${i}`, result, name))
+    results.forEach((result, i) => inner.output(`result${i}`, result, place))
     const module = inner.finish()
     const mark = module.reduce((hash, word) => Math.imul(hash ^ word, 0x01000193), variables)
     // GLSL reserves names with two consecutive underscores.
     const own = name.replace(/_+/g, '_').replace(/_$/, '')
-    const recorded: Recorded = {
+    const recorded: RecordedFunction = {
       name: `${own}_${(mark >>> 0).toString(36)}`,
       variables,
       results: results.length,

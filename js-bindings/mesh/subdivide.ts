@@ -12,7 +12,7 @@ import { type Geometry, isGeometry } from '../core/inputs/geometry.js'
 import { type Plain, finerGeometry } from './geometry.js'
 import { type Mesh, type MeshInput, type MeshOrGeometry, putMesh, takeMesh } from './mesh-arrays.js'
 import { type Job, withJob } from './job.js'
-import { mostTriangles, usualTriangles } from '../wasm/mesh-tables.js'
+import { defaultTriangles, triangleLimit } from '../wasm/mesh-tables.js'
 import { variationOf } from './surface-variation.js'
 
 interface Limit {
@@ -84,9 +84,9 @@ export function subdivide(
 
 const maxTriangles = wholeNumber({
   min: 1,
-  max: mostTriangles,
-  maxName: `2^${Math.log2(mostTriangles)}`,
-  default: usualTriangles,
+  max: triangleLimit,
+  maxName: `2^${Math.log2(triangleLimit)}`,
+  default: defaultTriangles,
 })
 const levelsOptions = object({
   levels: wholeNumber({ max: 15 }),

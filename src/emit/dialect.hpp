@@ -29,7 +29,7 @@ struct Dialect {
   std::string_view otherTypes;    // built-in variables that aren't floats
   WordSet keywords;               // keywords, and words reserved for future use
   std::string_view functions;     // built-in functions
-  std::size_t longestName;
+  std::size_t maxNameLength;
 
   // Types, by float, bool and int; vectors from two components up, matrices by columns and rows
   // from two up. Missing types are empty, and `lacks` says what to use instead.
@@ -67,8 +67,8 @@ struct Dialect {
 
 // Replaces $0, $1, … in a template by the parts.
 using Parts = std::initializer_list<std::string_view>;
-std::string filled(std::string_view form, Parts parts);
-void fill(std::string& text, std::string_view form, Parts parts);  // appends to `text`
+std::string expand(std::string_view form, Parts parts);
+void appendExpanded(std::string& text, std::string_view form, Parts parts);  // appends to `text`
 
 extern const Dialect glsl300;
 extern const Dialect glsl100;

@@ -24,7 +24,7 @@ struct EmitOptions {
   // values that wait to be read stay alive. schedule.hpp lists the alternatives tried.
   std::uint32_t maxReads = 4;
   // Practically no limit, but it bounds the sets that are stored per expression.
-  static constexpr std::uint32_t mostReads = 64;
+  static constexpr std::uint32_t maxTrackedReads = 64;
   // Writes equal operations on components as one operation on vectors; see packs.hpp.
   bool vectors = true;
 };
@@ -37,29 +37,29 @@ struct OurFunction {
   bool operator==(const OurFunction&) const = default;
 };
 
-struct Emitted {
+struct EmittedCode {
   std::string code;
   std::vector<std::uint32_t> inputs;      // the inputs that the statements read, ascending
   std::vector<std::uint32_t> functions;   // host functions that they call, ascending
   std::vector<OurFunction> ourFunctions;  // our own functions that they call, without duplicates
-  std::vector<Op> helped;      // operations that need helper functions, without duplicates
-  std::size_t nodes = 0;       // graph nodes that the outputs need, including leaves
-  std::size_t operations = 0;  // the nodes that compute something
+  std::vector<Op> withHelpers;  // operations that need helper functions, without duplicates
+  std::size_t nodes = 0;        // graph nodes that the outputs need, including leaves
+  std::size_t operations = 0;   // the nodes that compute something
   std::size_t temporaries = 0;
   std::size_t vectors = 0;  // temporaries that are vectors
 };
 
 // The expression of each input in this language, if the host uses its label as its name.
-std::vector<std::string> inputTexts(const Graph& graph, const Dialect& dialect);
+std::vector<std::string> inputExpressions(const Graph& graph, const Dialect& dialect);
 
 // Names must have passed `inputProblem` and `outputProblem`, and be distinct. The outputs must have
 // been lowered to operations of the dialect. `inputs` holds the host's expression for each input.
-Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-             const EmitOptions& options, const Comments& comments,
-             std::span<const std::string> inputs);
-inline Emitted emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
-                    const EmitOptions& options = {}, const Comments& comments = {}) {
-  return emit(graph, dialect, outputs, options, comments, inputTexts(graph, dialect));
+EmittedCode emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
+                 const EmitOptions& options, const Comments& comments,
+                 std::span<const std::string> inputs);
+inline EmittedCode emit(const Graph& graph, const Dialect& dialect, std::span<const Output> outputs,
+                        const EmitOptions& options = {}, const Comments& comments = {}) {
+  return emit(graph, dialect, outputs, options, comments, inputExpressions(graph, dialect));
 }
 
 }  // namespace warpjet

@@ -15,7 +15,7 @@ class Declarations {
   Declarations(const Dialect& dialect, Library& library) : dialect_(dialect), library_(library) {}
 
   // Adds every function that these statements call, callees first, each function once.
-  void add(const Graph& graph, const Emitted& emitted);
+  void add(const Graph& graph, const EmittedCode& emitted);
 
   const std::string& text() const { return text_; }
 

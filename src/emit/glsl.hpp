@@ -19,6 +19,6 @@ inline constexpr std::string_view declaration = "$0 $1", definition = "$0 $1 = "
                                   structure = "struct $0 {$1 };\n", member = " $0 $1;";
 
 // The limit of WebGL 1.0, section 6.21; WebGL 2 allows 1024, but a warp should compile for both.
-inline constexpr std::size_t longestName = 256;
+inline constexpr std::size_t maxNameLength = 256;
 
 }  // namespace warpjet::glsl

@@ -33,12 +33,12 @@ constinit const Dialect glsl100{
         "texture2DProjLod textureCube textureCubeLod texture2DLodEXT texture2DProjLodEXT "
         "textureCubeLodEXT texture2DGradEXT texture2DProjGradEXT textureCubeGradEXT dFdx dFdy "
         "fwidth ",
-    .longestName = glsl::longestName,
+    .maxNameLength = glsl::maxNameLength,
     .numbers = glsl::numbers,
     .vectors = glsl::vectors,
     .matrices = {{{"mat2", "", ""}, {"", "mat3", ""}, {"", "", "mat4"}}},
     .image = glsl::image,
-    .lacks = "WebGL 1 has only matrices of as many rows as columns; take its columns by .column(0)",
+    .lacks = "WebGL 1 has only square matrices; use its columns, such as .column(0)",
     .numberSuffix = "",
     .declaration = glsl::declaration,
     .declaresSeveral = true,

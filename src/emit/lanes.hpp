@@ -21,9 +21,9 @@
 namespace warpjet {
 
 struct Lanes {
-  static constexpr int most = 4;
+  static constexpr int maxCount = 4;
 
-  std::array<NodeId, most> nodes{};
+  std::array<NodeId, maxCount> nodes{};
   int count = 0;
 
   Lanes() = default;
@@ -72,21 +72,21 @@ class Packs {
   void add(const Lanes& lanes);
   void dissolve(std::uint32_t pack);
   // With hopes on, lanes that could still be packed are measured as if they were.
-  void setHopes(bool hopes) { hopes_ = hopes; }
+  void setOptimistic(bool optimistic) { isOptimistic_ = optimistic; }
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(lanes_.size() / Lanes::most); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(lanes_.size() / Lanes::maxCount); }
   Lanes operator[](std::uint32_t pack) const;
   // The pack that a node is a lane of, or `none`.
   std::uint32_t packOf(NodeId id) const {
-    return places_[index(id)] == none ? none : places_[index(id)] / Lanes::most;
+    return places_[index(id)] == none ? none : places_[index(id)] / Lanes::maxCount;
   }
 
-  struct Written {
+  struct Layout {
     Form form;
     int length;  // approximate, in characters
   };
-  Written written(const Lanes& lanes, As as, int levels = Lengths::deepest) const;
-  int lengthOfStatement(NodeId id) const { return lengths_.ofOperation(id, Lengths::deepest); }
+  Layout chooseLayout(const Lanes& lanes, As as, int levels = Lengths::maxLevels) const;
+  int lengthOfStatement(NodeId id) const { return lengths_.ofOperation(id, Lengths::maxLevels); }
 
   // The vector and component that a node is read from, as four times the vector's key plus the
   // component; less than four if it isn't a component of a vector.
@@ -103,9 +103,9 @@ class Packs {
   struct Factors {
     Lanes a, b;
   };
-  std::optional<Factors> factorsOf(NodeId sum) const;
+  std::optional<Factors> dotProductOf(NodeId sum) const;
   // The two vectors whose cross product the three lanes are.
-  std::optional<Factors> crossedBy(const Lanes& lanes) const;
+  std::optional<Factors> crossProductOf(const Lanes& lanes) const;
   // The matrix of a rotation by an angle, or of a reflection. `minus` has one bit per negated
   // entry, column by column.
   struct Matrix {
@@ -115,20 +115,20 @@ class Packs {
   };
   // Two lanes that are the point (a, b) rotated by an angle: ±a cos u ± b sin u, ±a sin u ± b cos
   // u.
-  struct Turn {
+  struct Rotation {
     Lanes point;
     Matrix matrix;
   };
-  std::optional<Turn> turnOf(const Lanes& lanes) const;
+  std::optional<Rotation> rotationOf(const Lanes& lanes) const;
   // The vector-matrix product that the three lanes are, or null.
   const MatrixProduct* productOf(const Lanes& lanes) const;
   // True if the lanes could share a statement and none of them is packed yet.
-  bool isHope(const Lanes& lanes) const;
+  bool isPackable(const Lanes& lanes) const;
 
  private:
   static constexpr int rowStart = 6, separator = 2;
   // The length of `mat2(t12, t13, -t13, t12) * `, with names of three characters.
-  static constexpr int turnStart = 28;
+  static constexpr int rotationStart = 28;
   // A vector operation must be shorter than a list by this much, since it is harder to read.
   static constexpr int margin = 4;
 
@@ -143,7 +143,7 @@ class Packs {
   ops::Language language_;
   std::span<const MatrixProduct> products_;
   Lengths lengths_;
-  bool hopes_ = false;
+  bool isOptimistic_ = false;
   std::vector<std::uint32_t> numbers_;  // by node: the number of its statement
   std::vector<std::uint32_t> places_;   // by node: the lane that it is
   std::vector<NodeId> lanes_;           // four per pack

@@ -16,10 +16,10 @@ namespace warpjet {
 
 class Lengths {
  public:
-  // Deeper operands count as `usualNumber`. Expressions nest less deep, unless `maxDepth` was
+  // Deeper operands count as `typicalNumber`. Expressions nest less deep, unless `maxDepth` was
   // raised.
-  static constexpr int deepest = 16;
-  static constexpr int usualNumber = 5, name = 3, member = 2;
+  static constexpr int maxLevels = 16;
+  static constexpr int typicalNumber = 5, name = 3, member = 2;
 
   Lengths(const Graph& graph, ops::Language language)
       : graph_(graph), language_(language), texts_(graph.size()) {}
@@ -44,8 +44,8 @@ class Lengths {
 
  private:
   struct Text {
-    int whereRead = usualNumber, operation = usualNumber;
-    // The depth of nested operations where the node is computed; at most `deepest` + 1.
+    int whereRead = typicalNumber, operation = typicalNumber;
+    // The depth of nested operations where the node is computed; at most `maxLevels` + 1.
     std::uint8_t depth = 0;
     bool isNamed = false;
   };

@@ -14,7 +14,8 @@ namespace warpjet {
 bool lacksAny(const Graph& graph, ops::Language language);
 
 // The name of an operation that the language lacks and that can't be lowered, or empty.
-std::string_view refused(const Graph& graph, std::span<const NodeId> roots, ops::Language language);
+std::string_view findUnsupported(const Graph& graph, std::span<const NodeId> roots,
+                                 ops::Language language);
 
 // Returns nodes with the values of `roots` that the language can express; a replacement inherits
 // the comment of its node. Take derivatives before: those of a row are shorter than those of its

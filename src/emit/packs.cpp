@@ -14,7 +14,7 @@ class Packer {
  public:
   Packer(const Graph& graph, Packs& packs, Statements& body, std::uint32_t first,
          const EmitOptions& options)
-      : mostBeside_(std::min(options.maxDepth - 1, 3)),
+      : maxInlineDepth_(std::min(options.maxDepth - 1, 3)),
         graph_(graph),
         packs_(packs),
         body_(body),
@@ -29,19 +29,19 @@ class Packer {
   }
 
   void run() {
-    packs_.setHopes(true);
+    packs_.setOptimistic(true);
     const std::uint32_t first = packs_.size();
     for (const Statement& statement : body_.all) {
       if (statement.node == noNode && statement.output->shape.isVector())
         packParts(Lanes(statement.output->components), As::Operand);
     }
-    for (std::uint32_t i = 0; i < count_; ++i) packTurnsBy(i);
+    for (std::uint32_t i = 0; i < count_; ++i) packRotationsBy(i);
     for (std::uint32_t i = first; i < packs_.size(); ++i) {
       const Lanes lanes = packs_[i];
       packParts(lanes, As::Statement);
       packReaders(lanes);
     }
-    packs_.setHopes(false);
+    packs_.setOptimistic(false);
     merge(packs_.size() > first);
   }
 
@@ -50,7 +50,7 @@ class Packer {
   // vec3 …`.
   static constexpr int frame = 15;
   // Only this many readers of a statement are searched.
-  static constexpr std::size_t mostReaders = 8;
+  static constexpr std::size_t maxReaders = 8;
 
   // At least `count_` for statements that can't be packed here.
   std::uint32_t numberOf(NodeId id) const { return packs_.numberOf(id) - first_; }
@@ -58,7 +58,7 @@ class Packer {
   // Operands of a statement are on lower levels than the statement, and all lanes are on the same
   // level, so a pack never depends on itself.
   bool pack(const Lanes& lanes) {
-    if (lanes.count < 2 || !packs_.isHope(lanes)) return false;
+    if (lanes.count < 2 || !packs_.isPackable(lanes)) return false;
     std::uint32_t highest = 0;
     for (const NodeId id : lanes) {
       if (numberOf(id) >= count_) return false;
@@ -75,20 +75,20 @@ class Packer {
   bool canRise(std::uint32_t i, std::uint32_t level) const {
     if (levels_[i] == level) return true;
     const auto readers = readers_.of(i);
-    return readers.size() <= mostReaders &&
+    return readers.size() <= maxReaders &&
            std::all_of(readers.begin(), readers.end(),
                        [&](std::uint32_t reader) { return levels_[reader] > level; });
   }
 
   // Packs pairs that are rotated by the angle whose cosine this is.
-  void packTurnsBy(std::uint32_t cosine) {
+  void packRotationsBy(std::uint32_t cosine) {
     const NodeId id = body_.all[cosine].node;
     if (id == noNode || !graph_.is(id, ops::find("cos"))) return;
     const auto readers = someReadersOf(cosine);
     for (const std::uint32_t x : readers) {
       for (const std::uint32_t y : readers) {
         const std::array lanes{body_.all[x].node, body_.all[y].node};
-        if (x != y && lanes[0] != noNode && lanes[1] != noNode && packs_.turnOf(Lanes(lanes)))
+        if (x != y && lanes[0] != noNode && lanes[1] != noNode && packs_.rotationOf(Lanes(lanes)))
           pack(Lanes(lanes));
       }
     }
@@ -97,8 +97,8 @@ class Packer {
   // Packs those operands of a vector operation that could be vectors.
   void packParts(const Lanes& lanes, As as) {
     if (lanes.count < 2 || (as == As::Operand && pack(lanes))) return;
-    if (packs_.written(lanes, as).form != Form::Operation || packs_.productOf(lanes)) return;
-    if (const auto turn = packs_.turnOf(lanes)) return packParts(turn->point, As::Operand);
+    if (packs_.chooseLayout(lanes, as).form != Form::Operation || packs_.productOf(lanes)) return;
+    if (const auto turn = packs_.rotationOf(lanes)) return packParts(turn->point, As::Operand);
     for (int i = 0; i < graph_.arity(lanes[0]); ++i)
       packParts(packs_.operandsOf(lanes, i), As::Operand);
   }
@@ -109,19 +109,19 @@ class Packer {
       Lanes found;
       found.add(body_.all[reader].node);
       if (found[0] == noNode) continue;
-      for (int i = 1; i < lanes.count; ++i) addMostAlike(found, lanes[i]);
+      for (int i = 1; i < lanes.count; ++i) addMostSimilar(found, lanes[i]);
       pack(found);
     }
   }
 
-  void addMostAlike(Lanes& lanes, NodeId read) const {
+  void addMostSimilar(Lanes& lanes, NodeId read) const {
     NodeId best = noNode;
     int most = 0;
     for (const std::uint32_t reader : readersOf(read)) {
       Lanes with = lanes;
       with.add(body_.all[reader].node);
-      if (body_.all[reader].node == noNode || !packs_.isHope(with)) continue;
-      const auto [form, length] = packs_.written(with, As::Statement);
+      if (body_.all[reader].node == noNode || !packs_.isPackable(with)) continue;
+      const auto [form, length] = packs_.chooseLayout(with, As::Statement);
       if (form != Form::Operation) continue;
       const int gain = gainOf(with, length);
       if (gain <= most) continue;
@@ -131,11 +131,11 @@ class Packer {
     if (best != noNode) lanes.add(best);
   }
 
-  // The first `mostReaders` readers.
+  // The first `maxReaders` readers.
   std::span<const std::uint32_t> readersOf(NodeId id) const { return someReadersOf(numberOf(id)); }
   std::span<const std::uint32_t> someReadersOf(std::uint32_t i) const {
     const auto all = readers_.of(i);
-    return all.first(std::min(all.size(), mostReaders));
+    return all.first(std::min(all.size(), maxReaders));
   }
 
   // The characters saved by one statement of this length in place of one per lane.
@@ -164,7 +164,7 @@ class Packer {
     // The end of a loop's step reads values too, but isn't in `readers_`; so bodies of loops are
     // left out.
     for (std::uint32_t i = 0; i < count_ && first_ == 0; ++i) {
-      if (!standsBeside(body_.all[i], readers_.of(i))) continue;
+      if (!isInlineScalar(body_.all[i], readers_.of(i))) continue;
       packs_.removeStatement(body_.all[i].node);
       isShorter = true;
     }
@@ -186,7 +186,7 @@ class Packer {
 
   void mergeOne(Statements& merged, std::vector<std::uint32_t>& unitOf, std::uint32_t i) {
     const auto unit = static_cast<std::uint32_t>(merged.all.size());
-    Statements::Set reads = merged.noReads();
+    Statements::Set reads = merged.emptySet();
     const auto read = [&](std::uint32_t other) {
       for (const std::uint32_t each : body_.work.readsOf(other)) {
         if (!isRemoved(each)) merged.include(reads, unitOf[each]);
@@ -207,7 +207,7 @@ class Packer {
       const Lanes lanes = packs_[statement.pack];
       for (const NodeId id : lanes) join(numberOf(id));
       for (const std::uint32_t reader : readers_.of(numberOf(lanes[0]))) {
-        if (statement.output || !isJust(lanes, body_.all[reader])) continue;
+        if (statement.output || !assignsOnly(lanes, body_.all[reader])) continue;
         statement.output = body_.all[reader].output;
         unitOf[reader] = unit;
       }
@@ -217,7 +217,7 @@ class Packer {
 
   // True if a scalar is read by a single statement, once, as the scalar operand of a vector
   // operation, as in `v * t1`: then it is written inline.
-  bool standsBeside(const Statement& statement, std::span<const std::uint32_t> readers) const {
+  bool isInlineScalar(const Statement& statement, std::span<const std::uint32_t> readers) const {
     const NodeId id = statement.node;
     if (id == noNode || statement.output || packs_.packOf(id) != none || readers.empty())
       return false;
@@ -231,8 +231,8 @@ class Packer {
       return packOf(body_.all[other]) == pack;
     });
     if (!isOne || readers.size() != statements) return false;
-    if (packs_.turnOf(lanes) || packs_.productOf(lanes)) return false;
-    if (packs_.written(lanes, isResult ? As::Operand : As::Statement).form != Form::Operation)
+    if (packs_.rotationOf(lanes) || packs_.productOf(lanes)) return false;
+    if (packs_.chooseLayout(lanes, isResult ? As::Operand : As::Statement).form != Form::Operation)
       return false;
     int times = 0;
     for (int i = 0; i < graph_.arity(lanes[0]); ++i) {
@@ -244,7 +244,7 @@ class Packer {
                             [&](NodeId operand) { return operand != id && isNamed(operand); }))
         return false;
     }
-    return times == 1 && graph_.isOperation(id) && areShallow(id, mostBeside_);
+    return times == 1 && graph_.isOperation(id) && areShallow(id, maxInlineDepth_);
   }
 
   bool isNamed(NodeId id) const { return graph_.isLeaf(id) || packs_.isStatement(id); }
@@ -261,7 +261,7 @@ class Packer {
   }
 
   // True if a statement does nothing but assign these lanes to a result.
-  bool isJust(const Lanes& lanes, const Statement& statement) const {
+  bool assignsOnly(const Lanes& lanes, const Statement& statement) const {
     return statement.node == noNode &&
            std::equal(lanes.begin(), lanes.end(), statement.output->components.begin(),
                       statement.output->components.end());
@@ -270,7 +270,7 @@ class Packer {
   // True for a pack that doesn't pay off because the packs it counted on were not made. Reading a
   // single lane costs a `.x`; packs and vectors that read all lanes save a `vec3( )`.
   bool isLoss(const Lanes& lanes) const {
-    int gain = gainOf(lanes, packs_.written(lanes, As::Statement).length);
+    int gain = gainOf(lanes, packs_.chooseLayout(lanes, As::Statement).length);
     for (const NodeId id : lanes) {
       for (const std::uint32_t reader : readers_.of(numberOf(id))) {
         const Statement& statement = body_.all[reader];
@@ -282,7 +282,7 @@ class Packer {
     return gain <= 0;
   }
 
-  int mostBeside_;  // nested operations
+  int maxInlineDepth_;  // nested operations
   const Graph& graph_;
   Packs& packs_;
   Statements& body_;

@@ -55,8 +55,8 @@ class Finder {
         }
         for (int i = 0; i < graph_.arity(id); ++i) {
           const NodeId term = graph_.operand(id, i);
-          const bool isTurned = isDifference ? i == 1 : !isSum;
-          isMinus_[index(term)] = isMinus_[index(id)] != isTurned;
+          const bool isNegated = isDifference ? i == 1 : !isSum;
+          isMinus_[index(term)] = isMinus_[index(id)] != isNegated;
           terms_.push_back(term);
         }
       }

@@ -55,7 +55,7 @@ class StatementWriter {
   void assign(const Output& output);
   void nameMatrix(const Packs::Matrix& matrix);
   void writeComments(std::span<const NodeId> roots);
-  std::optional<Packs::Turn> turnOf(const Statement& statement) const;
+  std::optional<Packs::Rotation> rotationOf(const Statement& statement) const;
 
   const Plan& plan_;
   const Graph& graph_;

@@ -37,7 +37,7 @@ class Maker {
   std::vector<Statements> run(std::span<const NodeId> nodes) {
     findScalarOutputs();
     for (const NodeId id : nodes) {
-      if (graph_.isOperation(id) && ops::isChoice(graph_.node(id).op)) nameChosen(id);
+      if (graph_.isOperation(id) && ops::isChoice(graph_.node(id).op)) nameBranches(id);
     }
     if (loops_) findCaptured();
     for (const NodeId id : loops_ ? std::span(loops_->order()) : nodes) {
@@ -74,7 +74,7 @@ class Maker {
   // ANGLE, which translates GLSL in browsers, compiles `c ? a : b` to a branch unless both are
   // names or literals. A few do no harm; but SwiftShader takes 3 s to compile 4D noise with 48 of
   // them, and 0.08 s without. GPUs compute both sides anyway, as does WGSL's select.
-  void nameChosen(NodeId choice) {
+  void nameBranches(NodeId choice) {
     for (const int i : {1, 2}) {
       const NodeId id = graph_.operand(choice, i);
       state(id).isChosen = !isWrittenAsName(id);
@@ -109,7 +109,7 @@ class Maker {
       return;
     }
     state(id).isForced = true;
-    for (; loop != loopOf(id); loop = loops_->around(loop)) captured_[loop].push_back(id);
+    for (; loop != loopOf(id); loop = loops_->parentOf(loop)) captured_[loop].push_back(id);
   }
 
   [[gnu::noinline, gnu::cold]] void visitFold(NodeId id) {
@@ -117,7 +117,7 @@ class Maker {
     if (loopStatements_.empty()) loopStatements_.resize(graph_.loopCount(), none);
     std::uint32_t& statement = loopStatements_[loop];
     if (statement == none) {
-      Set set = made_->noReads();
+      Set set = made_->emptySet();
       for (const auto& [local, start, next] : loops_->statesOf(loop)) include(set, start);
       for (const NodeId read : captured_[loop]) include(set, read);
       statement = made_->add({id}, set);
@@ -167,7 +167,7 @@ class Maker {
     const bool isSame = graph_.arity(id) == 1 && loopOf(graph_.operand(id, 0)) == loop_;
     if (isSame && state(graph_.operand(id, 0)).statement == none)
       return state(graph_.operand(id, 0)).reads;
-    Set set = made_->noReads();
+    Set set = made_->emptySet();
     for (int i = 0; i < graph_.arity(id); ++i) include(set, graph_.operand(id, i));
     return set;
   }
@@ -208,7 +208,7 @@ class Maker {
 
   void assign(const Output& output, const std::optional<Sum>& sum) {
     const NodeId first = output.components[0];
-    Set set = made_->noReads();
+    Set set = made_->emptySet();
     if (sum) {
       made_->include(set, assigned_[sum->output]);
     } else if (state(first).output == &output) {

@@ -33,7 +33,7 @@ struct Statements {
   std::vector<Statement> all;
   Work work;
 
-  Set noReads() const { return {static_cast<std::uint32_t>(work.reads.size()), 0}; }
+  Set emptySet() const { return {static_cast<std::uint32_t>(work.reads.size()), 0}; }
   void include(Set& set, std::uint32_t statement);
   std::uint32_t add(const Statement& statement, Set reads);
 };

@@ -17,23 +17,24 @@ struct Naming {
   std::string text;
 };
 
-struct TextOptions {
+struct ShaderTextOptions {
   std::vector<Naming> results = {};  // the results to write, in this order; empty for all
   std::vector<Naming> inputs = {};   // inputs with other names than in the module
   EmitOptions emit = {};
 };
 
-struct Text {
-  Emitted emitted;             // for the body of a function
+struct ShaderText {
+  EmittedCode emitted;         // for the body of a function
   std::string declarations;    // to be placed above that function
   std::vector<Naming> inputs;  // inputs of the host that the code reads
 };
 
-struct Written {
-  std::optional<Text> text;
+struct ShaderTextResult {
+  std::optional<ShaderText> text;
   std::string problem = {};
 };
 
-Written write(const Module& module, const Dialect& dialect, const TextOptions& options = {});
+ShaderTextResult write(const Module& module, const Dialect& dialect,
+                       const ShaderTextOptions& options = {});
 
 }  // namespace warpjet

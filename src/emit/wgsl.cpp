@@ -66,7 +66,7 @@ constinit const Dialect wgsl{
         "subgroupMax subgroupMin subgroupMul subgroupOr subgroupShuffle subgroupShuffleDown "
         "subgroupShuffleUp subgroupShuffleXor subgroupXor quadBroadcast quadSwapDiagonal "
         "quadSwapX quadSwapY ",
-    .longestName = 256,
+    .maxNameLength = 256,
     .numbers = {"f32", "bool", "i32"},
     .vectors = {{{"vec2f", "vec3f", "vec4f"},
                  {"vec2<bool>", "vec3<bool>", "vec4<bool>"},

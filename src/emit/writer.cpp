@@ -101,7 +101,7 @@ void Writer::open(std::string& text, NodeId id, ops::Precedence loosest) {
     writeInt(text, graph_.value(graph_.operand(id, 0)));
   } else if (graph_.isResult(id)) {
     writeResult(text, id);
-  } else if (const auto factors = packs_.factorsOf(id)) {
+  } else if (const auto factors = packs_.dotProductOf(id)) {
     writeProduct(text, "dot(", *factors);
   } else {
     const ops::Spelling& spelling = spellingOf(id);
@@ -141,7 +141,7 @@ void Writer::writeOperation(std::string& text, NodeId id) {
     return;
   }
   if (graph_.isKnownInt(id)) return writeInt(text, graph_.value(graph_.operand(id, 0)));
-  if (const auto factors = packs_.factorsOf(id)) return writeProduct(text, "dot(", *factors);
+  if (const auto factors = packs_.dotProductOf(id)) return writeProduct(text, "dot(", *factors);
   frames_.push_back({id, textOf(id), false});
   finish(text);
 }

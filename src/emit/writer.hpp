@@ -65,7 +65,7 @@ class Writer {
     std::uint32_t before;  // the preceding matrix with the same cosine, or `none`
     std::uint32_t text;    // its name, if it has one
   };
-  static constexpr std::uint32_t isWanted = none - 1;
+  static constexpr std::uint32_t wanted = none - 1;
   // The index of the matrix, or `none`.
   std::uint32_t find(const Packs::Matrix& matrix) const;
 
@@ -82,7 +82,7 @@ class Writer {
   void writeRow(std::string& text, Shape shape, std::span<const NodeId> all, Packs::As as);
   void writeOperation(std::string& text, const Lanes& lanes, ops::Precedence loosest);
   void writePart(std::string& text, const Lanes& lanes);
-  void writeTurn(std::string& text, const Packs::Turn& turn, ops::Precedence loosest);
+  void writeRotation(std::string& text, const Packs::Rotation& turn, ops::Precedence loosest);
   void writeProduct(std::string& text, std::string_view name, const Packs::Factors& factors);
   void writeProduct(std::string& text, const MatrixProduct& product);
 

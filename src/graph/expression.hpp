@@ -124,15 +124,15 @@ inline bool canBeInfinite(Expression x) {
   return range.canBeInfinite() || range.canBeNaN;
 }
 
-inline Expression wholeDifference(Expression x, Expression y) {
+inline Expression intDifference(Expression x, Expression y) {
   return build(ops::find("intSub"), x, y);
 }
 
-inline Expression wholeProduct(Expression x, Expression y) {
+inline Expression intProduct(Expression x, Expression y) {
   return build(ops::find("intMult"), x, y);
 }
 
-inline Expression wholeQuotient(Expression x, Expression y) {
+inline Expression intQuotient(Expression x, Expression y) {
   return build(ops::find("intDiv"), x, y);
 }
 
@@ -142,7 +142,7 @@ Expression ifElse(Expression condition, Yes yes, No no) {
 }
 
 // A term of a derivative; 0 where the condition is false and the factor may be infinite.
-inline Expression countedWhere(Expression condition, Expression factor, Expression term) {
+inline Expression maskTerm(Expression condition, Expression factor, Expression term) {
   const bool always = condition.graph->range(condition.id).low != 0;
   return always || !canBeInfinite(factor) ? term : ifElse(condition, term, 0.0);
 }

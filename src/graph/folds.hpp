@@ -18,7 +18,7 @@
 namespace warpjet {
 
 // Limits recursion: both the emitter and the unroller recurse once per nested loop.
-inline constexpr std::uint32_t deepestLoops = 8;
+inline constexpr std::uint32_t maxLoopDepth = 8;
 
 // Groups the nodes that some roots need by loop: which nodes each loop has to compute per step, and
 // an evaluation order in which everything that a loop reads is computed before it.
@@ -38,7 +38,7 @@ class Loops {
   // True if the node reads variables of that loop.
   bool reads(NodeId id, std::uint32_t loop) const;
   // The loop that directly encloses a loop.
-  std::uint32_t around(std::uint32_t loop) const { return loopOf(folds_[loop][0]); }
+  std::uint32_t parentOf(std::uint32_t loop) const { return loopOf(folds_[loop][0]); }
 
   // All needed states of a needed loop.
   const std::vector<State>& statesOf(std::uint32_t loop) const { return states_[loop]; }
@@ -59,9 +59,9 @@ class Loops {
   std::vector<NodeId> readsOf(NodeId id) const;
   void leave(NodeId id);
   std::uint32_t setOf(NodeId id) const { return setOf_[index(id)]; }
-  std::uint32_t with(std::uint32_t loop, std::uint32_t rest);
-  std::uint32_t both(std::uint32_t a, std::uint32_t b);
-  std::uint32_t without(std::uint32_t set, std::uint32_t loop);
+  std::uint32_t makeSet(std::uint32_t loop, std::uint32_t rest);
+  std::uint32_t unite(std::uint32_t a, std::uint32_t b);
+  std::uint32_t removeLoop(std::uint32_t set, std::uint32_t loop);
 
   const Graph& graph_;
   std::vector<std::vector<NodeId>> folds_;    // by loop

@@ -111,7 +111,7 @@ std::size_t Graph::slotOf(const Node& node) const {
 NodeId Graph::intern(const Node& node) {
   const std::size_t slot = slotOf(node);
   if (table_[slot] != 0) return NodeId{table_[slot] - 1};
-  if (full()) return NodeId(nodes_.size() - 1);
+  if (isFull()) return NodeId(nodes_.size() - 1);
 
   const auto id = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
@@ -132,7 +132,7 @@ NodeId Graph::constant(double value) {
       {{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)}, constantOp});
 }
 
-NodeId Graph::whole(double value) {
+NodeId Graph::intConstant(double value) {
   return intern(Node{{index(constant(value))}, ops::find("int")});
 }
 
@@ -191,13 +191,13 @@ std::optional<NodeId> Graph::fold(Op op, const Operands<NodeId>& operands) {
     case ops::Type::Bool:
       return intern(Node{{index(constant(result))}, ops::find("bool")});
     case ops::Type::Int:
-      return whole(result);
+      return intConstant(result);
   }
   return std::nullopt;
 }
 
 NodeId Graph::apply(Op op, Operands<NodeId> operands) {
-  if (full()) return NodeId(nodes_.size() - 1);
+  if (isFull()) return NodeId(nodes_.size() - 1);
   const ops::Declaration& info = ops::declaration(op);
   for (int i = 0; i < info.arity; ++i) {
     const ops::Type wanted = info.signature.operands[i];
@@ -213,7 +213,8 @@ NodeId Graph::apply(Op op, Operands<NodeId> operands) {
   return intern(node);
 }
 
-[[gnu::noinline, gnu::cold]] std::optional<NodeId> Graph::found(Op op, NodeId x, NodeId y) const {
+[[gnu::noinline, gnu::cold]] std::optional<NodeId> Graph::findNode(Op op, NodeId x,
+                                                                   NodeId y) const {
   const std::uint32_t entry = table_[slotOf({{index(x), index(y)}, op})];
   return entry == 0 ? std::nullopt : std::optional(NodeId{entry - 1});
 }

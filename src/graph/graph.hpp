@@ -123,19 +123,19 @@ class Graph {
 
   NodeId constant(double value);
   // The node `int(constant)` with all 32 bits; `apply` would round the constant to a float.
-  NodeId whole(double value);
+  NodeId intConstant(double value);
 
   // The number of the input with this label and shape, added on first use.
   std::uint32_t input(std::string_view label, Shape shape);
   // The number of the input that is the size of an image.
   std::uint32_t sizeOf(std::uint32_t image);
   // The first input with this label, of any shape.
-  std::optional<std::uint32_t> inputLabelled(std::string_view label) const;
+  std::optional<std::uint32_t> findInput(std::string_view label) const;
   NodeId component(std::uint32_t input, int component);
 
   // A name must not be added twice.
   std::uint32_t addFunction(Function function);
-  std::optional<std::uint32_t> functionNamed(std::string_view name) const;
+  std::optional<std::uint32_t> findFunction(std::string_view name) const;
   NodeId call(std::uint32_t function, std::span<const NodeId> arguments);
   // One result of a call of our own functions.
   NodeId result(NodeId call, int number);
@@ -167,10 +167,10 @@ class Graph {
   // the same constants. With simplification off, which is for tests, the node is only interned.
   NodeId apply(Op op, Operands<NodeId> operands);
   // Looks an operation on two operands up without adding it.
-  std::optional<NodeId> found(Op op, NodeId x, NodeId y) const;
+  std::optional<NodeId> findNode(Op op, NodeId x, NodeId y) const;
 
   std::size_t size() const { return nodes_.size(); }
-  bool full() const { return nodes_.size() >= capacity_; }
+  bool isFull() const { return nodes_.size() >= capacity_; }
   const Node& node(NodeId id) const { return nodes_[index(id)]; }
   const Input& input(std::uint32_t number) const { return inputs_[number]; }
   std::size_t inputCount() const { return inputs_.size(); }
@@ -196,7 +196,7 @@ class Graph {
   bool isFold(NodeId id) const { return node(id).op == foldOp; }
   bool isOutcome(NodeId id) const { return node(id).op == outcomeOp; }
   // True for a state or a list of states, which only folds read.
-  bool isOfStates(NodeId id) const {
+  bool isStateOrList(NodeId id) const {
     return is(id, stateOp) || (isList(id) && is(operand(id, 1), stateOp));
   }
   // The loop that a variable or a fold belongs to.
@@ -211,10 +211,10 @@ class Graph {
   std::optional<double> known(NodeId id) const;
   ops::Type type(NodeId id) const;
   // The interval of a node's values, assuming that inputs and function results have magnitudes up
-  // to `usualSize`, as in real meshes and sketches. So a node may be infinite near a pole, but not
-  // because of a large x * x.
+  // to `assumedMagnitude`, as in real meshes and sketches. So a node may be infinite near a pole,
+  // but not because of a large x * x.
   Interval range(NodeId id);
-  static constexpr double usualSize = 1e4;
+  static constexpr double assumedMagnitude = 1e4;
   // The ranges of all nodes, assuming that inputs and function results are any finite float32.
   std::vector<Interval> rangesOfAll() const;
   // True if the graph contains a node of this operation.

@@ -17,12 +17,12 @@ void MultiIndices::extend(int order) {
   }
 }
 
-int MultiIndices::derived(int number, int variable) {
+int MultiIndices::derivative(int number, int variable) {
   extend(all_[number].order + 1);
   const auto child = [&](int of, int by) { return all_[of].firstChild + by - all_[of].last; };
   const int last = lastVariable(number);
   if (last <= variable) return child(number, variable);
-  return child(derived(origin(number), variable), last);
+  return child(derivative(origin(number), variable), last);
 }
 
 int MultiIndices::countUpTo(int variables, int order) {

@@ -19,7 +19,7 @@ struct Item {
     Anything,   // a variable: any node, the same one in all places of the variable
     Computed,   // a variable: any node but a constant
     Constant,   // a variable: a constant
-    Factor,     // a variable: a common factor, which may be missing; see turns.hpp
+    Factor,     // a variable: a common factor, which may be missing; see rotations.hpp
     Literal,    // a known number or condition
     Operation,  //
     Function,   // a function of known items

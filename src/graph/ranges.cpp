@@ -12,13 +12,13 @@ constexpr Op Mult = ops::find("mult"), Gt = ops::find("gt"), Sqrt = ops::find("s
              IfElse = ops::find("ifElse");
 
 // The smallest float32 above zero.
-constexpr double leastPositive = std::numeric_limits<float>::denorm_min();
+constexpr double minPositive = std::numeric_limits<float>::denorm_min();
 
 }  // namespace
 
 Interval Graph::range(NodeId id) {
   for (std::size_t i = ranges_.size(); i <= index(id); ++i)
-    ranges_.push_back(findRange(NodeId{static_cast<std::uint32_t>(i)}, usualSize, ranges_));
+    ranges_.push_back(findRange(NodeId{static_cast<std::uint32_t>(i)}, assumedMagnitude, ranges_));
   return ranges_[index(id)];
 }
 
@@ -48,8 +48,8 @@ Interval Graph::findRange(NodeId id, double inputSize, const std::vector<Interva
       const NodeId part = operand(yes, i);
       const bool isRoot = is(part, Sqrt) && operand(part, 0) == positive;
       y[i] = ranges[index(part)];
-      if (part == positive) y[i] = limited(y[i], leastPositive, Interval::infinity);
-      if (isRoot) y[i] = limited(y[i], std::sqrt(leastPositive), Interval::infinity);
+      if (part == positive) y[i] = clipTo(y[i], minPositive, Interval::infinity);
+      if (isRoot) y[i] = clipTo(y[i], std::sqrt(minPositive), Interval::infinity);
     }
     x[1] = ops::rangeOf(node(yes).op, y);
   }

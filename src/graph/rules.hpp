@@ -42,7 +42,7 @@ struct Bucket {
 
 namespace detail {
 
-constexpr Pattern swapped(const Pattern& pattern) {
+constexpr Pattern swapOperands(const Pattern& pattern) {
   Pattern other = pattern;
   const std::size_t first = pattern.items[1].size, second = pattern.size() - 1 - first;
   for (std::size_t i = 0; i < second; ++i) other.items[1 + i] = pattern.items[1 + first + i];
@@ -66,7 +66,7 @@ constexpr bool matchesSwapped(const Pattern& pattern) {
   const Item& root = pattern.root();
   if (!ops::has(root.op(), ops::Trait::Commutative)) return false;
   if (pattern.items[1 + pattern.items[1].size].isKnown) return false;
-  const Pattern other = swapped(pattern);
+  const Pattern other = swapOperands(pattern);
   for (const Identity& identity : identities) {
     if (areAlike(identity.from, other)) return false;
   }
@@ -114,7 +114,7 @@ constexpr void forEachRule(Op op, Visit visit) {
   for (std::size_t i = 0; i < identities.size(); ++i) {
     if (!identities[i].from.root().is(op)) continue;
     visit(i, identities[i].from);
-    if (matchesSwapped(identities[i].from)) visit(i, swapped(identities[i].from));
+    if (matchesSwapped(identities[i].from)) visit(i, swapOperands(identities[i].from));
   }
 }
 

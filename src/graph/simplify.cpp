@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "graph/match.hpp"
-#include "graph/turns.hpp"
+#include "graph/rotations.hpp"
 
 namespace warpjet {
 
@@ -31,7 +31,7 @@ std::optional<NodeId> simplify(Graph& graph, Op op, Operands<NodeId>& operands) 
     if (const auto found = replace(graph, op, operands, candidates)) return found;
   }
   if (op == ops::find("add") || op == ops::find("sub"))
-    return turnedBack(graph, op, operands[0], operands[1]);
+    return cancelRotation(graph, op, operands[0], operands[1]);
   return {};
 }
 

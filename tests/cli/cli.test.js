@@ -125,25 +125,25 @@ describe('the program', () => {
         ['bake', 'model.glb', 'wave.js', '-o', 'o.glb', '--subdivide', tolerance],
         /bake: expected a number above 0 for --subdivide, got /,
       )
-    const limited = (most) => [...baking, '--subdivide', '1', '--max-triangles', most]
-    const baking = ['bake', 'model.glb', 'named.js', '-o', 'o.glb']
+    const bakeWithLimit = (most) => [...bakeArguments, '--subdivide', '1', '--max-triangles', most]
+    const bakeArguments = ['bake', 'model.glb', 'named.js', '-o', 'o.glb']
     for (const most of ['1.5', String(2 ** 28 + 1), '1e20'])
       await usage(
-        limited(most),
+        bakeWithLimit(most),
         /bake: expected a whole number from 1 to 268,435,456 for --max-triangles, got /,
       )
     for (const most of ['0', '-1', 'x'])
       await usage(
-        limited(most),
+        bakeWithLimit(most),
         /expected a whole number from 1 to .* for --max-triangles, got |ambiguous/,
       )
-    await usage([...baking, '--max-triangles', '9'], /--max-triangles needs --subdivide/)
+    await usage([...bakeArguments, '--max-triangles', '9'], /--max-triangles needs --subdivide/)
   })
 })
 
 describe('how it exits', () => {
   /** Returns whether it exits by itself, soon. */
-  async function ended(args, prepare = () => {}) {
+  async function exitsBySelf(args, prepare = () => {}) {
     const child = spawn(process.execPath, args, { cwd: folder, timeout: 20_000 })
     let stderr = ''
     child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text))
@@ -157,12 +157,17 @@ describe('how it exits', () => {
 
   test('a reader may close its output', async () => {
     const leave = ({ stdout }) => stdout.destroy()
-    assert.deepEqual(await ended([program, 'emit', 'named.js'], leave), { code: 0, stderr: '' })
+    assert.deepEqual(await exitsBySelf([program, 'emit', 'named.js'], leave), {
+      code: 0,
+      stderr: '',
+    })
   })
 
   test('it does not wait for a timer of warp.js', async () => {
     write('timer.js', 'setInterval(() => {}, 1000)\nexport { bend } from "./named.js"')
-    const { code } = await ended([program, 'emit', 'timer.js'], ({ stdout }) => stdout.resume())
+    const { code } = await exitsBySelf([program, 'emit', 'timer.js'], ({ stdout }) =>
+      stdout.resume(),
+    )
     assert.equal(code, 0)
   })
 
@@ -184,7 +189,7 @@ describe('how it exits', () => {
 
   test('an error clears the unfinished line', async () => {
     const terminal = 'data:text/javascript,process.stderr.isTTY = true'
-    const { code, stderr } = await ended([
+    const { code, stderr } = await exitsBySelf([
       ...['--import', terminal, program, 'bake', 'model.glb', 'named.js'],
       ...['-o', 'o.glb', '--subdivide', '0.1', '--set', 'speed=1'],
     ])
@@ -283,7 +288,7 @@ describe('bake', () => {
 export default ({ glsl, position, uniforms }) =>
   glsl.vec3(position.x().mult(uniforms.flip.sub(1)), 0, 0)`,
     )
-    const agreeing = async (flip) => {
+    const countAgreeing = async (flip) => {
       await works('bake', 'model.glb', 'flip.js', '-o', 'flip.glb', '--set', `flip=${flip}`)
       const { positions, normals, indices } = await load('flip.glb')
       const at = (numbers, i) => [...numbers.slice(3 * i, 3 * i + 3)]
@@ -301,9 +306,9 @@ export default ({ glsl, position, uniforms }) =>
       }
       return count
     }
-    const before = await agreeing(1)
+    const before = await countAgreeing(1)
     assert.equal(Math.abs(before), 168)
-    assert.equal(await agreeing(-1), before)
+    assert.equal(await countAgreeing(-1), before)
   })
 
   test('vectors, negative numbers; --quiet', async () => {
@@ -331,14 +336,14 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     )
     const bake = (...rest) =>
       works('bake', 'model.glb', 'uniforms.js', '-o', 'moved.glb', '-q', ...rest)
-    const moved = async () => {
+    const firstVertex = async () => {
       const { positions } = await load('moved.glb')
       return [0, 1].map((i) => Math.round((positions[i] - model.positions[i]) * 1000) / 1000)
     }
     await bake()
-    assert.deepEqual(await moved(), [11, 17.5])
+    assert.deepEqual(await firstVertex(), [11, 17.5])
     await bake('--set', 'follow=0,0', '--subdivide', '0.1')
-    assert.deepEqual(await moved(), [1, -2.5])
+    assert.deepEqual(await firstVertex(), [1, -2.5])
     const { stdout } = await works('emit', 'uniforms.js')
     assert.match(stdout, /^\/\/ uniforms: (vec3 center, vec2 follow|vec2 follow, vec3 center)\n/)
     await refuses(
@@ -371,7 +376,7 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
     const { stderr } = await works('bake', 'webp.glb', 'named.js', '-o', 'plain.glb')
     assert.match(
       stderr,
-      /^Note: The picture .*\(image\/webp\) is neither PNG nor JPEG; it is left out/,
+      /^Note: The image .*\(image\/webp\) is neither PNG nor JPEG; it is left out/,
     )
     assert.deepEqual((await load('plain.glb')).material, { baseColor: material.baseColor })
   })
@@ -394,26 +399,37 @@ export default ({ glsl, uniforms: { center, follow } }) => center.add(glsl.vec3(
       'export default ({ glsl, position }) => glsl.vec3(glsl.div(1, position.x()), 0, 0)',
     )
     mkdirSync(join(folder, 'folder.glb'))
-    const baking = (model, warp, ...rest) => ['bake', model, warp, '-q', '-o', 'bad.glb', ...rest]
+    const bakeArguments = (model, warp, ...rest) => [
+      'bake',
+      model,
+      warp,
+      '-q',
+      '-o',
+      'bad.glb',
+      ...rest,
+    ]
     await refuses(
-      baking('model.glb', 'wave.js'),
+      bakeArguments('model.glb', 'wave.js'),
       /wave\.js reads millis; add --set millis=<number>; if it is an image, only a GPU can run this warp\./,
     )
     await refuses(
-      baking('model.glb', 'wave.js', '--set', 'millis=1', '--set', 'milis=1'),
+      bakeArguments('model.glb', 'wave.js', '--set', 'millis=1', '--set', 'milis=1'),
       /no uniform "milis"/,
     )
     await refuses(
-      baking('model.glb', 'mouse.js', '--set', 'mouse=1'),
+      bakeArguments('model.glb', 'mouse.js', '--set', 'mouse=1'),
       /expected an array of 2 finite numbers for the uniform "mouse"/,
     )
-    await refuses(baking('gone.glb', 'named.js'), /loadMesh: the file .*gone\.glb does not exist/)
     await refuses(
-      baking('model.glb', 'pole.js'),
+      bakeArguments('gone.glb', 'named.js'),
+      /loadMesh: the file .*gone\.glb does not exist/,
+    )
+    await refuses(
+      bakeArguments('model.glb', 'pole.js'),
       /bakeWarp: expected a finite position of vertex 0 at \(0, 1, 0\), got/,
     )
-    await refuses(baking('text.glb', 'named.js'), /loadMesh: /)
-    await refuses(baking('model.glb', 'gone.js'), /gone\.js does not exist/)
+    await refuses(bakeArguments('text.glb', 'named.js'), /loadMesh: /)
+    await refuses(bakeArguments('model.glb', 'gone.js'), /gone\.js does not exist/)
     await refuses(
       ['bake', 'model.glb', 'named.js', '-q', '-o', 'folder.glb'],
       /folder\.glb cannot be written/,

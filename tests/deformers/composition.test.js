@@ -433,18 +433,18 @@ describe('has a message about', () => {
   })
 
   test('wrong results', () => {
-    const made = (warp) => () => compileWarp(warp)
+    const compiling = (warp) => () => compileWarp(warp)
     refuses(
-      made(chain(twist(), () => twist())),
+      compiling(chain(twist(), () => twist())),
       /^chain: expected the offset function that is argument 2 to return a vec3, such as .*, got a function\.$/,
     )
     refuses(
-      made(add(({ millis }) => millis)),
+      compiling(add(({ millis }) => millis)),
       /^add: .* argument 1 to return a vec3, got a single number\.$/,
     )
-    refuses(made(mask(({ uv }) => uv, 1)), /^mask: .* to return a vec3, got a vec2\.$/)
+    refuses(compiling(mask(({ uv }) => uv, 1)), /^mask: .* to return a vec3, got a vec2\.$/)
     refuses(
-      made(
+      compiling(
         inSpace(
           ({ glsl }) => glsl.mat3(1),
           () => undefined,
@@ -493,25 +493,25 @@ describe('has a message about', () => {
       matrix(columns(product(rotation(0.3, 0, 1), scaling(1, 0, 1), rotation(0.3, 1, 2)))),
       /determinant 0/,
     )
-    const made = (value) => () => compileWarp(inSpace(value, twist()))
+    const compiling = (value) => () => compileWarp(inSpace(value, twist()))
     refuses(
-      made(() => columns(scaling(1, 0, 1))),
+      compiling(() => columns(scaling(1, 0, 1))),
       /the matrix has the determinant 0/,
     )
     refuses(
-      made(({ millis }) => millis),
+      compiling(({ millis }) => millis),
       /for the matrix, got a single number\.$/,
     )
     refuses(
-      made(({ position }) => position),
+      compiling(({ position }) => position),
       /for the matrix, got a vec3\.$/,
     )
     refuses(
-      made(({ glsl }) => glsl.mat2(1)),
+      compiling(({ glsl }) => glsl.mat2(1)),
       /for the matrix, got a matrix of another size\.$/,
     )
     refuses(
-      made(({ glsl }) => glsl.mat3(0)),
+      compiling(({ glsl }) => glsl.mat3(0)),
       /determinant .* is 0/,
     )
   })

@@ -81,6 +81,6 @@ test('the second script has a message that it needs the first', async () => {
   )
   await leavePage(page)
   assert.deepEqual(messages, [
-    'uncaught: warpjet: the script p5.warpjet.min.js must stand in a tag before this one.',
+    'uncaught: warpjet: the script p5.warpjet.min.js must be loaded by a tag before this one.',
   ])
 })

@@ -446,30 +446,36 @@ describe('has a message about', () => {
   })
 
   test('results of functions, and expressions', () => {
-    const made = (warp) => () => compileWarp(warp)
+    const compiling = (warp) => () => compileWarp(warp)
     refuses(
-      made(twist({ angle: () => 'x' })),
+      compiling(twist({ angle: () => 'x' })),
       /^twist: expected the function of the option "angle" to return a number or an expression of one number, got the text "x"\.$/,
     )
-    refuses(made(twist({ angle: ({ position }) => position })), /to return .*, got a vec3\.$/)
-    refuses(made(twist({ angle: ({ glsl }) => glsl.mat3(1) })), /to return .*, got a matrix\.$/)
+    refuses(compiling(twist({ angle: ({ position }) => position })), /to return .*, got a vec3\.$/)
     refuses(
-      made(twist({ length: () => -1 })),
+      compiling(twist({ angle: ({ glsl }) => glsl.mat3(1) })),
+      /to return .*, got a matrix\.$/,
+    )
+    refuses(
+      compiling(twist({ length: () => -1 })),
       /to return a number above 0 or .*, got the number -1\.$/,
     )
     refuses(
-      made(twist({ axis: ({ millis }) => millis })),
+      compiling(twist({ axis: ({ millis }) => millis })),
       /to return "x", .*, got a single number\.$/,
     )
-    refuses(made(twist({ axis: () => [0, 0, 0] })), /not all 0 or a vec3, got an array of 3\.$/)
     refuses(
-      made((inputs) => twist({ angle: inputs.uv })(inputs)),
+      compiling(twist({ axis: () => [0, 0, 0] })),
+      /not all 0 or a vec3, got an array of 3\.$/,
+    )
+    refuses(
+      compiling((inputs) => twist({ angle: inputs.uv })(inputs)),
       /expected .* for the option "angle", got a vec2\.$/,
     )
     let stolen
     compileWarp(({ glsl, millis }) => ((stolen = millis), glsl.vec3(0)))
     refuses(
-      made(twist({ angle: stolen })),
+      compiling(twist({ angle: stolen })),
       /^twist: the option "angle" belongs to another warp; pass a function such as/,
     )
   })

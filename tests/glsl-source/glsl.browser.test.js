@@ -60,7 +60,7 @@ const tolerance = (value) => 2e-3 * Math.max(1, Math.abs(value))
 const hasBits = /\b(?:floatBitsTo\w+|u?intBitsTo\w+|u(?:int|vec\d)|pack\w+2x16)\(|\bint \w+ = .*&/
 
 /** Counts the numbers that differ significantly; ignores undefined values such as 0/0. */
-function differing(values, wanted, compared = { count: 0 }) {
+function countDiffering(values, wanted, compared = { count: 0 }) {
   let wrong = 0
   values.forEach((three, i) =>
     wanted[i].forEach((value, k) => {
@@ -83,7 +83,7 @@ test('every function of the corpus equals the original, in each language and on 
       const { compiled, original, ...first } = await valuesOf(each, 'glsl300')
       const cpu = points.map((p) => compiled.evaluate({ p }))
       const check = (name, ours, wanted = original) => {
-        const wrong = differing(ours, wanted, compared)
+        const wrong = countDiffering(ours, wanted, compared)
         // A point may be on the edge between two branches.
         if (wrong > wanted[0].length) problems.push(`${each.name}, ${name}: ${wrong} differ`)
       }
@@ -178,7 +178,7 @@ test('random functions equal the original, in each language', async () => {
       for (const { seed, glsl } of cases) {
         const ours = values.get(`ours${seed}`)
         if (!ours) continue
-        const wrong = differing(ours, originals.get(`original${seed}`))
+        const wrong = countDiffering(ours, originals.get(`original${seed}`))
         compared[target]++
         // Points on the edge between two branches.
         if (wrong > 6)
@@ -232,6 +232,6 @@ test('value and gradient as one function equal those of the field, in each langu
       points,
     )
     // A point may be at the start of a blend.
-    assert.ok(differing(values, wanted) <= 2, target)
+    assert.ok(countDiffering(values, wanted) <= 2, target)
   }
 })

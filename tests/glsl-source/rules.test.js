@@ -152,7 +152,7 @@ test('a loop that only a break ends runs up to maxIterations times', () => {
     near(offsetAt(source, [1, 50, 0], { maxIterations: 8 }), [8, 8, 8])
     assert.match(
       message(() => glslOffset(source)),
-      /depends on what only the shader knows; .* or give the option maxIterations/,
+      /is known only when the shader runs; .* or set the option maxIterations/,
     )
   }
 })
@@ -254,7 +254,7 @@ test('\\r alone ends a line', () => {
 test('names of types have the right article', () => {
   assert.match(
     message(() => glslOffset(body('ivec3 n = 1; return p;'))),
-    /"n" is an ivec3, but an int came/,
+    /expected an ivec3 as the value of "n", got an int/,
   )
   assert.match(
     message(() => glslOffset(body('return p + uvec2(1u);'))),
@@ -262,27 +262,27 @@ test('names of types have the right article', () => {
   )
 })
 
-const repeated = (count, make) => Array.from({ length: count }, (_, i) => make(i)).join(' ')
+const repeat = (count, make) => Array.from({ length: count }, (_, i) => make(i)).join(' ')
 
 const long = {
-  fields: (n) => body('S s; return p;', `struct S { ${repeated(n, (i) => `float a${i};`)} };`),
-  locals: (n) => body(`${repeated(n, (i) => `float a${i} = p.x;`)} return vec3(a1);`),
+  fields: (n) => body('S s; return p;', `struct S { ${repeat(n, (i) => `float a${i};`)} };`),
+  locals: (n) => body(`${repeat(n, (i) => `float a${i} = p.x;`)} return vec3(a1);`),
   globals: (n) =>
     body(
       'return p;',
-      repeated(n, (i) => `float a${i} = 1.0;`),
+      repeat(n, (i) => `float a${i} = 1.0;`),
     ),
   constants: (n) =>
     body(
       'return p;',
-      repeated(n, (i) => `const float a${i} = 1.0;`),
+      repeat(n, (i) => `const float a${i} = 1.0;`),
     ),
   functions: (n) =>
     body(
       'return p;',
-      repeated(n, (i) => `float f${i}(float x) { return x; }`),
+      repeat(n, (i) => `float f${i}(float x) { return x; }`),
     ),
-  macros: (n) => body('return p;', `${repeated(n, (i) => `#define A${i} ${i}\n`)}`),
+  macros: (n) => body('return p;', `${repeat(n, (i) => `#define A${i} ${i}\n`)}`),
 }
 for (const [name, make] of Object.entries(long))
   test(`the time for ${name} is proportional to their number`, () =>
@@ -290,7 +290,7 @@ for (const [name, make] of Object.entries(long))
 
 test('functions that call each other twice, twenty deep', () => {
   const calls = (first, next, value) =>
-    `${first}\n${repeated(20, (i) => `${next(`f${i + 1}`, `f${i}`)}\n`)}${body(value.includes(';') ? value : `return ${value};`)}`
+    `${first}\n${repeat(20, (i) => `${next(`f${i + 1}`, `f${i}`)}\n`)}${body(value.includes(';') ? value : `return ${value};`)}`
   const start = performance.now()
   near(
     offsetAt(

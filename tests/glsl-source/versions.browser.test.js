@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { glslOffset } from '../../dist/glsl.js'
-import { named, versions, words } from '../glsl/versions.js'
+import { sourceWithName, versions, words } from '../glsl/versions.js'
 import { launchBrowser, openPage } from '../support/browser/browser.js'
 import { servePages } from '../support/browser/server.js'
 
@@ -67,7 +67,7 @@ for (const [version, [head, context]] of Object.entries(heads)) {
   })
 
   test(`source of ${head}: the same names of variables as in a browser`, async () => {
-    const texts = Object.fromEntries(words.map((word) => [word, named(word)]))
+    const texts = Object.fromEntries(words.map((word) => [word, sourceWithName(word)]))
     const { disagreeing, refused } = await disagreements(head, context, texts)
     assert.deepEqual(disagreeing, [])
     assert.ok(refused > 60 && refused < words.length - 3, `${refused} were refused`)

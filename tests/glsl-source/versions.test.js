@@ -46,7 +46,7 @@ const told = {
   ],
   'vec3 offset(vec3 p) { return vec3(int(p.x) >> 2); }': [
     100,
-    'line 2, column 44: ">>" is not in GLSL ES 1.00, the language of #version 100; divide by a power of two and take floor(), or begin the text with #version 300 es.',
+    'line 2, column 44: ">>" is not in GLSL ES 1.00, the language of #version 100; divide by a power of two and use floor(), or begin the text with #version 300 es.',
   ],
   'vec3 offset(vec3 p) { return vec3(~int(p.x)); }': [
     100,
@@ -70,7 +70,7 @@ const told = {
   ],
   'vec3 offset(vec3 p) { return vec3(p[int(p.x)]); }': [
     100,
-    'line 2, column 36: an index that is not constant is not in GLSL ES 1.00, the language of #version 100; take a constant, or the counter of a loop, or begin the text with #version 300 es.',
+    'line 2, column 36: an index that is not constant is not in GLSL ES 1.00, the language of #version 100; use a constant, or the counter of a loop, or begin the text with #version 300 es.',
   ],
   'vec3 offset(vec3 p) { float a[2]; return vec3(a.length()); }': [
     100,
@@ -86,7 +86,7 @@ const told = {
   ],
   'vec3 offset(vec3 p) {\n  return vec3(int(p.x) % 3);\n}': [
     100,
-    'line 3, column 24: "%" is not in GLSL ES 1.00, the language of #version 100; take mod(x, y) of floats, or begin the text with #version 300 es.',
+    'line 3, column 24: "%" is not in GLSL ES 1.00, the language of #version 100; use mod(x, y) of floats, or begin the text with #version 300 es.',
   ],
   'vec3 offset(vec3 p) {\n  while (p.x < 3.0) p.x += 1.0;\n  return p;\n}': [
     100,
@@ -103,11 +103,11 @@ const told = {
   'float[2] f(float x) { return float[2](x, x); }\nvec3 offset(vec3 p) { return vec3(f(p.x)[0]); }':
     [
       100,
-      'line 2, column 10: an array that a function gives is not in GLSL ES 1.00, the language of #version 100; give it by an out parameter, or begin the text with #version 300 es.',
+      'line 2, column 10: an array returned by a function is not in GLSL ES 1.00, the language of #version 100; return it by an out parameter, or begin the text with #version 300 es.',
     ],
   'vec3 offset(vec3 p) { return vec3(abs(int(p.x))); }': [
     100,
-    'line 2, column 35: abs, sign, min, max or clamp of whole numbers is not in GLSL ES 1.00, the language of #version 100; count in floats, or begin the text with #version 300 es.',
+    'line 2, column 35: abs, sign, min, max or clamp of whole numbers is not in GLSL ES 1.00, the language of #version 100; use floats, or begin the text with #version 300 es.',
   ],
 }
 for (const [text, [version, sentence]] of Object.entries(told))
@@ -128,7 +128,7 @@ vec3 offset(vec3 p) { float uint = smin(p.x, p.y, 0.5); uint += 1.0; return vec3
     .replace(/uint/g, 'd')
   const code = (source) => compileWarp(glslOffset(source)).code
   assert.equal(code(`#version 100\n${text}`), code(`#version 100\n${plain}`))
-  assert.match(refusal(text), /"smooth" cannot be a name: it is a word of the language/)
+  assert.match(refusal(text), /"smooth" cannot be a name: it is a keyword/)
   assert.match(
     refusal(`#version 100\nuint f() { return 1; }\n${text}`),
     /"uint" is not in GLSL ES 1\.00, .*; take int, or/,

@@ -14,7 +14,7 @@ import { degrees, moments, parts } from '../support/browser/compare.js'
 import {
   arraysOf,
   denseMesh,
-  interleaved,
+  interleave,
   layout,
   stride,
   vertices,
@@ -76,7 +76,7 @@ for (const [i, warp] of cases.entries()) {
         const builtIn = await run(compiled)
         const exact = best === compiled ? builtIn : await run(best)
         const arrays = arraysOf(mesh, compiled.attributes)
-        const baked = draws.map((uniforms) => interleaved(compiled.evaluate(arrays, { uniforms })))
+        const baked = draws.map((uniforms) => interleave(compiled.evaluate(arrays, { uniforms })))
         const worst = compareBaked(warp, mesh, draws, baked, { builtIn, exact })
         table.push({ warp: name, mesh: model, ...worst })
         assertBaked(worst, warp.degrees)

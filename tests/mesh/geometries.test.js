@@ -149,7 +149,7 @@ describe('bakeWarp', () => {
   for (const relative of [true, false])
     for (const own of ['with normals of their own', 'without'])
       test(`warps morph targets, ${relative ? 'relative' : 'whole'}, ${own}`, () => {
-        const given = morphing(relative, own !== 'without')
+        const given = morphingSphere(relative, own !== 'without')
         const before = JSON.stringify(given.toJSON())
         const baked = bakeWarp(given, waves)
         assert.equal(JSON.stringify(given.toJSON()), before)
@@ -168,7 +168,7 @@ describe('bakeWarp', () => {
             const expected = at.clone().add(new THREE.Vector3(0, 0, height(at.x, at.y)))
             const place = shown.getVertexPosition(i, new THREE.Vector3())
             assert.ok(place.distanceTo(expected) < 1e-6, `${influences}: vertex ${i}`)
-            const normal = turned(normalOf(rest, i), at)
+            const normal = transformNormal(normalOf(rest, i), at)
             assert.ok(normalOf(shown, i).distanceTo(normal) < 1e-5, `${influences}: normal ${i}`)
           }
         }
@@ -188,7 +188,7 @@ const waves = compileWarp(({ glsl, position }) =>
 const height = (x, y) => 0.2 * (Math.sin(2 * x) + Math.cos(3 * y))
 
 /** Transforms a normal by the slopes of that height, by the inverse transpose of the Jacobian. */
-function turned(normal, { x, y }) {
+function transformNormal(normal, { x, y }) {
   const [dx, dy] = [0.4 * Math.cos(2 * x), -0.6 * Math.sin(3 * y)]
   const made = new THREE.Matrix3().set(1, 0, 0, 0, 1, 0, dx, dy, 1).invert().transpose()
   return normal.applyMatrix3(made).normalize()
@@ -208,7 +208,7 @@ function normalOf({ geometry, morphTargetInfluences: influences }, i) {
 }
 
 /** A sphere with two morph targets: a larger sphere next to it, and one that is stretched along an axis. */
-function morphing(relative, withNormals) {
+function morphingSphere(relative, withNormals) {
   const geometry = new THREE.SphereGeometry(1, 12, 8)
   const targets = [
     geometry.clone().scale(1.5, 1.5, 1.5).translate(1, 0, 0.5),

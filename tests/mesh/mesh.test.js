@@ -288,73 +288,82 @@ describe('a mesh whose arrays do not fit together', () => {
   }
   for (const [name, work] of Object.entries(others))
     test(name, () => {
-      const refused = (change, pattern) =>
+      const rejectsChange = (change, pattern) =>
         refuses(() => work({ ...grid(3, 3), ...change }), new RegExp(`^${name}: ${pattern.source}`))
       for (const mesh of [undefined, null, 7, 'mesh', {}])
         refuses(
           () => work(mesh),
           new RegExp(`^${name}: expected a mesh such as \\{ positions, normals, indices \\}, got `),
         )
-      refused({ positions: undefined }, /expected a flat array .* for positions, got undefined/)
-      refused({ positions: 7 }, /expected a flat array .* for positions, got the number 7/)
-      refused({ positions: new Float32Array(26) }, /positions must hold 3 numbers a vertex/)
-      refused({ positions: new Float32Array(27).fill(NaN) }, /positions must be finite.*NaN/)
-      refused(
+      rejectsChange(
+        { positions: undefined },
+        /expected a flat array .* for positions, got undefined/,
+      )
+      rejectsChange({ positions: 7 }, /expected a flat array .* for positions, got the number 7/)
+      rejectsChange({ positions: new Float32Array(26) }, /positions must hold 3 numbers a vertex/)
+      rejectsChange({ positions: new Float32Array(27).fill(NaN) }, /positions must be finite.*NaN/)
+      rejectsChange(
         { positions: Array(27).fill('x') },
         /positions\[0\], of vertex 0: expected a finite number, got the text "x"/,
       )
       for (const odd of ['1', '', null, true, 1n, Symbol('odd'), undefined])
-        refused(
+        rejectsChange(
           { colors: [...Array(35).fill(0), odd] },
           /colors\[35\], of vertex 8: expected a finite number, got/,
         )
-      refused({ positions: new BigInt64Array(27) }, /positions\[0\], of vertex 0, must be a finite/)
-      refused(
+      rejectsChange(
+        { positions: new BigInt64Array(27) },
+        /positions\[0\], of vertex 0: expected a finite/,
+      )
+      rejectsChange(
         { indices: [0, 1, null] },
         /expected the number of a vertex, counted from 0, for indices\[2\], got /,
       )
-      refused(
+      rejectsChange(
         { material: { baseColor: [1, 1, 1, Symbol('odd')] } },
         /expected four finite numbers, .* for material.baseColor, got \[/,
       )
-      refused(
+      rejectsChange(
         { material: { baseColorTexture: { bytes: picture, mimeType: Object.create(null) } } },
         /expected a text .* for material.baseColorTexture.mimeType, got /,
       )
-      refused({ normals: new Float32Array(26) }, /normals must hold 3 numbers a vertex/)
-      refused({ normals: new Float32Array(27).fill(Infinity) }, /normals must be finite.*Infinity/)
-      refused({ uvs: [1, 2] }, /uvs must hold 2 numbers a vertex/)
-      refused({ colors: new Float32Array(27) }, /colors must hold 4/)
-      refused({ tangents: new Float32Array(27) }, /tangents must hold 4/)
-      refused({ indices: [0, 1, 9] }, /index 9 has no vertex/)
-      refused({ indices: [0, 1] }, /every three indices make a triangle/)
-      refused(
+      rejectsChange({ normals: new Float32Array(26) }, /normals must hold 3 numbers a vertex/)
+      rejectsChange(
+        { normals: new Float32Array(27).fill(Infinity) },
+        /normals must be finite.*Infinity/,
+      )
+      rejectsChange({ uvs: [1, 2] }, /uvs must hold 2 numbers a vertex/)
+      rejectsChange({ colors: new Float32Array(27) }, /colors must hold 4/)
+      rejectsChange({ tangents: new Float32Array(27) }, /tangents must hold 4/)
+      rejectsChange({ indices: [0, 1, 9] }, /index 9 has no vertex/)
+      rejectsChange({ indices: [0, 1] }, /every three indices make a triangle/)
+      rejectsChange(
         { indices: [0, 1, -1] },
         /expected the number of a vertex, counted from 0, for indices\[2\], got /,
       )
-      refused(
+      rejectsChange(
         { indices: [0, 1, 0.5] },
         /expected the number of a vertex, counted from 0, for indices\[2\], got /,
       )
-      refused(
+      rejectsChange(
         { indices: [0, 1, '2'] },
         /expected the number of a vertex, counted from 0, for indices\[2\], got the text "2"/,
       )
-      refused({ indices: 7 }, /expected a flat array .* for indices, got the number 7/)
-      refused({ material: 7 }, /expected an object .* for material, got the number 7/)
-      refused(
+      rejectsChange({ indices: 7 }, /expected a flat array .* for indices, got the number 7/)
+      rejectsChange({ material: 7 }, /expected an object .* for material, got the number 7/)
+      rejectsChange(
         { material: { baseColor: [1, 1, 1] } },
         /expected four finite numbers, .* for material.baseColor, got \[/,
       )
-      refused(
+      rejectsChange(
         { material: { baseColor: [1, 1, 1, NaN] } },
         /expected four finite numbers, .* for material.baseColor, got \[/,
       )
-      refused(
+      rejectsChange(
         { material: { baseColorTexture: 'x.png' } },
         /expected \{ bytes, mimeType \} .* for material.baseColorTexture, got /,
       )
-      refused(
+      rejectsChange(
         { material: { baseColorTexture: { bytes: [1] } } },
         /expected \{ bytes, mimeType \} .* for material.baseColorTexture, got bytes that are an array of 1/,
       )
@@ -517,42 +526,46 @@ describe('subdivide', () => {
   })
 
   test('wrong options', () => {
-    const refused = (options, pattern) => refuses(() => subdivide(triangle(), options), pattern)
-    refused(undefined, /^subdivide: expected options such as .*, got undefined/)
-    refused({}, /^subdivide: expected a result of compileWarp for the option "warp", got undefined/)
-    refused(
+    const rejectsChange = (options, pattern) =>
+      refuses(() => subdivide(triangle(), options), pattern)
+    rejectsChange(undefined, /^subdivide: expected options such as .*, got undefined/)
+    rejectsChange(
+      {},
+      /^subdivide: expected a result of compileWarp for the option "warp", got undefined/,
+    )
+    rejectsChange(
       { warp: twist },
       /^subdivide: expected a number above 0 for the option "tolerance", got undefined/,
     )
-    refused(
+    rejectsChange(
       { warp: twist, tolerance: 0 },
       /expected a number above 0 for the option "tolerance", got the number 0/,
     )
-    refused(
+    rejectsChange(
       { warp: twist, tolerance: 1, angle: -1 },
       /expected a number above 0 for the option "angle", got the number -1/,
     )
-    refused(
+    rejectsChange(
       { levels: 1.5 },
       /expected a whole number from 0 to 15 for the option "levels", got the number 1\.5/,
     )
-    refused(
+    rejectsChange(
       { levels: 1, maxTriangles: 0 },
       /expected a whole number from 1 to 2\^28 for the option "maxTriangles", got the number 0/,
     )
-    refused(
+    rejectsChange(
       { levels: 1, maxTriangles: 2 ** 28 + 1 },
       /from 1 to 2\^28 for the option "maxTriangles", got /,
     )
-    refused(
+    rejectsChange(
       { levels: 1, maxTriangle: 1 },
       /^subdivide: there is no option "maxTriangle"; did you mean maxTriangles\? There/,
     )
-    refused(
+    rejectsChange(
       { warp: twist, tolerance: 1, angel: 1 },
       /^subdivide: there is no option "angel"; did you mean angle\? There/,
     )
-    refused({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
+    rejectsChange({ warp: rise, tolerance: 1 }, /^subdivide: the warp reads "millis"/)
   })
 
   test('results of warps made by hand are checked', () => {
@@ -716,7 +729,7 @@ describe('hostile files', () => {
   test('flipped bits give a mesh or a message', async () => {
     let seed = 12345
     const random = (n) => (seed = (Math.imul(seed, 1103515245) + 12345) >>> 0) % n
-    let refused = 0
+    let rejectedCount = 0
     for (let i = 0; i < 600; i++) {
       const broken = file.slice()
       for (let k = random(4); k >= 0; k--) broken[random(2200)] ^= 1 << random(8)
@@ -725,10 +738,10 @@ describe('hostile files', () => {
         assert.ok(positions.every(Number.isFinite))
       } catch (error) {
         isRight(error, /^loadMesh: /)
-        refused++
+        rejectedCount++
       }
     }
-    assert.ok(refused > 100)
+    assert.ok(rejectedCount > 100)
   })
 
   test('sizes beyond the end of the file', async () => {

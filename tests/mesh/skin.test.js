@@ -6,13 +6,13 @@ import { loadMesh } from 'warpjet/mesh'
 import { writeGlb } from '../support/glb.js'
 
 /** Joint 1 is at x = 1, where it was bound; joint 2, bound 2 above it, is rotated by 90 degrees: x to y, y to -x. */
-function skinned() {
-  const moved = (x, y) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, 0, 1]
+function skinnedModel() {
+  const translation = (x, y) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, 0, 1]
   const parts = [
     { type: 'VEC3', numbers: Float32Array.of(0, 0, 0, 2, 2, 0, 2, 2, 3) },
     { type: 'VEC4', numbers: Uint8Array.of(0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0) },
     { type: 'VEC4', numbers: Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0) },
-    { type: 'MAT4', numbers: Float32Array.of(...moved(-1, 0), ...moved(-1, -2)) },
+    { type: 'MAT4', numbers: Float32Array.of(...translation(-1, 0), ...translation(-1, -2)) },
   ]
   const bytes = Buffer.concat(parts.map(({ numbers }) => Buffer.from(numbers.buffer)))
   let byteOffset = 0
@@ -48,7 +48,7 @@ function skinned() {
 }
 
 test('a skinned model is in the pose of its joints', async () => {
-  const bytes = skinned()
+  const bytes = skinnedModel()
   const { issues } = await validator.validateBytes(bytes)
   assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages))
   const { positions, warnings } = await loadMesh(bytes)

@@ -251,7 +251,7 @@ describe('compileWarp', () => {
 })
 
 /** Returns the lines that a program prints on console.error. */
-function printed(code) {
+function linesPrintedBy(code) {
   const script = `
     import { compileWarp } from 'warpjet'
     import { bakeWarp, subdivide, surfaceVariation } from 'warpjet/mesh'
@@ -267,7 +267,7 @@ function printed(code) {
 
 describe('a warning that normals are approximate', () => {
   test('is printed once, if the option is missing', () => {
-    const lines = printed('for (let i = 0; i < 3; i++) compileWarp(bumpy).evaluate(mesh)')
+    const lines = linesPrintedBy('for (let i = 0; i < 3; i++) compileWarp(bumpy).evaluate(mesh)')
     assert.equal(lines.length, 1)
     assert.match(
       lines[0],
@@ -276,13 +276,13 @@ describe('a warning that normals are approximate', () => {
   })
 
   test('is printed by evaluate, if it lacks the promised arrays', () => {
-    const lines = printed('compileWarp(bumpy, { surfaceVariation: true }).evaluate(mesh)')
+    const lines = linesPrintedBy('compileWarp(bumpy, { surfaceVariation: true }).evaluate(mesh)')
     assert.equal(lines.length, 1)
     assert.match(lines[0], /^evaluate: .* warpjet\/mesh/)
   })
 
   test('is not printed without a reason', () => {
-    const lines = printed(`
+    const lines = linesPrintedBy(`
       compileWarp(plain).evaluate(mesh)
       compileWarp(bumpy, { normals: false }).evaluate(mesh)
       compileWarp(bumpy, { surfaceVariation: false }).evaluate(mesh)

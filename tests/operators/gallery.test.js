@@ -19,11 +19,11 @@ test('each warp has its second version, and there are no others', () => {
 for (const { name, warp, options } of sketches)
   test(name, () => {
     const { surfaceVariation = true, uniforms } = options
-    const written = (offset) => {
+    const codeOf = (offset) => {
       const { code, declarations } = compileWarp(offset, { surfaceVariation, uniforms })
       return `${declarations}${code}`
     }
     // Loads the source file itself, as in a page.
     const again = operators((0, eval)(texts[name]))
-    assert.ok(written(again) === written(warp), 'the texts differ')
+    assert.ok(codeOf(again) === codeOf(warp), 'the texts differ')
   })

@@ -61,7 +61,7 @@ function bothOf(written) {
   return [inPage, byBuild]
 }
 
-const called = (offset, options = {}) =>
+const callOffset = (offset, options = {}) =>
   compileWarp(operators(offset), /uniforms/.test(offset) ? { uniforms, ...options } : options).code
 
 const pairs = {
@@ -231,7 +231,7 @@ const pairs = {
 describe('means the same for expressions as for numbers:', () => {
   for (const [name, [written, twin]] of Object.entries(pairs))
     test(name, () => {
-      const expected = called(twin)
+      const expected = callOffset(twin)
       const [inPage, byBuild] = bothOf(written)
       assert.equal(inPage, expected)
       assert.equal(byBuild, expected)
@@ -495,7 +495,7 @@ describe('helper functions:', () => {
   }
   for (const [name, [written, twin]] of Object.entries(cases))
     test(name, () => {
-      const expected = called(twin)
+      const expected = callOffset(twin)
       assert.equal(compileWarp(operators((0, eval)(`(${written})`))).code, expected)
       const module = `${script.replaceAll(/globalThis\.(\w+) = function/g, 'const $1 = function').replaceAll('globalThis.', 'const ')}\nout.push(createWarp(${written}))`
       assert.equal(built(module), expected)

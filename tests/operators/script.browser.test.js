@@ -68,9 +68,12 @@ for (const [version, p5] of p5InThisRun) {
     assert.deepEqual(messages, [])
     const lines = source.split('\n')
     const lineOf = (text) => lines.findIndex((line) => line.includes(text)) + 1
-    const told = (message) => +/, line (\d+)\)$/.exec(message)[1]
+    const lineInMessage = (message) => +/, line (\d+)\)$/.exec(message)[1]
     assert.match(first, /^sine: an expression has no such method; did you mean sin\?/)
-    assert.equal(told(first) - told(second), lineOf('y.sine()') - lineOf('position * hidden'))
+    assert.equal(
+      lineInMessage(first) - lineInMessage(second),
+      lineOf('y.sine()') - lineOf('position * hidden'),
+    )
     assert.match(
       second,
       /cannot access "hidden" of the enclosing scope; .*\{ scope: \{ hidden \} \}/,

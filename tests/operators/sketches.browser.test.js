@@ -28,7 +28,7 @@ after(async () => {
 
 const clock = 'p5.prototype.millis = () => 1700'
 
-const written = ({ whole, top = '', setup }) =>
+const sketchSource = ({ whole, top = '', setup }) =>
   `${clock}
 ${
   whole ??
@@ -47,7 +47,7 @@ function draw() {
 
 /** Opens a page with a sketch → its picture, and all console messages. */
 async function run(scripts, sketch) {
-  const { page, messages } = await runSketch(browser, server, scripts, written(sketch))
+  const { page, messages } = await runSketch(browser, server, scripts, sketchSource(sketch))
   const image = (await page.$('canvas')) && (await readPixels(page))
   await leavePage(page)
   return { image, messages }

@@ -147,20 +147,20 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
     })
 
     test('warps that a geometry cannot have are rejected', async () => {
-      const building = async (warp) => {
+      const buildWith = async (warp) => {
         const { result } = await run(`
           const warp = ${warp}
           result = said(() => buildGeometry(() => { warp(); sphere(10) }))`)
         return result
       }
       assert.match(
-        await building(
+        await buildWith(
           "createWarp(({ glsl, position }) => glsl.vec3(position.z, 0, 0), { space: 'camera' })",
         ),
         /^WarpError: buildGeometry: .*space: 'camera'.*call the warp before model/,
       )
       assert.match(
-        await building(`createWarp(({ glsl, uv, uniforms }) =>
+        await buildWith(`createWarp(({ glsl, uv, uniforms }) =>
           glsl.texture(uniforms.image, uv).xyz, { uniforms: { image: createImage(2, 2) } })`),
         /^WarpError: buildGeometry: .*only the GPU can do\. Call it before model/,
       )

@@ -97,7 +97,7 @@ test('an integer uniform keeps all its bits, and p5 declares it as an integer', 
 })
 
 test("p5.strands in world and camera space, written as in p5's reference, looks the same by createWarp", async () => {
-  const moved = (isStrands) =>
+  const shiftScene = (isStrands) =>
     isStrands
       ? `exactNormals(baseMaterialShader().modify(() => {
         getWorldInputs((inputs) => {
@@ -109,7 +109,7 @@ test("p5.strands in world and camera space, written as in p5's reference, looks 
         const phase = p.x().mult(0.0625).add(p.z().mult(0.03125))
         return glsl.vec3(0, phase.sin().mult(12), 0)
       }, { space: 'world' })`
-  const pulled = (isStrands) =>
+  const pullScene = (isStrands) =>
     isStrands
       ? `exactNormals(baseMaterialShader().modify(() => {
         getCameraInputs((inputs) => {
@@ -124,10 +124,10 @@ test("p5.strands in world and camera space, written as in p5's reference, looks 
       }, { space: 'camera' })`
   const images = await drawScenes(browser, server, scripts, {
     setup: `
-      warps.waves = ${moved(true)}
-      warps.wavesByHand = ${moved(false)}
-      warps.lens = ${pulled(true)}
-      warps.lensByHand = ${pulled(false)}`,
+      warps.waves = ${shiftScene(true)}
+      warps.wavesByHand = ${shiftScene(false)}
+      warps.lens = ${pullScene(true)}
+      warps.lensByHand = ${pullScene(false)}`,
     scenes: {
       waves: scene('shader(warps.waves)'),
       wavesByHand: scene('warps.wavesByHand()'),

@@ -171,7 +171,7 @@ const isLost = (corner, { isBuilt, sides }) => isTorn(corner) && (isBuilt || sid
 
 const toScreen = ([x, y, z]) => [x, y].map((k) => size / 2 + (distance * k) / (distance - z))
 
-const mixed = (weights, vectors) =>
+const interpolate = (weights, vectors) =>
   vectors[0].map((_, k) => vectors.reduce((sum, vector, i) => sum + weights[i] * vector[k], 0))
 
 /** Returns for each pixel the index of the frontmost triangle, -1 if there is none. */
@@ -233,7 +233,7 @@ function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
     if (corners.some((corner) => isLost(corner, shape))) return []
     return [0, 1, 2].flatMap((j) => {
       const weights = [0, 1, 2].map((i) => (i === j ? 0.8 : 0.1))
-      const at = toScreen(mixed(weights, places[id]))
+      const at = toScreen(interpolate(weights, places[id]))
       // The four pixels that `colorAt` interpolates.
       const [column, row] = at.map((x) => Math.floor(x - 0.5))
       for (const x of [0, 1])
@@ -251,7 +251,7 @@ function seenCorners(triangles, shape, offset, [aboutX, aboutY]) {
         }),
       )
       if (steepest > 0.04) return []
-      const normal = m.normalize(mixed(weights, normals))
+      const normal = m.normalize(interpolate(weights, normals))
       return Math.min(...normal) > 0.1 ? [{ normal, at, ...corners[j] }] : []
     })
   })

@@ -27,14 +27,14 @@ const lose = `async () => {
   const canvas = document.querySelector('canvas')
   const gl = canvas.getContext('webgl2')
   const extension = gl.getExtension('WEBGL_lose_context')
-  const told = (event) => new Promise((found) => canvas.addEventListener(event, found, { once: true }))
-  const lost = told('webglcontextlost')
+  const nextEvent = (event) => new Promise((found) => canvas.addEventListener(event, found, { once: true }))
+  const lost = nextEvent('webglcontextlost')
   extension.loseContext()
   await lost
   await draw()
   // Throws while the browser reports the loss.
   await new Promise((later) => setTimeout(later, 50))
-  const restored = told('webglcontextrestored')
+  const restored = nextEvent('webglcontextrestored')
   extension.restoreContext()
   await restored
   await draw()

@@ -79,7 +79,8 @@ const hooks = {
 
 for (const [version, p5] of p5InThisRun)
   test(`p5 ${version}: exactNormals of a hook that mirrors`, async () => {
-    const flipped = (flip) => `shader(warps.hook); warps.hook.setUniform('flip', ${flip}); ${cone}`
+    const drawFlipped = (flip) =>
+      `shader(warps.hook); warps.hook.setUniform('flip', ${flip}); ${cone}`
     const images = await drawScenes(
       browsers.WEBGL,
       server,
@@ -93,7 +94,7 @@ for (const [version, p5] of p5InThisRun)
           }))`,
         scenes: Object.fromEntries(
           [1, -1].flatMap((flip) => [
-            [flip, `${lit}; ${turned}; ${flipped(flip)}`],
+            [flip, `${lit}; ${turned}; ${drawFlipped(flip)}`],
             [`${flip}, by matrices`, `${lit}; ${turned}; scale(${flip}, 1, 1); ${cone}`],
           ]),
         ),

@@ -44,7 +44,7 @@ const offsets = {
   5: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned the number 5.',
   'glsl.vec3(position.sine(), 0, 0)': 'sine: an expression has no such method; did you mean sin?',
   'position.rotateY(1)':
-    'rotateY: a turn is a matrix, and gives where a vertex goes; write glsl.rotateY(angle).mult(v).sub(v).',
+    'rotateY: a rotation is a matrix, and its product with a vertex is the new position, not the offset; write glsl.rotateY(angle).mult(v).sub(v).',
   'glsl.vec3(position.y.squareRoot(), 0, 0)':
     'squareRoot: an expression has no such method; did you mean sqrt?',
   'position.multply(2)': 'multply: an expression has no such method; did you mean multiply?',
@@ -117,8 +117,8 @@ const offsets = {
   '(async () => position)()':
     'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned a promise (leave its "async" out).',
   null: 'createWarp: the offset function must return a vec3, such as glsl.vec3(x, y, z), but returned null.',
-  'glsl.vec3()': 'vec3: 3 components were expected, but 0 came.',
-  'glsl.vec3(1, 2)': 'vec3: 3 components were expected, but 2 came.',
+  'glsl.vec3()': 'vec3: expected 3 components, got 0.',
+  'glsl.vec3(1, 2)': 'vec3: expected 3 components, got 2.',
   'glsl.vec3([1, 2, 3])':
     'vec3: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'glsl.vec3("1", 0, 0)':
@@ -133,10 +133,10 @@ const offsets = {
     'add: expected a number or an expression for argument 1, got an array of 3; write glsl.vec3(x, y, z) for a vector.',
   'position.add(createVector(1, 0, 0))':
     'add: expected a number or an expression for argument 1, got a vector of numbers; write glsl.vec3(x, y, z) for a vector.',
-  'position.mult()': 'mult: 1 argument was expected, but 0 came.',
-  'position.y.clamp(0)': 'clamp: 2 arguments were expected, but 1 came.',
-  'position.sin(2)': 'sin: no arguments were expected, but 1 came.',
-  'position.gt(0).ifElse(1)': 'ifElse: 2 arguments were expected, but 1 came.',
+  'position.mult()': 'mult: expected 1 argument, got 0.',
+  'position.y.clamp(0)': 'clamp: expected 2 arguments, got 1.',
+  'position.sin(2)': 'sin: expected no arguments, got 1.',
+  'position.gt(0).ifElse(1)': 'ifElse: expected 2 arguments, got 1.',
   'glsl.vec3(position.x(1), 0, 0)': 'x: it takes fewer arguments; the number 1 is too many.',
   'glsl.vec3(glsl.param("amount"), 0, 0)':
     'createWarp: the warp reads "amount", which nothing declares; add the option { defs: "uniform float amount;" }.',
@@ -188,13 +188,13 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
     const expected =
       renderer === 'WEBGL' ? { ...offsets, ...calls } : { ...offsets, ...calls, ...onWebGPU }
     // Skips cases that are null.
-    const tried = (all) => Object.keys(all).filter((code) => expected[code])
+    const codesWithMessage = (all) => Object.keys(all).filter((code) => expected[code])
     const works = [
-      ...tried(offsets).map(
+      ...codesWithMessage(offsets).map(
         (code) =>
           `createWarp((inputs) => { const { glsl, position, millis } = inputs; ${inBraces(code)} })`,
       ),
-      ...tried(calls),
+      ...codesWithMessage(calls),
     ]
     const { page, messages } = await runSketch(
       browsers[renderer],
@@ -202,14 +202,14 @@ for (const [version, renderer, scripts] of p5HostsInThisRun)
       [...scripts, '/dist/p5.warpjet.min.js'],
       `let warp, flat
 const still = ({ glsl }) => glsl.vec3(0, 0, 0)
-const trying = (work) => { try { work(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
+const errorOf = (work) => { try { work(); return ['nothing'] } catch ({ name, message }) { return [name, message] } }
 const works = [
 ${works.map((work) => `() => ${work},`).join('\n')}
 ]
 ${setupOf(renderer)} createCanvas(100, 100, ${renderer})
   flat = createGraphics(10, 10)
   warp = createWarp(still)
-  window.said = works.map(trying)
+  window.said = works.map(errorOf)
   // The guarded functions are restored.
   window.after = [sin(0), Math.max(1, 2), constrain(5, 0, 1)]
   noLoop()
@@ -228,7 +228,9 @@ ${setupOf(renderer)} createCanvas(100, 100, ${renderer})
     assert.deepEqual(left, [0, 2, 1])
     const lines = source.split('\n')
     const first = lines.findIndex((line) => line.startsWith('const works')) + 1
-    const sentences = [...tried(offsets), ...tried(calls)].map((code) => expected[code])
+    const sentences = [...codesWithMessage(offsets), ...codesWithMessage(calls)].map(
+      (code) => expected[code],
+    )
     const number = /, line (\d+)\)$/
     const shift = number.exec(said[0][1])[1] - first
     said.forEach(([name, message], i) => {
@@ -339,7 +341,7 @@ test('an unused condition warns, with the line', async () => {
 }`,
   )
   await leavePage(page)
-  const note = `A condition decides nothing (line): JavaScript's if, ?:, && and ! take every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
+  const note = `A condition is not used (line): JavaScript's if, ?:, && and ! treat every condition of a warp as true; write condition.ifElse(yes, no), a.and(b), condition.not().`
   assert.deepEqual(messages.map(withoutLine), [note, note])
   const numbers = messages.map((text) => +/line (\d+)\)/.exec(text)[1])
   assert.equal(numbers[1] - numbers[0], 3)

@@ -164,11 +164,11 @@ for (const [version, p5] of p5InThisRun) {
       const { page } = await sketch(`
         const own = await new Promise((done) => loadModel(base + '${name}', done))
         const ours = await loadWarpModel(base + '${name}', { normalize: false, flipY: false })
-        const rounded = (numbers) => [...numbers].map((x) => +x.toFixed(5))
+        const round5 = (numbers) => [...numbers].map((x) => +x.toFixed(5))
         const corner = ({ vertices, vertexColors, vertexNormals }, i, partsOfColor) => ({
           position: vertices[i].array(),
-          color: ${areColorsJudged} && rounded(vertexColors.slice(partsOfColor * i, partsOfColor * i + 3)),
-          normal: ${name.endsWith('stl')} && rounded(vertexNormals[i].array()),
+          color: ${areColorsJudged} && round5(vertexColors.slice(partsOfColor * i, partsOfColor * i + 3)),
+          normal: ${name.endsWith('stl')} && round5(vertexNormals[i].array()),
         })
         const corners = (model, partsOfColor) =>
           model.faces.map((face) => face.map((i) => corner(model, i, partsOfColor)))
@@ -327,8 +327,8 @@ for (const [version, p5] of p5InThisRun) {
       assert.deepEqual(
         errors.map(([, message]) => message),
         [
-          'loadWarpModel: expected the address of a model, such as "bunny.glb", got undefined.',
-          'loadWarpModel: expected the address of a model, such as "bunny.glb", got the number 42.',
+          'loadWarpModel: expected the address of a model such as "bunny.glb", got undefined.',
+          'loadWarpModel: expected the address of a model such as "bunny.glb", got the number 42.',
           `loadWarpModel: cannot load ${url}/none.glb; the server answered 404.`,
           errors[3][1],
           'loadWarpModel: there is no option "size"; there are normalize, flipY, decoders.',
@@ -443,12 +443,12 @@ test("'warpjet/p5' as a module fetches the mesh module on first use", async () =
     server,
     [p5Versions['2.x']],
     `import '/dist/p5.js'
-    const fetched = () => performance.getEntriesByType('resource').some(({ name }) => name.endsWith('/meshes.js'))
-    window.report = [fetched()]
+    const hasFetchedMesh = () => performance.getEntriesByType('resource').some(({ name }) => name.endsWith('/meshes.js'))
+    window.report = [hasFetchedMesh()]
     new p5((p) => {
       p.setup = async () => {
         const tip = await p.loadWarpModel('${folder}/plain.glb')
-        report.push(fetched(), tip.vertices.length)
+        report.push(hasFetchedMesh(), tip.vertices.length)
         window.done = true
       }
     })`,

@@ -117,7 +117,7 @@ test('a copy under another name loads the companion of its version', async () =>
 
 describe('one script with everything, one without the CPU', () => {
   /** Draws with createWarp, and returns the result of evaluateAt for the same offset. */
-  async function evaluated(src) {
+  async function evaluateWith(src) {
     const { page, messages } = await runSketch(
       browser,
       server,
@@ -144,7 +144,7 @@ describe('one script with everything, one without the CPU', () => {
   }
 
   test('the script runs a warp on the CPU', async () => {
-    assert.deepEqual(await evaluated(script), [3, 2, 3])
+    assert.deepEqual(await evaluateWith(script), [3, 2, 3])
   })
 })
 
@@ -190,10 +190,7 @@ describe('the order of scripts', () => {
     )
     await leavePage(page)
     assert.equal(messages.length, 1)
-    assert.match(
-      messages[0],
-      /^warpjet: there is no p5 on this page, and createWarp comes with it;/,
-    )
+    assert.match(messages[0], /^warpjet: there is no p5 on this page, which createWarp needs;/)
   })
 
   test('a second script keeps the first one, with additions such as deformers', async () => {
@@ -242,7 +239,7 @@ describe('a page whose policy is script-src self', () => {
     const { page, messages } = await openPage(browser, server.page(html))
     const results = await page.evaluate(async (model) => {
       const problem = (error) => `${error.name}: ${error.message}`
-      const tried = async (work) =>
+      const messageOf = async (work) =>
         Promise.resolve()
           .then(work)
           .then(() => 'works', problem)
@@ -250,9 +247,9 @@ describe('a page whose policy is script-src self', () => {
       const { loadMesh } = await import('/dist/mesh.min.js')
       const still = ({ glsl }) => glsl.vec3(0, 0, 0)
       return [
-        await tried(() => warpjet.compileWarp(still)),
-        await tried(() => compileWarp(still).evaluateAt([0, 0, 0])),
-        await tried(() => loadMesh(model)),
+        await messageOf(() => warpjet.compileWarp(still)),
+        await messageOf(() => compileWarp(still).evaluateAt([0, 0, 0])),
+        await messageOf(() => loadMesh(model)),
       ]
     }, triangle)
     await leavePage(page)
@@ -280,11 +277,11 @@ describe('a page whose policy is script-src self', () => {
     const found = await page.evaluate(async () => {
       const { compileWarp } = await import('/dist/warpjet.min.js')
       const { Module } = WebAssembly
-      const tried = []
+      const messageOf = []
       WebAssembly.Module = function (bytes) {
-        tried.push('forbidden')
+        messageOf.push('forbidden')
         const module = new Module(bytes)
-        tried[tried.length - 1] = 'made'
+        messageOf[messageOf.length - 1] = 'made'
         return module
       }
       const bend = ({ glsl, position, millis }) =>
@@ -306,7 +303,7 @@ describe('a page whose policy is script-src self', () => {
       const expected = [bits(free), bits(later)]
       expected.push(bits(free))
       const point = JSON.stringify(free.evaluateAt([1, 2, 3], { uniforms }))
-      const before = tried.splice(0)
+      const before = messageOf.splice(0)
 
       const policy = document.createElement('meta')
       policy.httpEquiv = 'Content-Security-Policy'
@@ -317,7 +314,7 @@ describe('a page whose policy is script-src self', () => {
       const many = bits(compileWarp(bend), 40_000).length
       return {
         before,
-        after: tried,
+        after: messageOf,
         same: [...expected, ...results].map((text) => text === expected[0]),
         points: points.map((text) => text === point),
         many,

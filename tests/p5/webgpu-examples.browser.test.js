@@ -8,7 +8,7 @@ import { converted } from '../../web/playground/convert.js'
 import { launchBrowserWithWebGPU, openPage } from '../support/browser/browser.js'
 import { pngOf } from '../support/png.js'
 import { path } from '../support/browser/bench.js'
-import { answering, ask, coarseShapes, cookie } from '../support/browser/examples.js'
+import { replaceResponses, ask, coarseShapes, cookie } from '../support/browser/examples.js'
 import { beyondEdges, litPixels, readPixels, readWebGPUPixels } from '../support/browser/pixels.js'
 import { serveSources } from '../support/browser/site.js'
 
@@ -26,7 +26,7 @@ const pages = {}
 before(async () => {
   mkdirSync(screenshots, { recursive: true })
   browser = await launchBrowserWithWebGPU()
-  server = await serveSources(5260, [answering(forHost)])
+  server = await serveSources(5260, [replaceResponses(forHost)])
   url = server.resolvedUrls.local[0]
   for (const host of hosts) pages[host] = await openFor(host)
 })

@@ -1,4 +1,4 @@
-// Warps that use each smooth operation, beside plain functions of numbers. See stress.js.
+// Warps that use each smooth operation, with plain functions of numbers. See stress.js.
 import { clamp, mix, onSmallMesh, seconds } from './plain.js'
 
 const { sin, cos, tan, asin, acos, atan, atan2, exp, log, sqrt, abs, hypot } = Math

@@ -6,7 +6,7 @@ import { describe, test } from 'node:test'
 import { compile, compileWarp } from '../../dist/warpjet.js'
 import { blocksOf } from '../site/markdown.js'
 import { add, dot, subtract, times } from '../../tests/support/linear.js'
-import { builder, wrapped } from '../../tests/support/plain-builder.js'
+import { builder, wrap } from '../../tests/support/plain-builder.js'
 
 const page = (file) => readFileSync(new URL(`../docs/${file}`, import.meta.url), 'utf8')
 const sections = ['plots.md', 'plots-vectors.md'].flatMap((file) =>
@@ -17,7 +17,7 @@ const titleOf = (section) => section.split('\n')[0]
 const callOf = (call) => new Function('glsl', 'x', `return ${call}`)
 
 /** Evaluates a call in double precision, by the formulas. */
-const plainOf = (call) => (x) => callOf(call)(builder, wrapped(x)).plain
+const plainOf = (call) => (x) => callOf(call)(builder, wrap(x)).plain
 
 /** Compiles the offset function that a line passes to createWarp. Only positions are compared. */
 function warpOf(section) {

@@ -1,24 +1,24 @@
-// The operations of the graph, as the wasm lists them.
+// The operations of the graph, which the wasm lists.
 import { Place } from '../../options/place.js'
 import { core } from '../../wasm/core.js'
 
 export interface Operation {
   name: string
-  /** Its number in the wasm. */
+  /** The number in the wasm. */
   number: number
-  /** Vectors and matrices are made by functions only. */
+  /** `true` if expressions have it as a method; constructors of vectors and matrices are functions only. */
   isMethod: boolean
-  /** `false` for what only shader text calls. */
+  /** `false` for an operation of GLSL source only. */
   isListed: boolean
-  /** Whether its result is a condition: that of a comparison, or of logic. */
+  /** `true` if its result is a condition: for comparisons and logical operations. */
   isCondition: boolean
-  /** Its calls, for messages. */
+  /** The call, for messages. */
   place: Place
 }
 
 let operations: ReadonlyMap<string, Operation> | undefined
 
-/** Maps name → operation. The names are in the wasm, which so starts with the first warp. */
+/** Maps name → operation. The first call starts the wasm, which has the names. */
 export const getOperations = (): ReadonlyMap<string, Operation> => (operations ??= readOperations())
 
 function readOperations() {
@@ -34,7 +34,7 @@ function readOperations() {
   )
 }
 
-/** The operation of that name, which must exist. */
+/** Returns the operation of a name, which must exist. */
 export const operationNamed = (name: string): Operation => getOperations().get(name)!
 
 const conditions = new Set(['lt', 'le', 'gt', 'ge', 'eq', 'ne', 'and', 'or', 'not'])

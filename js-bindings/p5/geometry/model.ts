@@ -83,7 +83,7 @@ export async function fillP5Model(
   options?: LoadModelOptions,
 ): Promise<void> {
   if (!((typeof url === 'string' && url) || url instanceof URL))
-    throw place.expected('the address of a model, such as "bunny.glb",', describe(url))
+    throw place.expected('the address of a model such as "bunny.glb"', describe(url))
   const { normalize, flipY, decoders } = modelOptions.read(options, place)
   const { mesh, painted } = await readModel(url, { decoders: decoders as Decoders })
   putVertices(model, p5, mesh, flipY)
