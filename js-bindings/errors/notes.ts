@@ -9,9 +9,3 @@ export function noteApproximation(method: string, remedy: string) {
     `${method}: the offset depends on normal or uv, which count as constant over the surface in the shader, so that normals there are only nearly right; ${remedy} makes them exact, and surfaceVariation: false silences this.`,
   )
 }
-
-/** That an object draws what the warp does not move, since it was given another material. */
-export const noteReplaced = (method: string, name: string) =>
-  console.warn(
-    `${method}: ${name} has another material now, which is not warped; call dispose() of its warp before that, and ${method} again afterwards.`,
-  )

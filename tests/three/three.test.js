@@ -396,8 +396,8 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       () => warp(new THREE.Sprite(), none),
       /^warp: this Sprite always faces the camera/,
     ],
-    'a sprite in a group': [() => warp(group, none), /^warp: this Sprite /],
-    nothing: [() => warp(undefined, none), /^warp: a Mesh, .* but undefined came\.$/],
+    'a group of sprites': [() => warp(group, none), /^warp: this Sprite /],
+    nothing: [() => warp(undefined, none), /^warp: expected a Mesh, .* got undefined\.$/],
     'an empty group': [
       () => warp(new THREE.Group(), none),
       /^warp: there is nothing to draw in this Group/,
@@ -411,7 +411,7 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       () => warp(mesh, none, { space: 'view' }),
       /^warp: expected 'local', 'rest' or 'world' for the option "space", got the text "view"\.$/,
     ],
-    'a geometry': [() => warp(mesh.geometry, none), /but a PlaneGeometry came\.$/],
+    'a geometry': [() => warp(mesh.geometry, none), /got a PlaneGeometry\.$/],
     'along a normal that is missing': [
       () => warp(new THREE.Mesh(bare, material), ({ normal }) => normal),
       /^warp: the offset reads normal, but the geometry of this Mesh has no attribute "normal"; call geometry\.computeVertexNormals\(\) first\.$/,
@@ -436,9 +436,13 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       () => warp(mesh, ({ glsl }) => glsl.vec3(glsl.param('wind'), 0, 0)),
       /^warp: the offset reads "wind" by glsl\.param/,
     ],
-    'a shader without chunks': [
-      () => warpMaterial(new THREE.ShaderMaterial(), none),
-      /^warpMaterial: the vertex shader of this ShaderMaterial has no "#include <begin_vertex>"/,
+    'a shader that makes its vertices from nothing': [
+      () =>
+        warpMaterial(
+          new THREE.ShaderMaterial({ vertexShader: 'void main() { gl_Position = vec4( 1.0 ); }' }),
+          none,
+        ),
+      /^warpMaterial: the ShaderMaterial cannot be warped: its vertex shader neither reads the attribute position/,
     ],
     'a material of WebGPURenderer': [
       () =>
@@ -446,11 +450,11 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
           Object.assign(new THREE.Material(), { isNodeMaterial: true, type: 'MeshNode' }),
           none,
         ),
-      /import warpMaterial from 'warpjet\/three\/webgpu'\.$/,
+      /the MeshNode cannot be warped: only WebGPURenderer draws it; import 'warpjet\/three\/webgpu'\.$/,
     ],
     'no material': [
       () => warpMaterial(mesh, none),
-      /^warpMaterial: a material of three\.js was expected/,
+      /^warpMaterial: expected a material of three\.js, got a Mesh\.$/,
     ],
   }
   for (const [name, [work, message]] of Object.entries(cases))
@@ -472,35 +476,55 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
   })
 })
 
-describe('a material that carries a warp is refused, since two in one shader do not compile', () => {
+describe('two warps of one object are refused, since they would be drawn as one', () => {
   const none = ({ position }) => position
-  const refusal =
-    /^WarpError: warp(Material)?: the MeshBasicMaterial is warped already, by another call; give/
   const cases = {
-    'on a clone of the mesh'(mesh) {
+    'on a clone of a warped mesh, which is warped itself'(mesh) {
       warp(mesh, none)
-      return [() => warp(mesh.clone(), none), () => warp(new THREE.Group().add(mesh.clone()), none)]
+      return [
+        [() => warp(mesh.clone(), none), /this Mesh is warped already, or a clone of a warped/],
+        [() => warp(new THREE.Group().add(mesh.clone()), none), /is warped already/],
+      ]
     },
     'by warpMaterial'(mesh) {
       const { material } = warpMaterial(mesh.material, none)
       mesh.material = material
-      return [() => warp(mesh, none), () => warpMaterial(material, none)]
+      const refusal =
+        /the MeshBasicMaterial( of this Mesh)? cannot be warped: a call of warpMaterial/
+      return [
+        [() => warp(mesh, none), refusal],
+        [() => warpMaterial(material, none), refusal],
+      ]
     },
-    'that two meshes share'(mesh) {
-      warp(mesh, none, { share: true })
-      return [() => warp(new THREE.Mesh(mesh.geometry, mesh.material), none, { share: true })]
+    'by warpMaterial, in the material itself'(mesh) {
+      warpMaterial(mesh.material, none, { share: true })
+      return [[() => warp(mesh, none), /a call of warpMaterial/]]
     },
   }
   for (const [name, make] of Object.entries(cases))
     test(name, () => {
-      for (const again of make(plane())) assert.throws(again, refusal)
+      for (const [again, message] of make(plane()))
+        assert.throws(again, (error) => {
+          assert.equal(error.name, 'WarpError')
+          assert.match(error.message, message)
+          return true
+        })
     })
 
-  test('and warped again when it no longer does', () => {
+  test('and warped again when it no longer is', () => {
     const mesh = plane()
     warp(mesh, none, { share: true }).dispose()
     warp(mesh, none, { share: true }).dispose()
-    warp(mesh.clone(), none)
+    const warped = warp(mesh, none)
+    const clone = mesh.clone()
+    warped.dispose()
+    warp(clone, none)
+  })
+
+  test('but one material is drawn with as many warps as objects have it', () => {
+    const mesh = plane()
+    warp(mesh, none)
+    warp(new THREE.Mesh(mesh.geometry, mesh.material), none)
   })
 })
 
@@ -593,43 +617,46 @@ function vary(geometry, shape, center) {
 }
 
 test('dispose() leaves everything as it was, and a second one does nothing', () => {
-  for (const mesh of [plane(), skinned(), new THREE.Points(plane().geometry)]) {
-    const own = (object) => Object.entries(Object.getOwnPropertyDescriptors(object))
-    const [before, materialBefore] = [own(mesh), own(mesh.material)]
-    const warped = warp(mesh, wave, { uniforms: { height: 1 } })
-    assert.notDeepEqual(own(mesh), before)
-    warped.dispose()
-    warped.dispose()
-    assert.deepEqual(own(mesh), before)
-    assert.deepEqual(own(mesh.material), materialBefore)
-    const { material } = mesh
-    const shared = warp(mesh, wave, { uniforms: { height: 1 }, share: true })
-    assert.equal(mesh.material, material)
-    assert.ok(Object.hasOwn(material, 'onBeforeCompile'))
-    shared.dispose()
-    assert.deepEqual(
-      own(material).filter(([name]) => name !== 'version'),
-      materialBefore.filter(([name]) => name !== 'version'),
-    )
-  }
+  for (const mesh of [plane(), skinned(), new THREE.Points(plane().geometry)])
+    for (const share of [false, true]) {
+      // Three.js keeps an empty list of listeners.
+      const own = (object) =>
+        Object.entries(Object.getOwnPropertyDescriptors(object)).filter(
+          ([name]) => name !== '_listeners',
+        )
+      const [before, materialBefore] = [own(mesh), own(mesh.material)]
+      const { material } = mesh
+      const warped = warp(mesh, wave, { uniforms: { height: 1 }, share })
+      assert.notDeepEqual(own(mesh), before)
+      assert.equal(mesh.material, material)
+      assert.deepEqual(own(material), materialBefore)
+      warped.dispose()
+      warped.dispose()
+      assert.deepEqual(own(mesh), before)
+      assert.deepEqual(own(material), materialBefore)
+    }
 })
 
-test('a material put on meanwhile stays, and a frame says once that it is not warped', (t) => {
-  const warn = t.mock.method(console, 'warn', () => {})
+test('a method that is assigned while an object is warped stays, and may call the one before', () => {
   const mesh = plane()
+  const calls = []
+  mesh.onBeforeRender = () => calls.push('first')
   const warped = warp(mesh, ({ position }) => position)
-  mesh.onBeforeRender({})
-  assert.equal(warn.mock.callCount(), 0)
-  const other = (mesh.material = new THREE.MeshBasicMaterial())
-  mesh.onBeforeRender({})
-  mesh.onBeforeRender({})
-  assert.equal(warn.mock.callCount(), 1)
-  assert.match(
-    warn.mock.calls[0].arguments[0],
-    /^warp: this Mesh has another material now, which is not warped; call dispose/,
-  )
+  const renderer = () => ({ renderBufferDirect() {}, compile() {} })
+  const { onBeforeRender } = mesh
+  const second = (mesh.onBeforeRender = (...given) => {
+    calls.push('second')
+    onBeforeRender.call(mesh, ...given)
+  })
+  mesh.onBeforeRender(renderer())
+  assert.deepEqual(calls, ['second', 'first'])
   warped.dispose()
-  assert.equal(mesh.material, other)
+  assert.equal(mesh.onBeforeRender, second)
+  const material = new THREE.MeshBasicMaterial()
+  const again = warp(mesh, ({ position }) => position)
+  mesh.material = material
+  again.dispose()
+  assert.equal(mesh.material, material)
 })
 
 test('bounds() is around what is drawn, of a group around all of it', () => {
