@@ -1,0 +1,231 @@
+// Rows: what users do with materials and their shaders.
+import * as THREE from 'three'
+import { changed, checker, mesh, one, standard, torus, withMotion, userMotion } from './lib.js'
+
+const redden = (shader, when = 'true') => {
+  shader.fragmentShader = shader.fragmentShader.replace(
+    '#include <dithering_fragment>',
+    `#include <dithering_fragment>\nif ( ${when} ) gl_FragColor.r = 1.0;`,
+  )
+}
+
+const inVertex = (from, to) => (shader) => {
+  shader.vertexShader = shader.vertexShader.replace(from, to)
+}
+
+const beginReplaced = `vec3 transformed = vec3( position );\n${userMotion}`
+
+/** Adds a uniform and keeps the shader, as three's examples do. */
+const tinted = () => {
+  const material = standard()
+  material.onBeforeCompile = function (shader) {
+    shader.uniforms.tint = { value: 0 }
+    shader.fragmentShader = `uniform float tint;\n${shader.fragmentShader}`.replace(
+      '#include <dithering_fragment>',
+      'gl_FragColor.r = tint;',
+    )
+    this.userData.shader = shader
+  }
+  return material
+}
+
+/** Those of three.js that a user may replace by their own text. */
+const chunks = [
+  'begin_vertex',
+  'beginnormal_vertex',
+  'defaultnormal_vertex',
+  'normal_vertex',
+  'skinbase_vertex',
+  'skinnormal_vertex',
+  'skinning_vertex',
+  'morphtarget_vertex',
+  'morphnormal_vertex',
+  'displacementmap_vertex',
+  'project_vertex',
+  'worldpos_vertex',
+]
+
+/** The example materials_modified turns position and normal about y by an angle that grows with y. */
+function twisted(way) {
+  const twist = (y) => Math.sin(1 + y) / 2
+  if (way !== 'byHand')
+    return mesh(
+      changed(
+        inVertex(
+          '#include <begin_vertex>',
+          `float theta = sin( 1.0 + position.y ) / 2.0;
+          float c = cos( theta );
+          float s = sin( theta );
+          mat3 m = mat3( c, 0, s, 0, 1, 0, - s, 0, c );
+          vec3 transformed = vec3( position ) * m;
+          vNormal = vNormal * m;`,
+        ),
+      ),
+    )
+  // The example turns the normal in view space; with a camera that looks along -z this is the space of the object.
+  const geometry = torus()
+  const { position, normal } = geometry.attributes
+  for (let i = 0; i < position.count; i++) {
+    const theta = twist(position.getY(i))
+    const [c, s] = [Math.cos(theta), Math.sin(theta)]
+    for (const each of [position, normal]) {
+      const [x, z] = [each.getX(i), each.getZ(i)]
+      each.setX(i, x * c + z * s)
+      each.setZ(i, z * c - x * s)
+    }
+  }
+  return mesh(standard(), geometry)
+}
+
+function straightCamera() {
+  const made = new THREE.PerspectiveCamera(45, 1, 0.5, 20)
+  made.position.z = 4
+  made.updateMatrixWorld()
+  return made
+}
+
+class WithPrivateField extends THREE.MeshStandardMaterial {
+  #tint = 0.9
+  onBeforeCompile(shader) {
+    redden(shader, String(this.#tint > 0.5))
+  }
+  customProgramCacheKey() {
+    return `private ${this.#tint}`
+  }
+}
+
+class WithArguments extends THREE.MeshStandardMaterial {
+  constructor(options) {
+    super()
+    this.color.set(options.color)
+    this.mine = { of: this }
+    this.userData.self = this
+  }
+}
+
+function targetTexture({ renderer }) {
+  const target = new THREE.WebGLRenderTarget(16, 16)
+  const scene = new THREE.Scene()
+  scene.background = new THREE.Color(0x20c060)
+  renderer.setRenderTarget(target)
+  renderer.render(scene, new THREE.Camera())
+  renderer.setRenderTarget(null)
+  return target.texture
+}
+
+function cachedByKey() {
+  const material = standard()
+  material.userData.isRed = false
+  material.onBeforeCompile = (shader) => redden(shader, String(material.userData.isRed))
+  material.customProgramCacheKey = () => `red ${material.userData.isRed}`
+  return material
+}
+
+function withAccessor() {
+  const base = standard()
+  // As troika-three-text derives materials.
+  return Object.create(base, {
+    isDerivedMaterial: { value: true },
+    onBeforeCompile: {
+      get: () => (shader, renderer) => {
+        base.onBeforeCompile(shader, renderer)
+        redden(shader)
+      },
+      set: (value) => (base.onBeforeCompile = value),
+    },
+    customProgramCacheKey: { value: () => 'derived' },
+  })
+}
+
+function displaced(way) {
+  const map = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1)
+  map.needsUpdate = true
+  if (way !== 'byHand') return mesh(standard({ displacementMap: map, displacementScale: 0.12 }))
+  const geometry = torus()
+  const { position, normal } = geometry.attributes
+  for (let i = 0; i < position.count; i++)
+    position.setXYZ(
+      i,
+      ...[0, 1, 2].map((k) => position.getComponent(i, k) + 0.12 * normal.getComponent(i, k)),
+    )
+  return mesh(standard(), geometry)
+}
+
+export const rows = {
+  'begin_vertex replaced': one((way) =>
+    withMotion(way, () => changed(inVertex('#include <begin_vertex>', beginReplaced))),
+  ),
+  'begin_vertex appended to': one((way) =>
+    withMotion(way, () =>
+      changed(inVertex('#include <begin_vertex>', `#include <begin_vertex>\n${userMotion}`)),
+    ),
+  ),
+  'motion in front of project_vertex': one((way) =>
+    withMotion(way, () =>
+      changed(inVertex('#include <project_vertex>', `${userMotion}\n#include <project_vertex>`)),
+    ),
+  ),
+  'materials_modified of three.js': one(twisted, { view: straightCamera }),
+  ...Object.fromEntries(
+    chunks.map((name) => [
+      `${name} replaced by its own text`,
+      one(() => mesh(changed(inVertex(`#include <${name}>`, THREE.ShaderChunk[name])))),
+    ]),
+  ),
+  'an accessor on onBeforeCompile': one(() => mesh(withAccessor())),
+  'defines from the start': one(() => {
+    const material = changed((shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace(
+        '#include <dithering_fragment>',
+        '#ifdef RED\ngl_FragColor.r = 1.0;\n#endif',
+      )
+    })
+    material.defines.RED = ''
+    return mesh(material)
+  }),
+  'color, map and flatShading that change': one(() => mesh(), {
+    then({ object: { material } }) {
+      material.color.set('orange')
+      Object.assign(material, { map: checker(), flatShading: true, needsUpdate: true })
+    },
+  }),
+  'customProgramCacheKey that changes': one(() => mesh(cachedByKey()), {
+    then({ object: { material } }) {
+      material.userData.isRed = true
+      material.needsUpdate = true
+    },
+  }),
+  'onBeforeCompile that is replaced': one(() => mesh(), {
+    then({ object: { material } }) {
+      material.onBeforeCompile = (shader) => redden(shader)
+      material.needsUpdate = true
+    },
+  }),
+  'userData.shader': one(() => mesh(tinted()), {
+    then: ({ object }) => (object.material.userData.shader.uniforms.tint.value = 1),
+  }),
+  'userData.shader, the material also on another mesh': one(() => mesh(tinted()), {
+    after({ object, scene }) {
+      const box = new THREE.Mesh(new THREE.BoxGeometry(0.5, 0.5, 0.5), object.material)
+      box.position.set(1, 1, 0)
+      scene.add(box)
+    },
+    then: ({ object }) => (object.material.userData.shader.uniforms.tint.value = 1),
+  }),
+  'material.onBeforeRender': one(() => {
+    const material = standard()
+    material.onBeforeRender = function () {
+      this.color.set('lime')
+    }
+    return mesh(material)
+  }),
+  'a field that is private': one(() => mesh(new WithPrivateField())),
+  'constructor arguments, own fields and circular userData': one(() =>
+    mesh(new WithArguments({ color: 'orange' })),
+  ),
+  'the texture of a render target': one(() => mesh(), {
+    after: (given) =>
+      void Object.assign(given.object.material, { map: targetTexture(given), needsUpdate: true }),
+  }),
+  displacementMap: one(displaced),
+}
