@@ -4,7 +4,7 @@
  */
 export { warp, type WarpedObject } from './three/warp.js'
 export { warpMaterial, warpNode, type NodeWarpedMaterial, type WarpNode } from './three/webgpu.js'
-export type { AnyNode } from './three/nodes.js'
+export type { AnyNode } from './three/nodes/tsl.js'
 export type { Warped } from './three/material.js'
 export { fromBufferGeometry, toBufferGeometry } from './three/geometry.js'
 export { addSurfaceVariation } from './three/variation.js'

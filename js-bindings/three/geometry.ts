@@ -1,5 +1,5 @@
 // Geometries of three.js as the meshes of 'warpjet/mesh', and back.
-import { BufferAttribute, BufferGeometry } from 'three'
+import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three'
 import { arraysOf, geometryAttributes } from '../compile/hosts.js'
 import { WarpError, describe } from '../errors/errors.js'
 import type { Mesh, MeshInput } from '../mesh/mesh-arrays.js'
@@ -47,8 +47,11 @@ function takeOver(geometry: BufferGeometry, like: BufferGeometry) {
     throw new WarpError(
       `toBufferGeometry: the mesh has ${count} vertices and the geometry that it is like ${before}, so that nothing can be taken over; leave the second argument out.`,
     )
+  // Interleaved attributes stay so: those of one buffer share its clone.
+  const cloned = {}
   for (const [name, attribute] of Object.entries(like.attributes))
-    if (!(name in geometry.attributes)) geometry.setAttribute(name, attribute.clone())
+    if (!(name in geometry.attributes))
+      geometry.setAttribute(name, (attribute as InterleavedBufferAttribute).clone(cloned))
   for (const { start, count, materialIndex } of like.groups)
     geometry.addGroup(start, count, materialIndex)
   geometry.userData = { ...like.userData }

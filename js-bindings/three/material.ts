@@ -19,12 +19,6 @@ export interface Warped<Uniforms = {}> {
   dispose(): void
 }
 
-/** A warped material, and how it becomes what it was. */
-export interface Woven {
-  material: Material
-  restore: () => void
-}
-
 export interface WarpedMaterial<
   Kind extends Material = Material,
   Uniforms = {},

@@ -50,7 +50,7 @@ export function warpPart(
       ...((object as BatchedMesh).isBatchedMesh &&
         asProperties(batchProperties(warp, object as BatchedMesh))),
     }),
-    carryByNodes(object as Mesh, warp),
+    carryByNodes(object, warp),
     () => unregister(object),
   ]
   register(object, variants)

@@ -3,6 +3,7 @@ import {
   Box3,
   type BufferAttribute,
   type BufferGeometry,
+  type InstancedMesh,
   type InterleavedBufferAttribute,
   type Line,
   Matrix4,
@@ -30,6 +31,10 @@ const isSkinned = (object: Warpable): object is SkinnedMesh =>
 const versionOf = (attribute: Attribute | undefined) =>
   attribute ? ('data' in attribute ? attribute.data.version : attribute.version) : -1
 
+/** The influences that instances have each for itself. */
+const morphTextureOf = (object: Warpable) =>
+  (object as { morphTexture?: { version: number } | null }).morphTexture
+
 /** Numbers that change when the vertices do. */
 export function poseState(object: Warpable): number[] {
   const { attributes } = object.geometry
@@ -38,6 +43,7 @@ export function poseState(object: Warpable): number[] {
     ...Object.values(attributes).map((attribute) => versionOf(attribute as Attribute)),
     ...Object.values(object.geometry.morphAttributes).flat().map(versionOf),
     ...((object as Mesh).morphTargetInfluences ?? []),
+    morphTextureOf(object)?.version ?? -1,
   ]
   if (isSkinned(object))
     for (const { matrixWorld } of [...object.skeleton.bones, object])
@@ -135,11 +141,28 @@ function farthest(positions: Float32Array, from: Vector3): number {
   return Math.sqrt(most)
 }
 
-/** Around what morph targets make of all that is in `box`: never too small. */
+/** Bounds everything that morph targets make of the points in `box`, for all instances: never too small. */
 function boxOfMorphs(object: Warpable, box: Box3): Box3 {
-  const { morphAttributes, morphTargetsRelative } = object.geometry
+  const all = new Box3()
+  for (const influences of influencesOf(object)) all.union(morphedBox(object, box, influences))
+  return all
+}
+
+/** The influences of each instance; without instances those of the object. */
+function influencesOf(object: Warpable): number[][] {
+  if (!morphTextureOf(object)) return [(object as Mesh).morphTargetInfluences ?? []]
+  const { count } = object as InstancedMesh
+  const targets = object.geometry.morphAttributes.position ?? []
+  return Array.from({ length: count }, (_, i) => {
+    const target = { morphTargetInfluences: targets.map(() => 0) }
+    ;(object as InstancedMesh).getMorphAt(i, target as never)
+    return target.morphTargetInfluences
+  })
+}
+
+function morphedBox({ geometry }: Warpable, box: Box3, influences: number[]): Box3 {
+  const { morphAttributes, morphTargetsRelative } = geometry
   const targets = morphAttributes.position ?? []
-  const influences = (object as Mesh).morphTargetInfluences ?? []
   const used = targets.map((_, i) => influences[i] ?? 0)
   const base = morphTargetsRelative ? 1 : 1 - used.reduce((sum, influence) => sum + influence, 0)
   const grown = scaled(box, base)

@@ -1,18 +1,18 @@
-// What three.js draws with: WebGLRenderer, and WebGPURenderer once 'warpjet/three/webgpu' is imported, which brings what it needs.
+// Connects `warp` to both renderers: WebGLRenderer, and WebGPURenderer once 'warpjet/three/webgpu' is imported.
 import type { Material, Mesh, Object3D, WebGLRenderer } from 'three'
 import { WarpError } from '../errors/errors.js'
-import { nameOf } from './describe.js'
+import { nameOf, nameOfMaterial } from './describe.js'
 import { wrapRenderer } from './draw.js'
-import type { Woven } from './material.js'
-import type { WarpSpace } from './settings.js'
 import { unsupportedMaterial } from './supported.js'
 import type { ThreeWarp } from './three-warp.js'
 
-/** How WebGPURenderer has a warp: as a node. */
+/** The functions of 'warpjet/three/webgpu' that `warp` calls. */
 export interface Nodes {
-  check: (method: string, material: Material) => void
-  obstacle: (space: WarpSpace, object: Mesh) => string | undefined
-  weave: (given: Material, warp: ThreeWarp, made?: Material) => Woven
+  check: (method: string, material: Material, object?: Mesh) => void
+  /** Draws an object, or all objects that have a material, warped; call the result to end that. */
+  carryObject: (target: Object3D | Material, warp: ThreeWarp) => () => void
+  /** Tests whether a renderer is of the three.js whose methods are replaced. */
+  isOurs: (renderer: unknown) => boolean
 }
 
 let nodes: Nodes | undefined
@@ -23,44 +23,39 @@ export const provideNodes = (given: Nodes) => void (nodes = given)
 const isForNodes = (material: Material) =>
   (material as { isNodeMaterial?: boolean }).isNodeMaterial === true
 
-/** Says why a material of an object cannot be warped, for a message; `undefined` if it can. */
-export function problemOf(method: string, material: Material): string | undefined {
-  if (!nodes || !isForNodes(material)) return unsupportedMaterial(material)
+/** Says why an object cannot be drawn warped with a material, for a message; `undefined` if it can. */
+export function problemOf(method: string, material: Material, object: Object3D) {
+  if (!nodes || !isForNodes(material)) {
+    const problem = unsupportedMaterial(material)
+    return (
+      problem && `${nameOfMaterial(material)} of ${nameOf(object)} cannot be warped: ${problem}`
+    )
+  }
   try {
-    nodes.check(method, material)
+    nodes.check(method, material, object as Mesh)
   } catch (error) {
-    return (error as Error).message
+    return (error as Error).message.replace(/^\w+: |\.$/g, '')
   }
   return undefined
 }
 
-/** Draws an object warped with WebGPURenderer, if that is imported; call the result to end that. */
-export function carryByNodes(object: Mesh, warp: ThreeWarp): () => void {
-  if (!nodes) return () => {}
-  const { weave } = nodes
-  const before = object.material
-  const woven: Woven[] = []
-  const weaveOne = (material: Material) => {
-    const one = weave(material, warp)
-    woven.push(one)
-    return one.material
-  }
-  const after = (object.material = Array.isArray(before) ? before.map(weaveOne) : weaveOne(before))
-  return () => {
-    for (const { restore } of woven) restore()
-    if (object.material === after) object.material = before
-  }
-}
+/** Draws an object, or all that have a material, warped with WebGPURenderer, if that is imported; call the result to end that. */
+export const carryByNodes = (target: Object3D | Material, warp: ThreeWarp): (() => void) =>
+  nodes?.carryObject(target, warp) ?? (() => {})
 
 /** Prepares a renderer that is about to draw a warped object; throws if it cannot draw it warped. */
 export function prepareRenderer(
   renderer: WebGLRenderer,
-  { settings: { method, space } }: ThreeWarp,
+  { settings: { method } }: ThreeWarp,
   object: Object3D,
 ) {
   if (!('isWebGPURenderer' in renderer)) return wrapRenderer(renderer)
-  const problem = nodes
-    ? nodes.obstacle(space, object as Mesh)
-    : `${nameOf(object)} is drawn by WebGPURenderer; import 'warpjet/three/webgpu' once, before it is warped`
-  if (problem) throw new WarpError(`${method}: ${problem}.`)
+  if (!nodes)
+    throw new WarpError(
+      `${method}: ${nameOf(object)} is drawn by WebGPURenderer; import 'warpjet/three/webgpu' once, before it is warped.`,
+    )
+  if (!nodes.isOurs(renderer))
+    throw new WarpError(
+      `${method}: ${nameOf(object)} is drawn by a renderer of another copy of three.js than 'warpjet/three/webgpu' imports; let both resolve to one 'three/webgpu'.`,
+    )
 }

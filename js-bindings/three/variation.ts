@@ -1,5 +1,5 @@
 // How normals and uvs vary over a geometry, for offsets that depend on them: kept with it, as attributes.
-import { BufferAttribute, type BufferGeometry } from 'three'
+import { type BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three'
 import { variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
 import { describeOfThree } from './describe.js'
@@ -20,9 +20,25 @@ export async function addSurfaceVariation<Geometry extends BufferGeometry>(
   const mesh = fromBufferGeometry(geometry)
   const { surfaceVariation } = await import('../mesh/surface-variation.js')
   const variation = surfaceVariation(mesh)
-  for (const name of variationNames) {
-    const numbers = variation[`${name}s`]
-    if (numbers) geometry.setAttribute(variationAttribute(name), new BufferAttribute(numbers, 3))
-  }
+  const found = variationNames.filter((name) => variation[`${name}s`])
+  const buffer = interleave(found.map((name) => variation[`${name}s`]!))
+  found.forEach((name, i) =>
+    geometry.setAttribute(
+      variationAttribute(name),
+      new InterleavedBufferAttribute(buffer, 3, 3 * i),
+    ),
+  )
   return geometry
+}
+
+/** One buffer of vectors of 3 numbers: WebGPU allows 8 vertex buffers, and a geometry may have 6 of its own. */
+function interleave(lists: readonly Float32Array[]): InterleavedBuffer {
+  const stride = 3 * lists.length
+  const count = lists[0] ? lists[0].length / 3 : 0
+  const numbers = new Float32Array(stride * count)
+  lists.forEach((list, at) => {
+    for (let i = 0; i < count; i++)
+      numbers.set(list.subarray(3 * i, 3 * i + 3), stride * i + 3 * at)
+  })
+  return new InterleavedBuffer(numbers, stride)
 }

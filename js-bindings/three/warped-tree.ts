@@ -1,13 +1,14 @@
 // Everything that one call of `warp` warps: an object and what is in it, their clones, and what is added later.
-import type { Material, Mesh, Object3D } from 'three'
+import { type Material, type Mesh, type Object3D, REVISION } from 'three'
 import { variationAttribute, variationNames } from '../compile/hosts.js'
 import { WarpError } from '../errors/errors.js'
 import { noteApproximation } from '../errors/notes.js'
-import { describeOfThree, nameOf, nameOfMaterial } from './describe.js'
+import { describeOfThree, nameOf } from './describe.js'
 import { type Part, forgetBounds, warpPart } from './part.js'
 import type { Warpable } from './pose.js'
+import { wrapMethod } from './properties.js'
 import { isWarped, share, unshare } from './registry.js'
-import { problemOf } from './renderers.js'
+import { carryByNodes, problemOf } from './renderers.js'
 import type { Settings } from './settings.js'
 import type { ThreeWarp } from './three-warp.js'
 import { Variants } from './variants.js'
@@ -97,17 +98,15 @@ export class WarpedTree {
     this.note(problems)
   }
 
-  /** Adopts what is added to an object or to anything in it. Three.js dispatches `childadded` since 0.164. */
+  /** Adopts what is added to an object or to anything in it. */
   private watch(object: Object3D) {
-    const onChildAdded = ({ child }: { child: Object3D }) => {
+    const onChildAdded = (child: Object3D) => {
       this.adopt(child)
-      child.traverse((each) => listen(each))
+      child.traverse(listen)
     }
-    const events = 'childadded' as never
     const listen = (each: Object3D) => {
-      each.addEventListener(events, onChildAdded as never)
-      const weak = new WeakRef(each)
-      this.releases.push(() => weak.deref()?.removeEventListener(events, onChildAdded as never))
+      const stop = onAdded(each, onChildAdded)
+      this.releases.push(stop)
     }
     object.traverse(listen)
   }
@@ -121,7 +120,7 @@ export class WarpedTree {
     }
     for (const material of materials) {
       share(material, adopt)
-      this.releases.push(() => unshare(material))
+      this.releases.push(carryByNodes(material, this.warp), () => unshare(material))
     }
     let top = this.root
     while (top.parent) top = top.parent
@@ -133,17 +132,13 @@ export class WarpedTree {
 
   /** What stands in the way of warping an object, whatever the offset; `undefined` if nothing does. */
   private problemBefore(object: Warpable): string | undefined {
-    const is = object as { isSprite?: boolean; isLineSegments2?: boolean }
-    if (is.isSprite)
+    if ((object as { isSprite?: boolean }).isSprite)
       return `${nameOf(object)} always faces the camera and has no surface; use a Mesh with a PlaneGeometry`
     if (!object.geometry.attributes?.position)
       return `the geometry of ${nameOf(object)} has no attribute "position"`
-    for (const material of [object.material].flat() as Material[]) {
-      const problem = problemOf(this.settings.method, material)
-      if (problem)
-        return `${nameOfMaterial(material)} of ${nameOf(object)} cannot be warped: ${problem}`
-    }
-    return undefined
+    return ([object.material].flat() as Material[])
+      .map((material) => problemOf(this.settings.method, material, object))
+      .find((problem) => problem !== undefined)
   }
 
   /** What the offset reads of each vertex must be there. */
@@ -157,6 +152,25 @@ export class WarpedTree {
         return `the offset reads ${name}, but the geometry of ${nameOf(object)} has no attribute "${name}"; ${remedies[name]}`
     return undefined
   }
+}
+
+/** Calls `work` with each child that an object gets; call the result to end that. */
+function onAdded(object: Object3D, work: (child: Object3D) => void): () => void {
+  const weak = new WeakRef(object)
+  // Three.js dispatches the event since 0.164.
+  if (Number(REVISION) < 164) {
+    const stop = wrapMethod<Object3D['add']>(object, 'add', (own) => {
+      return function (this: Object3D, ...children) {
+        own.apply(this, children)
+        children.forEach(work)
+        return this
+      }
+    })
+    return () => weak.deref() && stop()
+  }
+  const listener = ({ child }: { child: Object3D }) => work(child)
+  object.addEventListener('childadded', listener)
+  return () => weak.deref()?.removeEventListener('childadded', listener)
 }
 
 const warpedAlready = (object: Object3D) =>

@@ -1,75 +1,75 @@
 // `warpMaterial` and `warpNode` for WebGPURenderer, on WebGPU and on WebGL 2, and what `warp` needs for it.
-import type { Material } from 'three'
+import type { Material, Mesh } from 'three'
 import type { Node } from 'three/webgpu'
 import { WarpError } from '../errors/errors.js'
-import { spriteError } from './describe.js'
-import { ThreeWarp } from './three-warp.js'
+import { nameOf, spriteError } from './describe.js'
 import {
   type Warped,
-  type Woven,
-  checkMaterial as checkOfWebGL,
+  checkMaterial as checkForWebGL,
   checkUnwarped,
   mark,
   updateOf,
 } from './material.js'
-import { nodeFor, obstacle } from './nodes.js'
-import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
-import type { ThreeUniforms, ValuesOf } from './uniforms.js'
+import { carry, install, isOurs, markNode } from './nodes/context.js'
+import { nodeFor } from './nodes/vertex.js'
 import { provideNodes } from './renderers.js'
+import { type ThreeOffset, type WarpOptions, readOptions } from './settings.js'
+import { ThreeWarp } from './three-warp.js'
+import type { ThreeUniforms, ValuesOf } from './uniforms.js'
 
-/** The properties of a material of nodes that have the vertex, also on others, of which three.js makes such. */
+/** Properties of materials of nodes. Three.js copies them from other materials, too. */
 interface NodeMaterial extends Material {
   isNodeMaterial?: boolean
-  positionNode?: unknown
-  castShadowPositionNode?: unknown
+  isShaderMaterial?: boolean
+  isSpriteNodeMaterial?: boolean
+  isPointsNodeMaterial?: boolean
   vertexNode?: unknown
 }
 
-function checkMaterial(method: string, material: unknown): asserts material is Material {
-  const { isNodeMaterial, vertexNode, type } = (material ?? {}) as NodeMaterial
-  if (!isNodeMaterial) checkOfWebGL(method, material)
+/** Throws for a material that cannot be warped; `object` is the object that has it, if known. */
+function checkMaterial(
+  method: string,
+  material: unknown,
+  object?: Mesh,
+): asserts material is Material {
+  const { isNodeMaterial, vertexNode, type, ...is } = (material ?? {}) as NodeMaterial
+  if (!isNodeMaterial) checkForWebGL(method, material)
   else checkUnwarped(method, material as Material)
-  const { isShaderMaterial } = material as { isShaderMaterial?: boolean }
-  if (isShaderMaterial)
+  const name = nameOfMaterial(material as Material, object)
+  if (is.isShaderMaterial)
+    throw new WarpError(`${method}: WebGPURenderer does not draw ${name}; use a material of nodes.`)
+  const isPoints =
+    is.isPointsNodeMaterial && (object as { isPoints?: boolean } | undefined)?.isPoints
+  if (is.isPointsNodeMaterial && object && !isPoints)
     throw new WarpError(
-      `${method}: WebGPURenderer does not draw a ${type}; use a material of nodes.`,
+      `${method}: ${name} draws squares that face the camera, unless it is on Points; put it on Points with the geometry.`,
     )
-  if ((material as { isSpriteNodeMaterial?: boolean }).isSpriteNodeMaterial)
-    throw spriteError(method, 'a sprite')
+  if (is.isSpriteNodeMaterial && !is.isPointsNodeMaterial) throw spriteError(method, 'a sprite')
   if (vertexNode)
     throw new WarpError(
-      `${method}: the material's vertexNode replaces the place of the vertex, so that a warp would do nothing; put it into positionNode.`,
+      `${method}: the vertexNode of ${name} replaces the position of the vertex, so that a warp would do nothing; put it into positionNode.`,
     )
 }
 
-function weaveInto(
-  given: Material,
-  warp: ThreeWarp,
-  made = warp.settings.isShared ? given : given.clone(),
-): Woven {
-  const { isShared } = warp.settings
-  const material = made as NodeMaterial
-  const { positionNode, castShadowPositionNode } = given as NodeMaterial
-  const had = Object.hasOwn(material, 'positionNode')
-  material.positionNode = nodeFor(warp, positionNode ?? undefined)
-  if (castShadowPositionNode)
-    material.castShadowPositionNode = nodeFor(warp, castShadowPositionNode)
-  material.needsUpdate = true
+function nameOfMaterial({ name, type }: Material, object?: Mesh) {
+  const material = name ? `the ${type} "${name}"` : object ? `the ${type}` : `this ${type}`
+  return object ? `${material} of ${nameOf(object)}` : material
+}
+
+/** Warps a material on all objects that have it; call the result to end that. */
+function carryMaterial(material: Material, warp: ThreeWarp) {
+  const release = carry(material, warp)
   mark(material, true)
-  return {
-    material,
-    restore() {
-      if (!isShared) return material.dispose()
-      mark(material, false)
-      if (had) material.positionNode = positionNode
-      else delete material.positionNode
-      if (castShadowPositionNode) material.castShadowPositionNode = castShadowPositionNode
-      material.needsUpdate = true
-    },
+  material.needsUpdate = true
+  return () => {
+    release()
+    mark(material, false)
+    material.needsUpdate = true
   }
 }
 
-provideNodes({ check: checkMaterial, obstacle, weave: weaveInto })
+install()
+provideNodes({ check: checkMaterial, carryObject: carry, isOurs })
 
 export interface NodeWarpedMaterial<
   Kind extends Material = Material,
@@ -79,7 +79,7 @@ export interface NodeWarpedMaterial<
   readonly material: Kind
 }
 
-/** A material whose vertices a warp moves and whose normals it turns, with its shadows. */
+/** A material that moves its vertices by a warp and transforms their normals, with its shadows, on every object that has it. */
 export function warpMaterial<Kind extends Material, const Uniforms extends ThreeUniforms = {}>(
   material: Kind,
   offset: ThreeOffset<ValuesOf<Uniforms>>,
@@ -89,17 +89,22 @@ export function warpMaterial<Kind extends Material, const Uniforms extends Three
   const settings = readOptions(method, options)
   checkMaterial(method, material)
   const warp = new ThreeWarp(offset as never, settings)
-  const woven = weaveInto(material, warp)
+  const { isShared } = settings
+  const carrying = isShared ? material : material.clone()
+  const release = carryMaterial(carrying, warp)
   return {
-    material: woven.material as Kind,
+    material: carrying as Kind,
     uniforms: warp.handles as never,
     update: updateOf(warp),
-    dispose: woven.restore,
+    dispose() {
+      release()
+      if (!isShared) carrying.dispose()
+    },
   }
 }
 
 export interface WarpNode<Uniforms = {}> extends Omit<Warped<Uniforms>, 'dispose'> {
-  /** For `positionNode` of any material of nodes; it turns `normalLocal` and `tangentLocal` too. */
+  /** For the `positionNode` of any material of nodes; it transforms `normalLocal` and `tangentLocal`, too. */
   readonly node: Node
 }
 
@@ -110,7 +115,7 @@ export function warpNode<const Uniforms extends ThreeUniforms = {}>(
 ): WarpNode<ValuesOf<Uniforms>> {
   const warp = new ThreeWarp(offset as never, readOptions('warpNode', options))
   return {
-    node: nodeFor(warp) as unknown as Node,
+    node: markNode(nodeFor(warp), warp) as unknown as Node,
     uniforms: warp.handles as never,
     update: updateOf(warp),
   }

@@ -468,6 +468,33 @@ describe('what cannot be warped is refused by a sentence, and nothing is changed
       assert.equal(Object.hasOwn(mesh, 'raycast'), false)
     })
 
+  test('in a group, which warps the others and names it once', async (t) => {
+    const said = t.mock.method(console, 'warn', () => {})
+    const { LineMaterial } = await import('three/addons/lines/LineMaterial.js')
+    const { LineSegments2 } = await import('three/addons/lines/LineSegments2.js')
+    const { LineSegmentsGeometry } = await import('three/addons/lines/LineSegmentsGeometry.js')
+    const wide = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial())
+    wide.name = 'route'
+    const sprite = new THREE.Sprite()
+    const part = plane()
+    const parts = new THREE.Group().add(part, sprite, wide)
+    const warped = warp(parts, ({ glsl }) => glsl.vec3(0, 0, 2))
+    assert.deepEqual(warped.skipped, [sprite, wide])
+    assert.ok(warped.bounds().max.z > 1.9)
+    assert.equal(said.mock.callCount(), 1)
+    const [message] = said.mock.calls[0].arguments
+    assert.match(message, /^warp: drawn without the warp: this Sprite always faces the camera/)
+    assert.match(
+      message,
+      /; the LineMaterial of the LineSegments2 "route" cannot be warped: .* use a Line/,
+    )
+    warped.dispose()
+    assert.throws(
+      () => warp(wide, none),
+      /^WarpError: warp: the LineMaterial of the LineSegments2 "route"/,
+    )
+  })
+
   test('a mesh that is warped already', () => {
     const warped = warp(mesh, none)
     assert.throws(() => warp(mesh, none), /^WarpError: warp: this Mesh is warped already/)

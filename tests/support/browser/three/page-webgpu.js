@@ -8,41 +8,19 @@ import { samplings, scenesOf } from './sampling.js'
 import * as wave from './wave.js'
 import { settledHeap } from './heap.js'
 import { differing } from './pixels.js'
+import { draw, rendererFor } from './webgpu-renderer.js'
 
 const { size } = scenes
-const renderers = {}
-let target
-
-async function rendererFor(backend) {
-  if (renderers[backend]) return renderers[backend]
-  const made = new THREE.WebGPURenderer({ antialias: false, forceWebGL: backend === 'webgl' })
-  await made.init()
-  if ((made.backend.isWebGPUBackend === true) !== (backend === 'webgpu'))
-    throw new Error(`this browser has no ${backend}`)
-  made.setSize(size, size)
-  made.shadowMap.enabled = true
-  document.body.append(made.domElement)
-  return (renderers[backend] = made)
-}
-
-async function draw(renderer, scene, camera = scenes.camera()) {
-  target ??= new THREE.RenderTarget(size, size)
-  renderer.setRenderTarget(target)
-  renderer.render(scene, camera)
-  renderer.setRenderTarget(null)
-  return renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size)
-}
-
-const { Fn, positionLocal, normalLocal, normalGeometry } = THREE.TSL
+const { normalLocal, normalGeometry } = THREE.TSL
 
 const sabotages = {
+  // Three.js makes a material of nodes of this one, with its methods.
   normals: ({ material }) => {
-    const warped = material.positionNode
-    material.positionNode = Fn(() => {
-      positionLocal.assign(warped)
+    material.setupPosition = function (builder) {
+      const result = THREE.NodeMaterial.prototype.setupPosition.call(this, builder)
       normalLocal.assign(normalGeometry)
-      return positionLocal
-    })()
+      return result
+    }
   },
 }
 

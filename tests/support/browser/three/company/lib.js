@@ -29,12 +29,12 @@ export function moveByHand(object) {
   })
 }
 
-/** F of the user's own shaders in these tests: y grows by 0.3 x². Its authors leave normals as they are. */
-export const userMotion = 'transformed.y += 0.3 * transformed.x * transformed.x;'
+/** F of the user's own shaders in these tests: x grows by 0.3 y². Its authors leave normals as they are. */
+export const userMotion = 'transformed.x += 0.3 * transformed.y * transformed.y;'
 export function userMotionByHand(geometry) {
   const { position } = geometry.attributes
   for (let i = 0; i < position.count; i++)
-    position.setY(i, position.getY(i) + 0.3 * position.getX(i) ** 2)
+    position.setX(i, position.getX(i) + 0.3 * position.getY(i) ** 2)
   return geometry
 }
 
@@ -173,9 +173,13 @@ export const standard = (more) => new THREE.MeshStandardMaterial({ roughness: 0.
 export const mesh = (material = standard(), geometry = torus()) =>
   new THREE.Mesh(geometry, material)
 
-/** A material with an `onBeforeCompile`. */
+let changes = 0
+
+/** A material with an `onBeforeCompile`. Two with one source and other constants are one program for three.js, but for the key. */
 export function changed(onBeforeCompile, material = standard()) {
+  const key = `row ${++changes}`
   material.onBeforeCompile = onBeforeCompile
+  material.customProgramCacheKey = () => key
   return material
 }
 

@@ -1,6 +1,16 @@
 // Rows: what users do with materials and their shaders.
 import * as THREE from 'three'
-import { changed, checker, mesh, one, standard, torus, withMotion, userMotion } from './lib.js'
+import {
+  changed,
+  checker,
+  mesh,
+  one,
+  renderer,
+  standard,
+  torus,
+  userMotion,
+  withMotion,
+} from './lib.js'
 
 const redden = (shader, when = 'true') => {
   shader.fragmentShader = shader.fragmentShader.replace(
@@ -28,6 +38,58 @@ const tinted = () => {
   }
   return material
 }
+
+/** A mesh that one bone turns; by hand, its vertices. */
+function boned(way, material) {
+  const turn = new THREE.Matrix4().makeRotationY(0.6)
+  if (way === 'byHand') return mesh(standard(), torus().applyMatrix4(turn))
+  const geometry = torus()
+  const { count } = geometry.attributes.position
+  const weights = Float32Array.from({ length: 4 * count }, (_, i) => Number(i % 4 === 0))
+  geometry.setAttribute(
+    'skinIndex',
+    new THREE.Uint16BufferAttribute(new Array(4 * count).fill(0), 4),
+  )
+  geometry.setAttribute('skinWeight', new THREE.BufferAttribute(weights, 4))
+  const made = new THREE.SkinnedMesh(geometry, material)
+  const bone = new THREE.Bone()
+  made.add(bone)
+  made.bind(new THREE.Skeleton([bone]))
+  bone.rotation.y = 0.6
+  return made
+}
+
+/** A mesh that a morph target moves and whose normals another one turns; by hand, its vertices. */
+function morphed(way, material) {
+  const geometry = torus()
+  const targets = ['position', 'normal'].map((name) => {
+    const target = geometry.attributes[name].clone()
+    for (let i = 0; i < target.count; i++)
+      target.setXYZ(i, 0.5 * target.getY(i), 0, name === 'normal' ? 0.3 : 0.2)
+    return target
+  })
+  const influence = 0.8
+  if (way === 'byHand') {
+    for (const [k, name] of ['position', 'normal'].entries()) {
+      const attribute = geometry.attributes[name]
+      for (let i = 0; i < attribute.count; i++)
+        for (const j of [0, 1, 2])
+          attribute.setComponent(
+            i,
+            j,
+            attribute.getComponent(i, j) + influence * targets[k].getComponent(i, j),
+          )
+    }
+    return mesh(standard(), geometry)
+  }
+  geometry.morphAttributes = { position: [targets[0]], normal: [targets[1]] }
+  geometry.morphTargetsRelative = true
+  const made = mesh(material, geometry)
+  made.morphTargetInfluences = [influence]
+  return made
+}
+
+const kinds = { skin: boned, morp: morphed, disp: displaced }
 
 /** Those of three.js that a user may replace by their own text. */
 const chunks = [
@@ -103,7 +165,7 @@ class WithArguments extends THREE.MeshStandardMaterial {
   }
 }
 
-function targetTexture({ renderer }) {
+function targetTexture() {
   const target = new THREE.WebGLRenderTarget(16, 16)
   const scene = new THREE.Scene()
   scene.background = new THREE.Color(0x20c060)
@@ -137,10 +199,11 @@ function withAccessor() {
   })
 }
 
-function displaced(way) {
+function displaced(way, material = standard()) {
   const map = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1)
   map.needsUpdate = true
-  if (way !== 'byHand') return mesh(standard({ displacementMap: map, displacementScale: 0.12 }))
+  if (way !== 'byHand')
+    return mesh(Object.assign(material, { displacementMap: map, displacementScale: 0.12 }))
   const geometry = torus()
   const { position, normal } = geometry.attributes
   for (let i = 0; i < position.count; i++)
@@ -169,7 +232,10 @@ export const rows = {
   ...Object.fromEntries(
     chunks.map((name) => [
       `${name} replaced by its own text`,
-      one(() => mesh(changed(inVertex(`#include <${name}>`, THREE.ShaderChunk[name])))),
+      one((way) => {
+        const make = kinds[name.slice(0, 4)] ?? ((_, material) => mesh(material))
+        return make(way, changed(inVertex(`#include <${name}>`, THREE.ShaderChunk[name])))
+      }),
     ]),
   ),
   'an accessor on onBeforeCompile': one(() => mesh(withAccessor())),
@@ -223,9 +289,6 @@ export const rows = {
   'constructor arguments, own fields and circular userData': one(() =>
     mesh(new WithArguments({ color: 'orange' })),
   ),
-  'the texture of a render target': one(() => mesh(), {
-    after: (given) =>
-      void Object.assign(given.object.material, { map: targetTexture(given), needsUpdate: true }),
-  }),
-  displacementMap: one(displaced),
+  'the texture of a render target': one(() => mesh(standard({ map: targetTexture() }))),
+  displacementMap: one((way) => displaced(way)),
 }

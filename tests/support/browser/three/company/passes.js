@@ -1,6 +1,7 @@
 // Rows: passes that draw the scene with materials of their own.
 import * as THREE from 'three'
 import { EffectComposer } from 'three/addons/postprocessing/EffectComposer.js'
+import { OutputPass } from 'three/addons/postprocessing/OutputPass.js'
 import { RenderPass } from 'three/addons/postprocessing/RenderPass.js'
 import { BokehPass } from 'three/addons/postprocessing/BokehPass.js'
 import { OutlinePass } from 'three/addons/postprocessing/OutlinePass.js'
@@ -27,6 +28,7 @@ const pass =
     if (!isFirst) composer.addPass(new RenderPass(scene, view))
     const made = make(scene, view, object, renderer)
     composer.addPass(made)
+    composer.addPass(new OutputPass())
     composer.render(0.016)
     composer.dispose()
     made.dispose?.()
@@ -47,8 +49,7 @@ export const rows = {
   }),
   SAO: pass((scene, view) => {
     const made = new SAOPass(scene, view)
-    made.params.saoIntensity = 0.2
-    made.params.saoScale = 10
+    made.params.output = SAOPass.OUTPUT.Normal
     return made
   }),
   SSAO: pass((scene, view) => {

@@ -1,0 +1,63 @@
+// The nodes of 'three/tsl' that a warp uses, with looser types: those of three.js depend on what each node holds, which is not
+// known for a function that is written as shader code.
+import type { Mesh, Texture } from 'three'
+import * as TSL from 'three/tsl'
+
+/** A node of three.js. */
+export interface AnyNode {
+  build(builder: unknown, type: string): string
+  assign(value: unknown): AnyNode
+  addAssign(value: unknown): AnyNode
+  sub(value: unknown): AnyNode
+  mul(value: unknown): AnyNode
+  div(value: unknown): AnyNode
+  element(i: number): AnyNode
+  transpose(): AnyNode
+  toVar(): AnyNode
+  xyz: AnyNode
+}
+
+/** The object that three.js passes to updates of nodes, one per renderer. */
+export interface Frame {
+  frameId: number
+  object: Mesh
+}
+
+/** A node that calls a function with arguments by name. */
+export type Call = (inputs: Record<string, unknown>) => AnyNode
+
+interface Nodes {
+  positionLocal: AnyNode
+  positionPrevious: AnyNode
+  positionGeometry: AnyNode
+  normalLocal: AnyNode
+  normalGeometry: AnyNode
+  tangentLocal: AnyNode
+  tangentGeometry: AnyNode
+  modelWorldMatrix: AnyNode
+  modelWorldMatrixInverse: AnyNode
+  modelNormalMatrix: AnyNode
+  velocity: { previousModelWorldMatrix: AnyNode }
+  Fn(work: (builder: never) => unknown): () => AnyNode
+  wgslFn(code: string, includes?: unknown[]): Call
+  glslFn(code: string, includes?: unknown[]): Call
+  wgsl(code: string): unknown
+  glsl(code: string): unknown
+  uniform(value: unknown): {
+    onObjectUpdate(work: (frame: Frame, self: { value: unknown }) => unknown): AnyNode
+  }
+  texture(texture: Texture): AnyNode
+  attribute(name: string, type: string): AnyNode
+  uv(): AnyNode
+  length(value: unknown): AnyNode
+  max(...values: unknown[]): AnyNode
+  inverse(matrix: unknown): AnyNode
+  vec3(...values: unknown[]): AnyNode
+  vec4(...values: unknown[]): AnyNode
+  mat3(...values: unknown[]): AnyNode
+  subBuild(node: unknown, name: string, type: string): AnyNode
+  instancedMesh(object: unknown): AnyNode
+  batch(object: unknown): AnyNode
+}
+
+export const tsl = TSL as unknown as Nodes

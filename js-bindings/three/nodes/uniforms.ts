@@ -1,0 +1,108 @@
+// The uniforms of a warp as nodes of three.js: their values of this frame, and those of the frame before for velocities.
+import { Matrix3, Matrix4, type Texture, Vector2, Vector3, Vector4 } from 'three'
+import { shaderNames } from '../../compile/hosts.js'
+import { fillOf } from '../surface.js'
+import type { ThreeWarp } from '../three-warp.js'
+import { type AnyNode, type Frame, tsl } from './tsl.js'
+import { valueNow } from '../uniforms.js'
+
+/** Maps the name of a parameter → its node. */
+export type NodesByName = Readonly<Record<string, AnyNode>>
+
+const zeros: Record<string, () => object | number> = {
+  float: () => 0,
+  vec2: () => new Vector2(),
+  vec3: () => new Vector3(),
+  vec4: () => new Vector4(),
+  mat3: () => new Matrix3(),
+  mat4: () => new Matrix4(),
+}
+
+type Numbers = number | readonly number[]
+
+interface NumberUniform {
+  name: string
+  type: string
+  read: () => Numbers
+}
+
+const numberUniforms = (warp: ThreeWarp): NumberUniform[] => [
+  { name: shaderNames.millis, type: 'float', read: () => warp.millis.value },
+  { name: shaderNames.orientation, type: 'float', read: () => (warp.isMirroredNow() ? -1 : 1) },
+  ...Object.keys(warp.frameNow()).map((name) => ({
+    name,
+    type: 'vec4',
+    read: () => warp.frameNow()[name]!,
+  })),
+  ...warp.uniforms.inShader
+    .filter(({ image }) => !image)
+    .map((uniform) => ({
+      name: uniform.label,
+      type: uniform.type,
+      read: () => valueNow(uniform) as Numbers,
+    })),
+]
+
+const nodeOf = (type: string, read: (frame: Frame) => Numbers) =>
+  tsl.uniform(zeros[type]!()).onObjectUpdate((frame, self) => {
+    const numbers = read(frame)
+    if (typeof numbers === 'number') return numbers
+    ;(self.value as Vector3).fromArray(numbers as number[])
+    return self.value
+  })
+
+/** Nodes with the values at the moment of a draw call. */
+export function uniformsOf(warp: ThreeWarp): NodesByName {
+  return {
+    ...Object.fromEntries(
+      numberUniforms(warp).map(({ name, type, read }) => [name, nodeOf(type, read)]),
+    ),
+    warpjetColor: tsl.uniform(new Vector4()).onObjectUpdate(({ object }, self) => {
+      ;(self.value as Vector4).fromArray(fillOf(object.material))
+      return self.value
+    }),
+    ...Object.fromEntries(
+      warp.uniforms.inShader
+        .filter(({ image }) => image)
+        .map((uniform) => [uniform.label, imageOf(() => valueNow(uniform) as Texture)]),
+    ),
+  }
+}
+
+/** The nodes of numbers with the values that the last frame was drawn with; before the first, those of the first. */
+export function previousUniformsOf(warp: ThreeWarp): NodesByName {
+  const all = numberUniforms(warp)
+  const read = () => new Map(all.map(({ name, read }) => [name, [read()].flat()]))
+  const recorded = new WeakMap<Frame, { frameId: number; now: Values; before: Values }>()
+  const before = (frame: Frame) => {
+    const now = read()
+    const last = recorded.get(frame)
+    const isSameFrame = last?.frameId === frame.frameId
+    const values = isSameFrame ? last!.before : (last?.now ?? now)
+    recorded.set(frame, { frameId: frame.frameId, now, before: values })
+    return values
+  }
+  return Object.fromEntries(
+    all.map(({ name, type }) => [
+      name,
+      nodeOf(type, (frame) => {
+        const numbers = before(frame).get(name)!
+        return type === 'float' ? numbers[0]! : numbers
+      }),
+    ]),
+  )
+}
+
+type Values = ReadonlyMap<string, readonly number[]>
+
+/** For a parameter of a function: GLSL has an image and its sampler in one, which three.js knows by the image's name. */
+function imageOf(read: () => Texture): AnyNode {
+  const node = tsl.texture(read()) as unknown as {
+    generate: (builder: unknown, output: string) => unknown
+    onObjectUpdate: (work: () => Texture) => AnyNode
+  }
+  const { generate } = node
+  node.generate = (builder, output) =>
+    generate.call(node, builder, output === 'sampler2D' ? 'texture' : output)
+  return node.onObjectUpdate(read)
+}

@@ -1,0 +1,141 @@
+// Velocities as passes for motion blur and TRAA have them, of a warped object and of the same motion without a warp.
+import * as THREE from 'three/webgpu'
+import { warp } from 'warpjet/three'
+import * as scenes from './scenes.js'
+import { rendererFor } from './webgpu-renderer.js'
+
+const { mrt, output, velocity } = THREE.TSL
+const { size, motion } = scenes
+
+const knot = () => new THREE.TorusKnotGeometry(0.45, 0.16, 48, 10)
+const standard = (more) => new THREE.MeshStandardNodeMaterial({ color: 0xff9060, ...more })
+
+const places = [
+  new THREE.Matrix4().makeScale(0.6, 0.5, 0.5).setPosition(-0.5, 0.4, 0),
+  new THREE.Matrix4().makeRotationY(0.7).setPosition(0.5, -0.3, 0),
+]
+
+const makeInstances = (material) => {
+  const mesh = new THREE.InstancedMesh(knot(), material, places.length)
+  places.forEach((matrix, i) => mesh.setMatrixAt(i, matrix))
+  return mesh
+}
+
+const makeBatch = (material) => {
+  const mesh = new THREE.BatchedMesh(places.length, 1000, 4000, material)
+  const id = mesh.addGeometry(knot())
+  places.forEach((matrix) => mesh.setMatrixAt(mesh.addInstance(id), matrix))
+  return mesh
+}
+
+const userNode = () => {
+  const { positionLocal, vec3 } = THREE.TSL
+  return positionLocal.add(vec3(positionLocal.y.mul(5).sin().mul(0.15), 0, 0))
+}
+
+/** The motion of the second frame. */
+const later = new THREE.Matrix4().makeRotationZ(0.05).multiply(motion)
+
+const setMotion = ({ uniforms }, matrix) => {
+  uniforms.linear.value = new THREE.Matrix3().setFromMatrix4(matrix)
+  uniforms.shift.value = new THREE.Vector3().setFromMatrixPosition(matrix)
+}
+
+/** Maps a name → an object, the space of the warp, and whether the warp moves it between frames. */
+export const rows = {
+  'a still mesh': { make: () => new THREE.Mesh(knot(), standard()) },
+  'a still mesh of a classic material': {
+    make: () => new THREE.Mesh(knot(), new THREE.MeshStandardMaterial()),
+  },
+  'a still mesh in the world': {
+    make: () => new THREE.Mesh(knot(), standard()),
+    space: 'world',
+  },
+  'a still mesh with a positionNode': {
+    make: () => new THREE.Mesh(knot(), standard({ positionNode: userNode() })),
+  },
+  'a still skinned mesh': { make: scenes.shapes.skin },
+  'a still skinned mesh at rest': { make: scenes.shapes.skin, space: 'rest' },
+  'a still InstancedMesh': { make: () => makeInstances(standard()) },
+  'a still InstancedMesh in the world': { make: () => makeInstances(standard()), space: 'world' },
+  'a still InstancedMesh with a positionNode': {
+    make: () => makeInstances(standard({ positionNode: userNode() })),
+  },
+  'a still BatchedMesh': { make: () => makeBatch(standard()) },
+  'a mesh that the warp moves': {
+    make: () => new THREE.Mesh(knot(), standard()),
+    isMoving: true,
+  },
+  'a mesh that the warp moves in the world': {
+    make: () => new THREE.Mesh(knot(), standard()),
+    space: 'world',
+    isMoving: true,
+  },
+}
+
+const nextFrame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
+
+async function velocitiesOf(renderer, scene, move) {
+  const target = new THREE.RenderTarget(size, size, { count: 2, type: THREE.FloatType })
+  target.textures[0].name = 'output'
+  target.textures[1].name = 'velocity'
+  const camera = scenes.camera()
+  renderer.setMRT(mrt({ output, velocity }))
+  renderer.setRenderTarget(target)
+  // Three.js knows the frame before from the second on.
+  for (let i = 0; i < 3; i++) {
+    if (i === 2) move()
+    renderer.render(scene, camera)
+    await nextFrame()
+  }
+  renderer.setRenderTarget(null)
+  renderer.setMRT(null)
+  const [colors, numbers] = [
+    await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size, 0),
+    await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size, 1),
+  ]
+  target.dispose()
+  return { colors: [...colors], numbers: [...numbers] }
+}
+
+/** Counts pixels whose velocity is not that of the motion without a warp, and those that are drawn. */
+export async function measure(name, backend) {
+  const renderer = await rendererFor(backend)
+  const { make, space, isMoving } = rows[name]
+  const sceneOf = (object) => {
+    object.matrixAutoUpdate = false
+    object.matrix.copy(scenes.place)
+    const scene = new THREE.Scene()
+    scene.add(new THREE.HemisphereLight(), object)
+    return scene
+  }
+  const object = make()
+  const warped = warp(object, scenes.offset, { space, uniforms: scenes.uniforms() })
+  warped.update(1000)
+  const shown = await velocitiesOf(renderer, sceneOf(object), () => {
+    if (isMoving) setMotion(warped, later)
+  })
+  let wanted
+  if (isMoving) {
+    const reference = make()
+    const scene = sceneOf(reference)
+    const place = (matrix) =>
+      space === 'world'
+        ? reference.matrix.multiplyMatrices(matrix, scenes.place)
+        : reference.matrix.multiplyMatrices(scenes.place, matrix)
+    place(motion)
+    wanted = await velocitiesOf(renderer, scene, () => place(later))
+  }
+  const distance = (i) =>
+    Math.hypot(...[0, 1].map((k) => shown.numbers[4 * i + k] - (wanted?.numbers[4 * i + k] ?? 0)))
+  const all = Array.from({ length: size * size }, (_, i) => i)
+  const isDrawn = (i) => shown.colors[4 * i] > 0
+  return {
+    // A tenth of a pixel, in units of half the picture.
+    wrong: all.filter((i) => isDrawn(i) && !(distance(i) < 0.2 / size)).length,
+    drawn: all.filter(isDrawn).length,
+    moving: all.filter(
+      (i) => Math.hypot(shown.numbers[4 * i], shown.numbers[4 * i + 1]) > 0.2 / size,
+    ).length,
+  }
+}

@@ -1,0 +1,86 @@
+// A torus whose vertices move along their normals by a wave of their uv, against one that is made so, in double precision.
+import * as THREE from 'three/webgpu'
+import { warp } from 'warpjet/three'
+import { differing } from './pixels.js'
+import * as scenes from './scenes.js'
+import { draw, rendererFor } from './webgpu-renderer.js'
+
+const [radius, tube] = [0.7, 0.3]
+
+/** The distance that a place of the torus moves; `u` goes around the ring, `v` around the tube. */
+const height = (u, v) => 0.12 * Math.sin(12 * Math.PI * u) * Math.cos(8 * Math.PI * v)
+
+const offset = ({ normal, uv }) =>
+  normal.mult(
+    uv
+      .x()
+      .mult(12 * Math.PI)
+      .sin()
+      .mult(
+        uv
+          .y()
+          .mult(8 * Math.PI)
+          .cos(),
+      )
+      .mult(0.12),
+  )
+
+function place(u, v) {
+  const [a, b] = [2 * Math.PI * u, 2 * Math.PI * v]
+  const r = tube + height(u, v)
+  return new THREE.Vector3(
+    (radius + r * Math.cos(b)) * Math.cos(a),
+    (radius + r * Math.cos(b)) * Math.sin(a),
+    r * Math.sin(b),
+  )
+}
+
+/** Computes the normal by differences of places. */
+function normalAt(u, v) {
+  const step = 1e-5
+  const along = place(u + step, v).sub(place(u - step, v))
+  return along.cross(place(u, v + step).sub(place(u, v - step))).normalize()
+}
+
+function torus({ isMoved, hasTangents }) {
+  const geometry = new THREE.TorusGeometry(radius, tube, 64, 160)
+  const { uv, position, normal } = geometry.attributes
+  if (isMoved)
+    for (let i = 0; i < uv.count; i++) {
+      // Three's u goes around the ring, its v around the tube.
+      const [u, v] = [uv.getX(i), uv.getY(i)]
+      position.setXYZ(i, ...place(u, v))
+      normal.setXYZ(i, ...normalAt(u, v))
+    }
+  if (hasTangents) {
+    geometry.computeTangents()
+    geometry.setAttribute('uv1', uv.clone())
+  }
+  return geometry
+}
+
+/** Counts pixels that differ. With tangents there is a second uv, too, and the material reads both. */
+export async function compare(backend, { hasTangents, exact = true }, addSurfaceVariation) {
+  const renderer = await rendererFor(backend)
+  const ao = new THREE.DataTexture(new Uint8Array([200, 255, 220, 255]), 1, 1)
+  ao.channel = 1
+  ao.needsUpdate = true
+  const material = new THREE.MeshPhysicalMaterial(
+    hasTangents
+      ? { normalMap: scenes.shapes['normal map']().material.normalMap, aoMap: ao }
+      : { color: 0xff9060 },
+  )
+  const geometry = torus({ hasTangents })
+  if (exact) await addSurfaceVariation(geometry)
+  const object = new THREE.Mesh(geometry, material)
+  warp(object, offset, exact ? {} : { surfaceVariation: false })
+  const pictures = []
+  for (const mesh of [
+    object,
+    new THREE.Mesh(torus({ isMoved: true, hasTangents }), material),
+    new THREE.Mesh(torus({ hasTangents }), material),
+  ])
+    pictures.push(await draw(renderer, scenes.sceneOf(mesh, 'directional')))
+  const [shown, wanted, before] = pictures
+  return { differing: differing(shown, wanted), moved: differing(wanted, before) }
+}

@@ -1,0 +1,77 @@
+// WebGPURenderer, on both its backends: a warp beside the code of others is the same picture as the motion without a warp.
+import assert from 'node:assert/strict'
+import { after, before, describe, test } from 'node:test'
+import { webgpuFlags } from '../support/browser/browser.js'
+import { threePages } from '../support/browser/three/open.js'
+
+/** Pixels that may differ by more than 12 of 255 in a channel. */
+const allowed = 5
+const seen = 200
+
+let pages, page, messages
+before(async () => {
+  pages = await threePages(webgpuFlags)
+  ;({ page, messages } = await pages.open('three', 'page-company.js'))
+})
+after(() => pages.close())
+
+for (const backend of ['webgl', 'webgpu'])
+  describe(`the backend ${backend}`, () => {
+    const ask = (work, ...given) => {
+      messages.length = 0
+      return page.evaluate(work, [...given, backend])
+    }
+
+    test('beside the code of others', async (t) => {
+      for (const name of await ask(() => company.names))
+        await t.test(name, async () => {
+          const { differing, moved } = await ask(([name, on]) => company.compare(name, on), name)
+          assert.deepEqual(messages, [])
+          assert.ok(differing <= allowed, `${differing} pixels differ from the motion by three.js`)
+          assert.ok(moved > seen, `${moved} pixels are moved`)
+        })
+    })
+
+    test('velocities', async (t) => {
+      for (const name of await ask(() => company.velocities))
+        await t.test(name, async () => {
+          const { wrong, drawn, moving } = await ask(
+            ([name, on]) => company.velocity(name, on),
+            name,
+          )
+          assert.deepEqual(messages, [])
+          assert.ok(wrong <= allowed, `${wrong} velocities are wrong`)
+          assert.ok(drawn > seen, `${drawn} pixels are drawn`)
+          if (name.includes('moves')) assert.ok(moving > seen, `${moving} pixels move`)
+        })
+    })
+
+    test('along the normals of a torus, by a wave of uv', async (t) => {
+      for (const hasTangents of [false, true])
+        await t.test(hasTangents ? 'with tangents and a second uv' : 'plain', async () => {
+          const { differing, moved } = await ask(([settings, on]) => company.torus(on, settings), {
+            hasTangents,
+          })
+          assert.deepEqual(messages, [])
+          assert.ok(differing <= allowed, `${differing} pixels differ`)
+          assert.ok(moved > seen, `${moved} pixels are moved`)
+          const rough = await ask(([settings, on]) => company.torus(on, settings), {
+            hasTangents,
+            exact: false,
+          })
+          assert.ok(rough.differing > 100, `${rough.differing} differ without surface variation`)
+        })
+    })
+  })
+
+test('what cannot be warped is refused by name, with what to write instead', async () => {
+  const errors = await page.evaluate(() => company.refusals())
+  const expected = [
+    /^WarpError: warp: the vertexNode of the MeshStandardNodeMaterial "screen" of the Mesh "boat" .*positionNode\.$/,
+    /^WarpError: warp: the PointsNodeMaterial of the Mesh "dust" .*put it on Points with the geometry\.$/,
+    /^WarpError: warp: the Sprite "tree" .*use a Mesh with a PlaneGeometry\.$/,
+    /^WarpError: warp: the Mesh "ship" is drawn by a renderer of another copy of three\.js /,
+  ]
+  assert.equal(errors.length, expected.length)
+  errors.forEach((error, i) => assert.match(error, expected[i]))
+})
