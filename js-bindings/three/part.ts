@@ -1,7 +1,7 @@
 // One warped object: what renderers, culling, rays and clones meet while it is warped.
 import type { BatchedMesh, Box3, InstancedMesh, Mesh, Object3D } from 'three'
 import { batchProperties } from './batch.js'
-import { extentOf } from './extent.js'
+import { extentOf, isInstancedMesh2 } from './extent.js'
 import type { Warpable } from './pose.js'
 import { answering, asProperties, replaceProperties, wrapMethod } from './properties.js'
 import { type Raycast, raycastOf } from './rays.js'
@@ -50,6 +50,7 @@ export function warpPart(
       ...((object as BatchedMesh).isBatchedMesh &&
         asProperties(batchProperties(warp, object as BatchedMesh))),
     }),
+    isInstancedMesh2(object) ? showAllInstances(object as never) : () => {},
     carryByNodes(object, warp),
     () => unregister(object),
   ]
@@ -63,6 +64,13 @@ export function warpPart(
       for (const each of restore.splice(0).reverse()) each()
     },
   }
+}
+
+/** @three.ez/instanced-mesh culls each instance by the bounds of the unwarped geometry. */
+function showAllInstances(object: { perObjectFrustumCulled: boolean }) {
+  const before = object.perObjectFrustumCulled
+  object.perObjectFrustumCulled = false
+  return () => void (object.perObjectFrustumCulled = before)
 }
 
 /** Three.js copies bounds to clones, where they would be those of the warp. */

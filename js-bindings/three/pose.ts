@@ -3,6 +3,7 @@ import {
   Box3,
   type BufferAttribute,
   type BufferGeometry,
+  type InstancedBufferGeometry,
   type InstancedMesh,
   type InterleavedBufferAttribute,
   type Line,
@@ -44,11 +45,17 @@ export function poseState(object: Warpable): number[] {
     ...Object.values(object.geometry.morphAttributes).flat().map(versionOf),
     ...((object as Mesh).morphTargetInfluences ?? []),
     morphTextureOf(object)?.version ?? -1,
+    ...boundsState(object.geometry),
   ]
   if (isSkinned(object))
     for (const { matrixWorld } of [...object.skeleton.bones, object])
       state.push(...matrixWorld.elements)
   return state
+}
+
+function boundsState(geometry: BufferGeometry): number[] {
+  const sphere = ownBounds(geometry)?.sphere
+  return sphere ? [...sphere.center.toArray(), sphere.radius] : []
 }
 
 /** The vertices as arrays: `isPosed` says whether morph targets and bones have moved them. */
@@ -113,8 +120,20 @@ function morphed(object: Warpable, normals: Float32Array) {
 /** Around a geometry at rest, by the version of its positions. */
 const boxes = new WeakMap<object, { version: number; box: Box3; sphere: Sphere }>()
 
-export const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
-export const sphereOf = (attribute: Attribute): Sphere => boundsAtRest(attribute).sphere
+const boxOf = (attribute: Attribute): Box3 => boundsAtRest(attribute).box
+
+/** Bounds of the geometry. Where instances of an InstancedBufferGeometry are, as of text, is known only to who sets its bounds. */
+export const restBox = ({ geometry }: Warpable): Box3 =>
+  ownBounds(geometry)?.box ?? boxOf(geometry.attributes.position as Attribute)
+export const restSphere = ({ geometry }: Warpable): Sphere =>
+  ownBounds(geometry)?.sphere ?? boundsAtRest(geometry.attributes.position as Attribute).sphere
+
+function ownBounds(geometry: BufferGeometry) {
+  const { isInstancedBufferGeometry } = geometry as Partial<InstancedBufferGeometry>
+  const { boundingBox, boundingSphere } = geometry
+  if (!isInstancedBufferGeometry || !boundingSphere) return undefined
+  return { box: boundingBox ?? boundingSphere.getBoundingBox(new Box3()), sphere: boundingSphere }
+}
 
 function boundsAtRest(attribute: Attribute) {
   const version = versionOf(attribute)
@@ -213,7 +232,7 @@ const toBone = new Matrix4()
 
 /** Around the object as its morph targets and bones have it, before its own matrix: never too small. */
 export function posedBox(object: Warpable): Box3 {
-  const rest = boxOf(object.geometry.attributes.position as BufferAttribute)
+  const rest = restBox(object)
   if (!isSkinned(object)) return isMoved(object) ? boxOfMorphs(object, rest) : rest
   const isMorphed = !!object.geometry.morphAttributes.position?.length
   const boxes = isMorphed ? undefined : boxesOfBones(object.geometry)

@@ -18,15 +18,26 @@ const anchor = /\b(?:vec4\s+mvPosition|gl_Position)\s*=[^;]*\btransformed\b[^;]*
 
 /** Tests whether a warp can be put into a vertex shader. */
 export function canWeave(vertexShader: string): boolean {
-  const parts = splitAtMain(resolveIncludes(vertexShader))
-  return parts !== undefined && (anchor.test(parts.main) || readsPosition(parts.main))
+  const source = resolveIncludes(vertexShader)
+  return anchor.test(source) || readsPosition(splitAtMain(source)?.main ?? '')
+}
+
+/** Splits a source in front of the function that has the anchor, which need not be `main`: others may call it. */
+function splitAtAnchor(source: string) {
+  const { index } = anchor.exec(source) ?? {}
+  if (index === undefined) return undefined
+  const heads = [...source.slice(0, index).matchAll(/\bvoid\s+\w+\s*\([^)]*\)\s*\{/g)]
+  const start = heads.at(-1)?.index
+  return start === undefined
+    ? undefined
+    : { top: source.slice(0, start), main: source.slice(start) }
 }
 
 /** A vertex shader with the warp in it. */
 export function weave(vertexShader: string, warp: ThreeWarp, options: WeaveOptions): string {
   const source = resolveIncludes(vertexShader)
-  const parts = splitAtMain(source)
-  if (!parts || !anchor.test(parts.main)) return weaveAttributes(source, warp, options)
+  const parts = splitAtAnchor(source)
+  if (!parts) return weaveAttributes(source, warp, options)
   const isLit = /\btransformedNormal\b/.test(parts.main)
   // A shader that makes its own normal from the attribute.
   const readsAttribute = !isLit && options.isShaderMaterial && readsNormal(withoutChunks(source))

@@ -13,7 +13,7 @@ import {
 } from 'warpjet/three'
 import { glslOffset } from 'warpjet/glsl'
 import { bakeWarp } from 'warpjet/mesh'
-import { MeshBVH, acceleratedRaycast } from 'three-mesh-bvh'
+import { MeshBVH, acceleratedRaycast, computeBatchedBoundsTree } from 'three-mesh-bvh'
 import { bend, bulge, shear, spherify, stretch, taper, twist } from 'warpjet/deformers'
 
 const wave = ({ glsl, position, uniforms, millis }) =>
@@ -161,6 +161,32 @@ describe('rays meet the warped surface', () => {
       const [hit] = ray.intersectObject(object)
       assert.equal(hit.object, object)
       assert.ok(Math.abs(hit.point.z - 5) < 0.011)
+    }
+  })
+
+  test('by three-mesh-bvh, assigned before the warp and after it, also of a batch', () => {
+    const up = ({ glsl }) => glsl.vec3(0, 0, 2)
+    const down = new THREE.Raycaster(new THREE.Vector3(0.2, 0.1, 9), new THREE.Vector3(0, 0, -1))
+    const height = (object) => down.intersectObject(object)[0].point.z
+    for (const when of ['before', 'after']) {
+      const mesh = plane()
+      mesh.geometry.boundsTree = new MeshBVH(mesh.geometry)
+      if (when === 'before') mesh.raycast = acceleratedRaycast
+      const warped = warp(mesh, up)
+      if (when === 'after') mesh.raycast = acceleratedRaycast
+      assert.ok(Math.abs(height(mesh) - 2) < 1e-4, when)
+      warped.dispose()
+      assert.equal(mesh.raycast, acceleratedRaycast)
+      assert.ok(Math.abs(height(mesh)) < 1e-4)
+    }
+    for (const space of ['local', 'world']) {
+      const batch = new THREE.BatchedMesh(1, 8, 12, new THREE.MeshBasicMaterial())
+      const id = batch.addGeometry(new THREE.PlaneGeometry(2, 2))
+      batch.setMatrixAt(batch.addInstance(id), new THREE.Matrix4())
+      computeBatchedBoundsTree.call(batch)
+      batch.raycast = acceleratedRaycast
+      warp(batch, up, { space })
+      assert.ok(Math.abs(height(batch) - 2) < 1e-4, space)
     }
   })
 

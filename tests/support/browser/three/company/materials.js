@@ -11,6 +11,7 @@ import {
   userMotion,
   withMotion,
 } from './lib.js'
+import { straightCamera, twistedByHand } from './twisted.js'
 
 const redden = (shader, when = 'true') => {
   shader.fragmentShader = shader.fragmentShader.replace(
@@ -108,43 +109,22 @@ const chunks = [
 ]
 
 /** The example materials_modified turns position and normal about y by an angle that grows with y. */
-function twisted(way) {
-  const twist = (y) => Math.sin(1 + y) / 2
-  if (way !== 'byHand')
-    return mesh(
-      changed(
-        inVertex(
-          '#include <begin_vertex>',
-          `float theta = sin( 1.0 + position.y ) / 2.0;
-          float c = cos( theta );
-          float s = sin( theta );
-          mat3 m = mat3( c, 0, s, 0, 1, 0, - s, 0, c );
-          vec3 transformed = vec3( position ) * m;
-          vNormal = vNormal * m;`,
+const twisted = (way) =>
+  way === 'byHand'
+    ? twistedByHand()
+    : mesh(
+        changed(
+          inVertex(
+            '#include <begin_vertex>',
+            `float theta = sin( 1.0 + position.y ) / 2.0;
+            float c = cos( theta );
+            float s = sin( theta );
+            mat3 m = mat3( c, 0, s, 0, 1, 0, - s, 0, c );
+            vec3 transformed = vec3( position ) * m;
+            vNormal = vNormal * m;`,
+          ),
         ),
-      ),
-    )
-  // The example turns the normal in view space; with a camera that looks along -z this is the space of the object.
-  const geometry = torus()
-  const { position, normal } = geometry.attributes
-  for (let i = 0; i < position.count; i++) {
-    const theta = twist(position.getY(i))
-    const [c, s] = [Math.cos(theta), Math.sin(theta)]
-    for (const each of [position, normal]) {
-      const [x, z] = [each.getX(i), each.getZ(i)]
-      each.setX(i, x * c + z * s)
-      each.setZ(i, z * c - x * s)
-    }
-  }
-  return mesh(standard(), geometry)
-}
-
-function straightCamera() {
-  const made = new THREE.PerspectiveCamera(45, 1, 0.5, 20)
-  made.position.z = 4
-  made.updateMatrixWorld()
-  return made
-}
+      )
 
 class WithPrivateField extends THREE.MeshStandardMaterial {
   #tint = 0.9
